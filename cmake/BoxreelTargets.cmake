@@ -1,0 +1,49 @@
+# How every target of this project is compiled. Nothing here touches global flags, so a parent
+# project that uses add_subdirectory keeps its own.
+
+# Same input, same bits: no fused multiply-add, no fast-math, whatever the compiler's default.
+set(BOXREEL_COMPILE_OPTIONS -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                            -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+
+# boxreel_configure(TARGET): language level, warnings, exact floating point, sanitizers.
+function(boxreel_configure target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE ${BOXREEL_COMPILE_OPTIONS})
+  if(BOXREEL_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(BOXREEL_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${BOXREEL_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${BOXREEL_SANITIZE})
+  endif()
+endfunction()
+
+# boxreel_add_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]): the library boxreel::NAME of the
+# current folder; its public headers are in include/.
+function(boxreel_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(boxreel_${name} STATIC ${ARG_SOURCES})
+  add_library(boxreel::${name} ALIAS boxreel_${name})
+  set_target_properties(boxreel_${name} PROPERTIES EXPORT_NAME ${name})
+  boxreel_configure(boxreel_${name})
+  target_include_directories(boxreel_${name}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include/boxreel>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_link_libraries(boxreel_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+# boxreel_add_tests(NAME SOURCES … [LIBRARIES …] [LABELS …] [PROPERTIES …]): a GoogleTest program
+# whose cases become CTest tests with the given labels (quick unless said).
+function(boxreel_add_tests name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS;PROPERTIES" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS quick)
+  endif()
+  add_executable(boxreel_${name}_tests ${ARG_SOURCES})
+  boxreel_configure(boxreel_${name}_tests)
+  target_link_libraries(boxreel_${name}_tests PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(boxreel_${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300 ${ARG_PROPERTIES})
+endfunction()

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Draw.h>
+#include <debugdraw/DrawList.h>
+
+/// The engine's debug drawing as a DrawList: register it with b2World::SetDebugDraw, call
+/// DrawDebugData, read the list. The only file of this folder that knows the engine.
+namespace boxreel
+{
+
+class DrawCollector : public b2Draw
+{
+public:
+    explicit DrawCollector(DrawList& list) : m_list(list) {}
+
+    void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override;
+    void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override;
+    void DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color) override;
+    void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis, const b2Color& color) override;
+    void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override;
+    void DrawTransform(const b2Transform& xf) override;
+
+    /// Which layer and which body the calls that follow belong to.
+    void BeginLayer(uint32 flag) override;
+    void BeginBody(int32 number) override;
+
+private:
+    DrawList& m_list;
+};
+
+} // namespace boxreel

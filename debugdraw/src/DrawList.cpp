@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/DrawList.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+
+void Rect::Include(Vec2 point)
+{
+    Include(Rect{point, point});
+}
+
+void Rect::Include(const Rect& other)
+{
+    if (other.IsEmpty())
+    {
+        return;
+    }
+    if (IsEmpty())
+    {
+        *this = other;
+        return;
+    }
+    lower = {std::min(lower.x, other.lower.x), std::min(lower.y, other.lower.y)};
+    upper = {std::max(upper.x, other.upper.x), std::max(upper.y, other.upper.y)};
+}
+
+DrawItem& DrawList::Add(DrawKind kind, const Vec2* vertices, std::size_t count, Color color)
+{
+    DrawItem item;
+    item.kind = kind;
+    item.layer = layer;
+    item.count = static_cast<std::uint16_t>(count);
+    item.first = static_cast<std::uint32_t>(points.size());
+    item.owner = owner;
+    item.color = color;
+    points.insert(points.end(), vertices, vertices + count);
+    items.push_back(item);
+    return items.back();
+}
+
+void DrawList::AddPolygon(const Vec2* vertices, std::size_t count, Color color)
+{
+    Add(DrawKind::Polygon, vertices, count, color);
+}
+
+void DrawList::AddSolidPolygon(const Vec2* vertices, std::size_t count, Color color)
+{
+    Add(DrawKind::SolidPolygon, vertices, count, color);
+}
+
+void DrawList::AddCircle(Vec2 center, float radius, Color color)
+{
+    Add(DrawKind::Circle, &center, 1, color).size = radius;
+}
+
+void DrawList::AddSolidCircle(Vec2 center, float radius, Vec2 axis, Color color)
+{
+    const Vec2 both[2] = {center, axis};
+    Add(DrawKind::SolidCircle, both, 2, color).size = radius;
+}
+
+void DrawList::AddSegment(Vec2 a, Vec2 b, Color color)
+{
+    const Vec2 both[2] = {a, b};
+    Add(DrawKind::Segment, both, 2, color);
+}
+
+void DrawList::AddTransform(Vec2 origin, Vec2 xAxis, float axisLength)
+{
+    const Vec2 both[2] = {origin, xAxis};
+    Add(DrawKind::Transform, both, 2, Color{255, 255, 255, 255}).size = axisLength;
+}
+
+void DrawList::AddPoint(Vec2 center, float diameterPixels, Color color)
+{
+    Add(DrawKind::Point, &center, 1, color).size = diameterPixels;
+}
+
+void DrawList::AddText(Vec2 topLeft, std::string_view text, Color color)
+{
+    Add(DrawKind::Text, &topLeft, 1, color).text = static_cast<std::uint32_t>(texts.size());
+    texts.emplace_back(text);
+}
+
+void DrawList::Clear()
+{
+    items.clear();
+    points.clear();
+    texts.clear();
+    layer = DrawLayer::Shapes;
+    owner = kNoOwner;
+}
+
+} // namespace boxreel

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Math.h>
+
+/// The colour of a debug-drawing call. Channels run from 0 to 1.
+struct b2Color
+{
+    b2Color() = default;
+    b2Color(float32 red, float32 green, float32 blue, float32 alpha = 1.0f)
+        : r(red), g(green), b(blue), a(alpha)
+    {
+    }
+    void Set(float32 red, float32 green, float32 blue, float32 alpha = 1.0f)
+    {
+        *this = b2Color(red, green, blue, alpha);
+    }
+
+    float32 r = 0.0f;
+    float32 g = 0.0f;
+    float32 b = 0.0f;
+    float32 a = 1.0f;
+};
+
+/// Derive from this, register it with b2World::SetDebugDraw and b2World::DrawDebugData calls back
+/// for everything the flags ask for. Points are in world coordinates [m].
+class b2Draw
+{
+public:
+    virtual ~b2Draw();
+
+    enum
+    {
+        e_shapeBit = 0x0001,        ///< shapes
+        e_jointBit = 0x0002,        ///< joint connections
+        e_aabbBit = 0x0004,         ///< broad-phase boxes of the fixtures
+        e_pairBit = 0x0008,         ///< pairs of fixtures whose boxes overlap
+        e_centerOfMassBit = 0x0010, ///< centre of mass frame
+    };
+
+    void SetFlags(uint32 flags) { m_drawFlags = flags; }
+    uint32 GetFlags() const { return m_drawFlags; }
+    void AppendFlags(uint32 flags) { m_drawFlags |= flags; }
+    void ClearFlags(uint32 flags) { m_drawFlags &= ~flags; }
+
+    /// A closed outline, counter-clockwise.
+    virtual void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) = 0;
+    /// A filled convex polygon, counter-clockwise.
+    virtual void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) = 0;
+    virtual void DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color) = 0;
+    /// `axis` is the unit vector that shows how the circle has turned.
+    virtual void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis, const b2Color& color) = 0;
+    virtual void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) = 0;
+    /// A frame of reference; how long its axes are drawn is the drawer's choice.
+    virtual void DrawTransform(const b2Transform& xf) = 0;
+
+    /// What the calls that follow show: one of the bits above. An addition to the manual's interface;
+    /// may be left as it is.
+    virtual void BeginLayer(uint32 flag) { (void)flag; }
+    /// Which body the calls that follow belong to: its number in order of creation, or -1 for none.
+    /// An addition to the manual's interface; may be left as it is.
+    virtual void BeginBody(int32 number) { (void)number; }
+
+protected:
+    uint32 m_drawFlags = 0;
+};
+
+/// The manual's name for the same interface.
+typedef b2Draw b2DebugDraw;

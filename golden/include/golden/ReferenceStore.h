@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/DrawList.h>
+#include <debugdraw/Result.h>
+#include <golden/Compare.h>
+#include <render/Frame.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The folder of what was approved, at three depths: references/state/NAME.txt (hash),
+/// references/drawlist/NAME.txt, references/frames/NAME.png. Verify compares in that order, so that a
+/// failure says whether the motion, the geometry or only the pixels changed.
+namespace boxreel
+{
+
+/// One moment of a scene. `name` is a relative path such as "pyramid/3s"; it cannot leave the folder.
+struct GoldenCandidate
+{
+    std::string name;
+    std::string stateHash; ///< 16 hex digits; empty: depth not used
+    DrawList list;
+    Frame frame;
+};
+
+enum class GoldenStatus
+{
+    Same,
+    Missing,   ///< no reference: fails, the candidate is written to the output folder
+    State,     ///< the worlds differ
+    DrawList,  ///< same world, other geometry
+    Pixels,    ///< same geometry, other pixels
+};
+
+struct GoldenVerdict
+{
+    std::string name;
+    GoldenStatus status = GoldenStatus::Missing;
+    std::string message; ///< a sentence or two: what differs first, and where the pictures lie
+    Comparison pixels;
+};
+
+class ReferenceStore
+{
+public:
+    /// `references`: the approved folder; `output`: where failures leave NAME.expected.png, NAME.actual.png,
+    /// NAME.difference.png, NAME.side-by-side.png and the two draw lists.
+    ReferenceStore(std::filesystem::path references, std::filesystem::path output);
+
+    /// An Error only when a file cannot be read or written, or the name is not usable; a difference is a verdict.
+    Result<GoldenVerdict> Verify(const GoldenCandidate& candidate, const CompareSettings& settings = {}) const;
+
+    /// Makes the candidate the reference. Files are written whole or not at all.
+    Result<void> Accept(const GoldenCandidate& candidate) const;
+
+    /// Names that have a reference, sorted.
+    std::vector<std::string> Names() const;
+
+private:
+    std::filesystem::path m_references;
+    std::filesystem::path m_output;
+};
+
+} // namespace boxreel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+
+#include <cstdint>
+#include <string_view>
+
+/// Which simulation step a frame shows, in whole numbers, so that no film drifts however long.
+namespace boxreel
+{
+
+/// A positive fraction in lowest terms. "60", "29.97", "0.25", "30000/1001" are all exact.
+struct Rational
+{
+    std::int64_t num = 1;
+    std::int64_t den = 1;
+    /// An Error (Unusable) unless the text is a finite number above zero with at most nine digits a part.
+    static Result<Rational> Parse(std::string_view text);
+    double ToDouble() const { return double(num) / double(den); }
+    friend bool operator==(const Rational&, const Rational&) = default;
+};
+
+/// Frame k shows the simulated time k * speed / fps: the state after floor(that * hz) steps.
+struct FrameClock
+{
+    Rational framesPerSecond{60, 1};
+    Rational stepsPerSecond{60, 1};
+    Rational speed{1, 1}; ///< simulated seconds per second of film
+
+    std::int64_t StepOfFrame(std::int64_t frame) const;
+    double SecondsOfFrame(std::int64_t frame) const; ///< simulated time shown
+};
+
+} // namespace boxreel

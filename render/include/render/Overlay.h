@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/DrawList.h>
+#include <debugdraw/Result.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Panels over a frame. An Overlay is plain triangles with texture coordinates into the one font
+/// texture; a Hud lays one out with Dear ImGui. Only Overlay.cpp knows Dear ImGui.
+namespace boxreel
+{
+
+struct OverlayVertex
+{
+    Vec2 position; ///< [px], y down
+    Vec2 uv;       ///< into the font texture
+    Color color;   ///< not premultiplied
+};
+
+struct OverlayCommand
+{
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+    int clipX0 = 0, clipY0 = 0, clipX1 = 0, clipY1 = 0; ///< [px], y down, upper bounds excluded
+};
+
+struct Overlay
+{
+    std::vector<OverlayVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<OverlayCommand> commands;
+    bool IsEmpty() const { return commands.empty(); }
+};
+
+/// What the panel shows: a title and rows of name and value.
+struct HudContent
+{
+    std::string title;
+    std::vector<std::pair<std::string, std::string>> rows;
+};
+
+/// One Dear ImGui panel in the top left corner. Same content, same triangles.
+class Hud
+{
+public:
+    static Result<Hud> Create(int width, int height);
+    Hud(Hud&&) noexcept;
+    Hud& operator=(Hud&&) noexcept;
+    ~Hud();
+
+    /// Valid until the next call.
+    const Overlay& Build(const HudContent& content);
+
+private:
+    struct Impl;
+    explicit Hud(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace boxreel

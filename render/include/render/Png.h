@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+#include <render/Frame.h>
+
+#include <filesystem>
+
+/// Frames to and from PNG files, through libpng. Only Png.cpp knows that library.
+namespace boxreel
+{
+
+struct PngSettings
+{
+    int compressionLevel = 3; ///< zlib, 1 (fast) to 9 (small); the pixels are the same
+    bool overwrite = false;   ///< false: an existing file is an error
+};
+
+/// Reads any PNG type and depth as 8-bit RGBA. Never trusts the file: sizes are limited, a truncated or
+/// foreign file is an Error that names it.
+Result<Frame> ReadPng(const std::filesystem::path& path);
+
+/// Whole or not at all: written as NAME.part.png beside it, then renamed. RGB when the frame is opaque.
+Result<void> WritePng(const std::filesystem::path& path, const Frame& frame, const PngSettings& settings = {});
+
+} // namespace boxreel

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Box2D.h>
+
+#include <memory>
+#include <span>
+
+/// What a scene is: a world it fills in its constructor and may steer around each step. Scenes use the
+/// engine only; whoever shows them (film, window, test) is none of their business.
+namespace boxreel
+{
+
+struct SceneSettings
+{
+    uint32 seed = 1; ///< of the scene's random numbers
+};
+
+/// How far and how carefully one step goes.
+struct StepSettings
+{
+    float32 timeStep = 1.0f / 60.0f; ///< [s]
+    int32 velocityIterations = 8;
+    int32 positionIterations = 3;
+};
+
+class Scene
+{
+public:
+    explicit Scene(const SceneSettings& settings) : m_settings(settings), m_world(b2Vec2(0.0f, -10.0f)) {}
+    virtual ~Scene() = default;
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    b2World& World() { return m_world; }
+
+    /// One step of the world; a scene that steers overrides it and calls this one.
+    virtual void Step(const StepSettings& settings)
+    {
+        m_world.Step(settings.timeStep, settings.velocityIterations, settings.positionIterations);
+    }
+
+protected:
+    SceneSettings m_settings;
+    b2World m_world;
+};
+
+/// One line of the table of scenes.
+struct SceneEntry
+{
+    const char* name;     ///< as users know it, e.g. "Newton's Cradle"
+    const char* category; ///< for lists and menus
+    const char* summary;  ///< what it shows, one sentence
+    std::unique_ptr<Scene> (*create)(const SceneSettings&);
+};
+
+/// Every scene, in the order of the list. An explicit table: testbed/scenes/SceneTable.cpp.
+std::span<const SceneEntry> AllScenes();
+
+} // namespace boxreel
