@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Settings.h>
+
+#include <cstring>
+#include <type_traits>
+
+/// A stack of plain values that starts inside the object and moves to the heap only when it
+/// outgrows N of them. Tree walks use it so that they need not recurse or allocate.
+template <typename T, int32 N>
+class b2GrowableStack
+{
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    b2GrowableStack() = default;
+    ~b2GrowableStack()
+    {
+        if (m_stack != m_array)
+        {
+            b2Free(m_stack);
+        }
+    }
+    b2GrowableStack(const b2GrowableStack&) = delete;
+    b2GrowableStack& operator=(const b2GrowableStack&) = delete;
+
+    void Push(const T& element)
+    {
+        if (m_count == m_capacity)
+        {
+            Grow();
+        }
+        m_stack[m_count++] = element;
+    }
+
+    T Pop()
+    {
+        b2Assert(m_count > 0);
+        return m_stack[--m_count];
+    }
+
+    int32 GetCount() const { return m_count; }
+
+private:
+    void Grow()
+    {
+        T* larger = static_cast<T*>(b2Alloc(2 * m_capacity * static_cast<int32>(sizeof(T))));
+        std::memcpy(larger, m_stack, static_cast<std::size_t>(m_count) * sizeof(T));
+        if (m_stack != m_array)
+        {
+            b2Free(m_stack);
+        }
+        m_stack = larger;
+        m_capacity *= 2;
+    }
+
+    T m_array[N];
+    T* m_stack = m_array;
+    int32 m_count = 0;
+    int32 m_capacity = N;
+};

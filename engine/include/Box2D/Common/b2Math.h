@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Settings.h>
+
+#include <cmath>
+
+/// Vectors, matrices, rotations, transforms and sweeps in two dimensions. Small value types, all
+/// inline. Only IEEE basic operations and square roots are used, with sine, cosine and arc tangent
+/// of our own, so every compiler and C library gives the same bits.
+
+namespace box2d
+{
+/// Sine and cosine of an angle [rad]. The single-precision form is correct to 0.51 ulp, the double
+/// form to 2 ulp, for angles to a million; beyond, the error grows with the angle. An angle of zero
+/// gives exactly 0 and 1; one that is not finite gives NaN.
+void SinCos(float angle, float* sine, float* cosine);
+void SinCos(double angle, double* sine, double* cosine);
+
+/// The angle of the vector (x, y), from -pi to pi, with the signs and special cases of std::atan2.
+double Atan2(double y, double x);
+} // namespace box2d
+
+/// False for NaN and the infinities.
+inline bool b2IsValid(float32 x)
+{
+    return std::isfinite(x);
+}
+
+inline float32 b2Sqrt(float32 x)
+{
+    return std::sqrt(x);
+}
+
+/// 1 / sqrt(x), correct to one rounding of each: there is no approximation to be hidden here.
+inline float32 b2InvSqrt(float32 x)
+{
+    return 1.0f / std::sqrt(x);
+}
+
+inline float32 b2Atan2(float32 y, float32 x)
+{
+    return static_cast<float32>(box2d::Atan2(y, x));
+}
+
+/// A column vector with two components.
+struct b2Vec2
+{
+    constexpr b2Vec2() = default;
+    constexpr b2Vec2(float32 x_, float32 y_) : x(x_), y(y_) {}
+
+    constexpr void SetZero() { *this = b2Vec2(); }
+    constexpr void Set(float32 x_, float32 y_) { *this = b2Vec2(x_, y_); }
+
+    constexpr b2Vec2 operator-() const { return {-x, -y}; }
+    /// Component 0 or 1.
+    constexpr float32 operator()(int32 i) const { return i == 0 ? x : y; }
+    constexpr float32& operator()(int32 i) { return i == 0 ? x : y; }
+
+    constexpr void operator+=(const b2Vec2& v) { Set(x + v.x, y + v.y); }
+    constexpr void operator-=(const b2Vec2& v) { Set(x - v.x, y - v.y); }
+    constexpr void operator*=(float32 a) { Set(a * x, a * y); }
+
+    float32 Length() const { return b2Sqrt(LengthSquared()); }
+    constexpr float32 LengthSquared() const { return x * x + y * y; }
+
+    /// Makes this a unit vector and returns the former length. A vector shorter than b2_epsilon
+    /// has no direction to keep: it stays as it is and the answer is 0.
+    float32 Normalize()
+    {
+        const float32 length = Length();
+        if (length < b2_epsilon)
+        {
+            return 0.0f;
+        }
+        *this *= 1.0f / length;
+        return length;
+    }
+
+    bool IsValid() const { return b2IsValid(x) && b2IsValid(y); }
+
+    /// The vector turned by a quarter to the left: b2Dot(v.Skew(), w) == b2Cross(v, w).
+    constexpr b2Vec2 Skew() const { return {-y, x}; }
+
+    float32 x = 0.0f;
+    float32 y = 0.0f;
+};
+
+/// A column vector with three components.
+struct b2Vec3
+{
+    constexpr b2Vec3() = default;
+    constexpr b2Vec3(float32 x_, float32 y_, float32 z_) : x(x_), y(y_), z(z_) {}
+
+    constexpr void SetZero() { *this = b2Vec3(); }
+    constexpr void Set(float32 x_, float32 y_, float32 z_) { *this = b2Vec3(x_, y_, z_); }
+
+    constexpr b2Vec3 operator-() const { return {-x, -y, -z}; }
+    constexpr void operator+=(const b2Vec3& v) { Set(x + v.x, y + v.y, z + v.z); }
+    constexpr void operator-=(const b2Vec3& v) { Set(x - v.x, y - v.y, z - v.z); }
+    constexpr void operator*=(float32 a) { Set(a * x, a * y, a * z); }
+
+    float32 x = 0.0f;
+    float32 y = 0.0f;
+    float32 z = 0.0f;
+};
+
+inline constexpr b2Vec2 b2Vec2_zero{};
+
+constexpr b2Vec2 operator+(const b2Vec2& a, const b2Vec2& b)
+{
+    return {a.x + b.x, a.y + b.y};
+}
+
+constexpr b2Vec2 operator-(const b2Vec2& a, const b2Vec2& b)
+{
+    return {a.x - b.x, a.y - b.y};
+}
+
+constexpr b2Vec2 operator*(float32 s, const b2Vec2& a)
+{
+    return {s * a.x, s * a.y};
+}
+
+constexpr bool operator==(const b2Vec2& a, const b2Vec2& b)
+{
+    return a.x == b.x && a.y == b.y;
+}
+
+constexpr bool operator!=(const b2Vec2& a, const b2Vec2& b)
+{
+    return !(a == b);
+}
+
+constexpr b2Vec3 operator+(const b2Vec3& a, const b2Vec3& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+constexpr b2Vec3 operator-(const b2Vec3& a, const b2Vec3& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+constexpr b2Vec3 operator*(float32 s, const b2Vec3& a)
+{
+    return {s * a.x, s * a.y, s * a.z};
+}
+
+constexpr float32 b2Dot(const b2Vec2& a, const b2Vec2& b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+constexpr float32 b2Dot(const b2Vec3& a, const b2Vec3& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The z component of a x b: positive when b lies to the left of a.
+constexpr float32 b2Cross(const b2Vec2& a, const b2Vec2& b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+/// a x (0, 0, s)
+constexpr b2Vec2 b2Cross(const b2Vec2& a, float32 s)
+{
+    return {s * a.y, -s * a.x};
+}
+
+/// (0, 0, s) x a: the velocity of a point at a when turning at s.
+constexpr b2Vec2 b2Cross(float32 s, const b2Vec2& a)
+{
+    return {-s * a.y, s * a.x};
+}
+
+constexpr b2Vec3 b2Cross(const b2Vec3& a, const b2Vec3& b)
+{
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline float32 b2Distance(const b2Vec2& a, const b2Vec2& b)
+{
+    return (a - b).Length();
+}
+
+constexpr float32 b2DistanceSquared(const b2Vec2& a, const b2Vec2& b)
+{
+    return (a - b).LengthSquared();
+}
+
+/// A 2-by-2 matrix, stored by columns.
+struct b2Mat22
+{
+    constexpr b2Mat22() = default;
+    constexpr b2Mat22(const b2Vec2& c1, const b2Vec2& c2) : ex(c1), ey(c2) {}
+    /// Given by rows, as it is written on paper.
+    constexpr b2Mat22(float32 a11, float32 a12, float32 a21, float32 a22)
+        : ex(a11, a21), ey(a12, a22)
+    {}
+
+    constexpr void Set(const b2Vec2& c1, const b2Vec2& c2) { *this = b2Mat22(c1, c2); }
+    constexpr void SetIdentity() { *this = b2Mat22(1.0f, 0.0f, 0.0f, 1.0f); }
+    constexpr void SetZero() { *this = b2Mat22(); }
+
+    /// The inverse; zero when the matrix is singular.
+    constexpr b2Mat22 GetInverse() const
+    {
+        const float32 det = b2Cross(ex, ey);
+        const float32 s = det != 0.0f ? 1.0f / det : 0.0f;
+        return {s * ey.y, -s * ey.x, -s * ex.y, s * ex.x};
+    }
+
+    /// x with A x = b, by Cramer's rule; zero when the matrix is singular.
+    constexpr b2Vec2 Solve(const b2Vec2& b) const
+    {
+        const float32 det = b2Cross(ex, ey);
+        const float32 s = det != 0.0f ? 1.0f / det : 0.0f;
+        return {s * b2Cross(b, ey), s * b2Cross(ex, b)};
+    }
+
+    b2Vec2 ex; ///< first column
+    b2Vec2 ey; ///< second column
+};
+
+/// A 3-by-3 matrix, stored by columns.
+struct b2Mat33
+{
+    constexpr b2Mat33() = default;
+    constexpr b2Mat33(const b2Vec3& c1, const b2Vec3& c2, const b2Vec3& c3) : ex(c1), ey(c2), ez(c3)
+    {}
+
+    constexpr void SetZero() { *this = b2Mat33(); }
+
+    /// x with A x = b; zero when the matrix is singular.
+    b2Vec3 Solve33(const b2Vec3& b) const;
+
+    /// x with A x = b for the upper left 2-by-2 block only; zero when that is singular.
+    b2Vec2 Solve22(const b2Vec2& b) const;
+
+    /// Sets M to the inverse of the upper left block, bordered with zeros; zero when singular.
+    void GetInverse22(b2Mat33* M) const;
+
+    /// Sets M to the inverse, this matrix being symmetric; zero when singular.
+    void GetSymInverse33(b2Mat33* M) const;
+
+    b2Vec3 ex; ///< first column
+    b2Vec3 ey; ///< second column
+    b2Vec3 ez; ///< third column
+};
+
+/// A rotation, as the sine and cosine of its angle.
+struct b2Rot
+{
+    /// No rotation.
+    constexpr b2Rot() = default;
+    explicit b2Rot(float32 angle) { Set(angle); }
+
+    void Set(float32 angle) { box2d::SinCos(angle, &s, &c); }
+    constexpr void SetIdentity() { *this = b2Rot(); }
+    /// From -pi to pi [rad].
+    float32 GetAngle() const { return b2Atan2(s, c); }
+    constexpr b2Vec2 GetXAxis() const { return {c, s}; }
+    constexpr b2Vec2 GetYAxis() const { return {-s, c}; }
+
+    float32 s = 0.0f;
+    float32 c = 1.0f;
+};
+
+constexpr b2Vec2 b2Mul(const b2Mat22& A, const b2Vec2& v)
+{
+    return {A.ex.x * v.x + A.ey.x * v.y, A.ex.y * v.x + A.ey.y * v.y};
+}
+
+/// The transpose of A times v.
+constexpr b2Vec2 b2MulT(const b2Mat22& A, const b2Vec2& v)
+{
+    return {b2Dot(v, A.ex), b2Dot(v, A.ey)};
+}
+
+constexpr b2Mat22 operator+(const b2Mat22& A, const b2Mat22& B)
+{
+    return {A.ex + B.ex, A.ey + B.ey};
+}
+
+constexpr b2Mat22 b2Mul(const b2Mat22& A, const b2Mat22& B)
+{
+    return {b2Mul(A, B.ex), b2Mul(A, B.ey)};
+}
+
+/// The transpose of A times B.
+constexpr b2Mat22 b2MulT(const b2Mat22& A, const b2Mat22& B)
+{
+    return {b2MulT(A, B.ex), b2MulT(A, B.ey)};
+}
+
+constexpr b2Vec3 b2Mul(const b2Mat33& A, const b2Vec3& v)
+{
+    return v.x * A.ex + v.y * A.ey + v.z * A.ez;
+}
+
+/// The upper left block of A times v.
+constexpr b2Vec2 b2Mul22(const b2Mat33& A, const b2Vec2& v)
+{
+    return {A.ex.x * v.x + A.ey.x * v.y, A.ex.y * v.x + A.ey.y * v.y};
+}
+
+/// First r, then q.
+constexpr b2Rot b2Mul(const b2Rot& q, const b2Rot& r)
+{
+    b2Rot qr;
+    qr.s = q.s * r.c + q.c * r.s;
+    qr.c = q.c * r.c - q.s * r.s;
+    return qr;
+}
+
+/// First r, then the inverse of q: r as seen from q.
+constexpr b2Rot b2MulT(const b2Rot& q, const b2Rot& r)
+{
+    b2Rot qr;
+    qr.s = q.c * r.s - q.s * r.c;
+    qr.c = q.c * r.c + q.s * r.s;
+    return qr;
+}
+
+constexpr b2Vec2 b2Mul(const b2Rot& q, const b2Vec2& v)
+{
+    return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
+}
+
+/// The inverse rotation applied to v.
+constexpr b2Vec2 b2MulT(const b2Rot& q, const b2Vec2& v)
+{
+    return {q.c * v.x + q.s * v.y, q.c * v.y - q.s * v.x};
+}
+
+/// A rigid motion: turn by q, then move by p. The position and orientation of a frame.
+struct b2Transform
+{
+    /// The identity.
+    constexpr b2Transform() = default;
+    constexpr b2Transform(const b2Vec2& position, const b2Rot& rotation) : p(position), q(rotation)
+    {}
+
+    constexpr void SetIdentity() { *this = b2Transform(); }
+    void Set(const b2Vec2& position, float32 angle)
+    {
+        p = position;
+        q.Set(angle);
+    }
+
+    b2Vec2 p; ///< origin of the frame [m]
+    b2Rot q;
+};
+
+/// From the frame T to the world.
+constexpr b2Vec2 b2Mul(const b2Transform& T, const b2Vec2& v)
+{
+    return b2Mul(T.q, v) + T.p;
+}
+
+/// From the world to the frame T.
+constexpr b2Vec2 b2MulT(const b2Transform& T, const b2Vec2& v)
+{
+    return b2MulT(T.q, v - T.p);
+}
+
+/// First B, then A.
+constexpr b2Transform b2Mul(const b2Transform& A, const b2Transform& B)
+{
+    return {b2Mul(A, B.p), b2Mul(A.q, B.q)};
+}
+
+/// The frame B as seen from A.
+constexpr b2Transform b2MulT(const b2Transform& A, const b2Transform& B)
+{
+    return {b2MulT(A, B.p), b2MulT(A.q, B.q)};
+}
+
+template <typename T>
+constexpr T b2Abs(T a)
+{
+    return a > T(0) ? a : -a;
+}
+
+/// So that -0 becomes 0 and NaN stays what it is.
+inline float32 b2Abs(float32 a)
+{
+    return std::fabs(a);
+}
+
+inline b2Vec2 b2Abs(const b2Vec2& a)
+{
+    return {b2Abs(a.x), b2Abs(a.y)};
+}
+
+inline b2Mat22 b2Abs(const b2Mat22& A)
+{
+    return {b2Abs(A.ex), b2Abs(A.ey)};
+}
+
+template <typename T>
+constexpr T b2Min(T a, T b)
+{
+    return a < b ? a : b;
+}
+
+constexpr b2Vec2 b2Min(const b2Vec2& a, const b2Vec2& b)
+{
+    return {b2Min(a.x, b.x), b2Min(a.y, b.y)};
+}
+
+template <typename T>
+constexpr T b2Max(T a, T b)
+{
+    return a > b ? a : b;
+}
+
+constexpr b2Vec2 b2Max(const b2Vec2& a, const b2Vec2& b)
+{
+    return {b2Max(a.x, b.x), b2Max(a.y, b.y)};
+}
+
+template <typename T>
+constexpr T b2Clamp(T a, T low, T high)
+{
+    return b2Max(low, b2Min(a, high));
+}
+
+constexpr b2Vec2 b2Clamp(const b2Vec2& a, const b2Vec2& low, const b2Vec2& high)
+{
+    return b2Max(low, b2Min(a, high));
+}
+
+template <typename T>
+constexpr void b2Swap(T& a, T& b)
+{
+    T c = a;
+    a = b;
+    b = c;
+}
+
+constexpr bool b2IsPowerOfTwo(uint32 x)
+{
+    return x != 0 && (x & (x - 1)) == 0;
+}
+
+/// The smallest power of two above x: 1 for 0, 8 for 4 to 7; 0 when there is none in 32 bits.
+constexpr uint32 b2NextPowerOfTwo(uint32 x)
+{
+    uint32 power = 1;
+    while (power != 0 && power <= x)
+    {
+        power <<= 1;
+    }
+    return power;
+}
+
+/// The motion of a body during a step: its centre of mass moves on a straight line and it turns
+/// about it at a constant rate.
+struct b2Sweep
+{
+    /// The body's transform at beta, where 0 is alpha0 and 1 the end of the step.
+    void GetTransform(b2Transform* xf, float32 beta) const;
+
+    /// Moves the start of the sweep forward to the fraction alpha of the step, alpha0 <= alpha < 1.
+    void Advance(float32 alpha);
+
+    /// Takes whole turns off both angles, so that they stay precise.
+    void Normalize();
+
+    b2Vec2 localCenter;    ///< centre of mass in the body's frame [m]
+    b2Vec2 c0;             ///< centre of mass at alpha0, in the world [m]
+    b2Vec2 c;              ///< centre of mass at the end of the step, in the world [m]
+    float32 a0 = 0.0f;     ///< angle at alpha0 [rad]
+    float32 a = 0.0f;      ///< angle at the end of the step [rad]
+    float32 alpha0 = 0.0f; ///< fraction of the step already done, from 0 to 1
+};
+
+inline void b2Sweep::GetTransform(b2Transform* xf, float32 beta) const
+{
+    xf->q.Set((1.0f - beta) * a0 + beta * a);
+    xf->p = (1.0f - beta) * c0 + beta * c - b2Mul(xf->q, localCenter);
+}
+
+inline void b2Sweep::Advance(float32 alpha)
+{
+    b2Assert(alpha0 < 1.0f);
+    if (alpha0 < 1.0f)
+    {
+        const float32 beta = (alpha - alpha0) / (1.0f - alpha0);
+        c0 += beta * (c - c0);
+        a0 += beta * (a - a0);
+        alpha0 = alpha;
+    }
+}
+
+inline void b2Sweep::Normalize()
+{
+    constexpr float32 turn = 2.0f * b2_pi;
+    const float32 whole = turn * std::floor(a0 / turn);
+    a0 -= whole;
+    a -= whole;
+}

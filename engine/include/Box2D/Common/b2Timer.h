@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Settings.h>
+
+#include <chrono>
+
+/// A stopwatch for profiles. Starts when it is made. Never used for anything that decides a result.
+class b2Timer
+{
+public:
+    /// Starts again from zero.
+    void Reset() { m_start = std::chrono::steady_clock::now(); }
+
+    /// Time since the start [ms].
+    float32 GetMilliseconds() const
+    {
+        const std::chrono::duration<float32, std::milli> elapsed =
+            std::chrono::steady_clock::now() - m_start;
+        return elapsed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+//
+// Sine, cosine and arc tangent from additions, multiplications and divisions only, so that their
+// bits do not depend on the C library. The angle is brought into [-pi/4, pi/4] by taking off
+// quarter turns, as Cody and Waite describe (Software Manual for the Elementary Functions, 1980),
+// and the Taylor series does the rest: there its terms fall fast enough.
+#include <Box2D/Common/b2Math.h>
+
+#include <array>
+#include <limits>
+
+namespace
+{
+// pi/2 in three pieces. The first two have 33 bits, so that a count of quarter turns below 2^20
+// times either is exact in double precision.
+constexpr double kQuarterHigh = 0x1.921fb544p+0;
+constexpr double kQuarterMiddle = 0x1.0b4611a6p-34;
+constexpr double kQuarterLow = 0x1.3198a2e037073p-69;
+constexpr double kQuartersPerRadian = 0x1.45f306dc9c883p-1; // 2/pi
+constexpr double kTwoPi = 0x1.921fb54442d18p+2;
+constexpr double kHalfPi = 0x1.921fb54442d18p+0;
+constexpr double kLargest = 1.0e6; // the largest angle whose quarter turns come off exactly
+
+// Adding and subtracting this rounds a double to the nearest whole number: above 2^52 the
+// neighbours of a double are one apart.
+constexpr double kRounder = 0x1.8p+52;
+
+struct Reduced
+{
+    double angle; // within about [-pi/4, pi/4]
+    int quarter;  // 0 to 3: the quarter turns taken off
+};
+
+Reduced TakeQuarterTurnsOff(double angle)
+{
+    if (!(std::fabs(angle) <= kLargest))
+    {
+        // fmod is exact, so this too has the same bits everywhere. The remainder of infinity is
+        // NaN, of which no whole number can be made.
+        angle = std::fmod(angle, kTwoPi);
+        if (std::isnan(angle))
+        {
+            return {angle, 0};
+        }
+    }
+    const double quarters = (angle * kQuartersPerRadian + kRounder) - kRounder;
+    const double rest =
+        ((angle - quarters * kQuarterHigh) - quarters * kQuarterMiddle) - quarters * kQuarterLow;
+    return {rest, static_cast<int>(static_cast<std::int64_t>(quarters) & 3)};
+}
+
+constexpr int kMaxTerms = 20;
+typedef std::array<double, kMaxTerms + 1> Series; // the coefficient of x^(2 i) at i
+
+// 1 - x^2/2! + x^4/4! - ... with first = 0, 1 - x^2/3! + x^4/5! - ... with first = 1.
+constexpr Series AlternatingInverseFactorials(int first)
+{
+    Series series = {1.0};
+    for (int i = 1; i <= kMaxTerms; ++i)
+    {
+        series[i] = -series[i - 1] / ((2 * i + first) * (2 * i + first - 1));
+    }
+    return series;
+}
+
+// 1 - x^2/3 + x^4/5 - ...
+constexpr Series AlternatingInverseOdds()
+{
+    Series series = {1.0};
+    for (int i = 1; i <= kMaxTerms; ++i)
+    {
+        series[i] = (i % 2 == 0 ? 1.0 : -1.0) / (2 * i + 1);
+    }
+    return series;
+}
+
+constexpr Series kCosineSeries = AlternatingInverseFactorials(0);
+constexpr Series kSineSeries = AlternatingInverseFactorials(1);
+constexpr Series kArcTangentSeries = AlternatingInverseOdds();
+
+// The terms of a series from x^(2 first) to x^(2 last), the smallest first.
+template <int first, int last>
+double Sum(const Series& series, double x2)
+{
+    double sum = series[last];
+    for (int i = last - 1; i >= first; --i)
+    {
+        sum = series[i] + x2 * sum;
+    }
+    for (int i = 0; i < first; ++i)
+    {
+        sum *= x2;
+    }
+    return sum;
+}
+
+template <int terms>
+double TaylorSine(double x)
+{
+    return x + x * Sum<1, terms>(kSineSeries, x * x);
+}
+
+template <int terms>
+double TaylorCosine(double x)
+{
+    // The large terms 1 - x^2/2 by themselves, with what their difference loses put back.
+    const double x2 = x * x;
+    const double half = 0.5 * x2;
+    const double head = 1.0 - half;
+    return head + (((1.0 - head) - half) + Sum<2, terms>(kCosineSeries, x2));
+}
+
+template <int terms>
+void SineAndCosine(double angle, double* sine, double* cosine)
+{
+    const Reduced r = TakeQuarterTurnsOff(angle);
+    const double s = TaylorSine<terms>(r.angle);
+    const double c = TaylorCosine<terms>(r.angle);
+    const bool swap = (r.quarter & 1) != 0;
+    const double first = swap ? c : s;
+    const double second = swap ? s : c;
+    *sine = (r.quarter & 2) != 0 ? -first : first;
+    *cosine = ((r.quarter + 1) & 2) != 0 ? -second : second;
+}
+
+// The arc tangent of t in [0, 1]. Above tan(pi/8) the identity
+//   atan(t) = pi/4 + atan((t - 1) / (t + 1))
+// makes the argument small enough for the Taylor series t - t^3/3 + t^5/5 - ...
+double ArcTangent(double t)
+{
+    constexpr double tanOfEighth = 0.41421356237309503;
+    const bool large = t > tanOfEighth;
+    const double x = large ? (t - 1.0) / (t + 1.0) : t;
+    const double angle = x + x * Sum<1, kMaxTerms>(kArcTangentSeries, x * x);
+    return large ? 0.5 * kHalfPi + angle : angle;
+}
+} // namespace
+
+// Six terms leave an error of 1e-14, invisible after the rounding to single precision.
+void box2d::SinCos(float angle, float* sine, float* cosine)
+{
+    double s;
+    double c;
+    SineAndCosine<6>(static_cast<double>(angle), &s, &c);
+    *sine = static_cast<float>(s);
+    *cosine = static_cast<float>(c);
+}
+
+// The ninth term is 1e-19 of the result.
+void box2d::SinCos(double angle, double* sine, double* cosine)
+{
+    SineAndCosine<9>(angle, sine, cosine);
+}
+
+double box2d::Atan2(double y, double x)
+{
+    const double ax = std::fabs(x);
+    const double ay = std::fabs(y);
+    if (std::isnan(x) || std::isnan(y))
+    {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const bool steep = ay > ax;
+    const double larger = steep ? ay : ax;
+    const double smaller = steep ? ax : ay;
+    // Equal sides, the infinite ones among them, have slope 1; two zeros have none and count as 0.
+    const double slope = larger == 0.0 ? 0.0 : (larger == smaller ? 1.0 : smaller / larger);
+    double angle = ArcTangent(slope);
+    angle = steep ? kHalfPi - angle : angle;
+    angle = std::signbit(x) ? 2.0 * kHalfPi - angle : angle;
+    return std::copysign(angle, y);
+}
