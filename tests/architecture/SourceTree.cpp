@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+#include "SourceTree.h"
+
+#include "TreeText.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace fs = std::filesystem;
+
+namespace architecture
+{
+namespace
+{
+
+struct Layer
+{
+    std::string_view name;
+    std::vector<std::string_view> mayUse; ///< itself is understood
+};
+
+// The arrows of ARCHITECTURE.md. What is missing here is forbidden.
+const std::vector<Layer>& Layers()
+{
+    static const std::vector<Layer> layers{
+        {"engine/Common", {}},
+        {"engine/Collision", {"engine/Common"}},
+        {"engine/Dynamics", {"engine/Common", "engine/Collision"}},
+        {"engine", {"engine/Common", "engine/Collision", "engine/Dynamics"}},
+        {"drawlist", {}},
+        {"collector",
+         {"drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+        {"render", {"drawlist"}},
+        {"recorder", {"render", "drawlist"}},
+        {"golden", {"recorder", "render", "drawlist"}},
+        {"golden state", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+        {"scenes", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+        {"testbed",
+         {"scenes", "golden state", "golden", "recorder", "render", "collector", "drawlist",
+          "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+        {"tests",
+         {"testbed", "scenes", "golden state", "golden", "recorder", "render", "collector",
+          "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+    };
+    return layers;
+}
+
+struct ForeignLibrary
+{
+    std::string_view header;             ///< how its includes begin
+    std::vector<std::string_view> homes; ///< how the paths begin that may include it
+};
+
+// A foreign library lives in one file, or in one family of files.
+const std::vector<ForeignLibrary>& ForeignLibraries()
+{
+    static const std::vector<ForeignLibrary> libraries{
+        {"png.h", {"render/src/Png."}},
+        {"zlib.h", {"render/src/Png."}},
+        {"GL/", {"render/src/Context", "render/src/Gl"}},
+        {"EGL/", {"render/src/Context", "render/src/Gl"}},
+        {"GLES", {"render/src/Context", "render/src/Gl"}},
+        {"libav", {"recorder/src/FFmpeg"}},
+        {"libsw", {"recorder/src/FFmpeg"}},
+        {"imgui", {"render/src/Overlay", "render/src/FontAtlas", "testbed/ui/"}},
+        {"stb", {"render/src/FontAtlas"}},
+        {"CLI/", {"testbed/src/CommandLine"}},
+        {"nlohmann/", {"testbed/rube/"}},
+        {"gtest/", {}},
+        {"gmock/", {}},
+    };
+    return libraries;
+}
+
+// What the system and the compiler bring; the engine may use the second line only.
+constexpr std::array<std::string_view, 10> kSystemHeaders{
+    "sys/",      "unistd.h",  "fcntl.h", "signal.h", "dlfcn.h",
+    "pthread.h", "termios.h", "poll.h",  "sched.h",  "errno.h"};
+constexpr std::array<std::string_view, 5> kSimdHeaders{"immintrin.h", "emmintrin.h", "xmmintrin.h",
+                                                       "smmintrin.h", "arm_neon.h"};
+
+bool StartsWithAny(std::string_view text, const auto& beginnings)
+{
+    return std::ranges::any_of(beginnings, [&](std::string_view b) { return text.starts_with(b); });
+}
+
+/// The manual's three modules, from the path below include/Box2D/ or src/.
+std::string_view EngineLayer(std::string_view below)
+{
+    for (std::string_view module : {"engine/Common", "engine/Collision", "engine/Dynamics"})
+    {
+        const std::string_view folder = module.substr(std::string_view("engine/").size());
+        if (below.starts_with(folder) && below.substr(folder.size()).starts_with('/'))
+        {
+            return module;
+        }
+    }
+    // Only the header that includes them all stands beside the modules.
+    return below == "Box2D.h" ? "engine" : "";
+}
+
+/// The layer a file belongs to; empty if none.
+std::string_view LayerOf(std::string_view path)
+{
+    const std::string_view file = path.substr(path.rfind('/') + 1);
+    for (std::string_view folder : {"engine/include/Box2D/", "engine/src/"})
+    {
+        if (path.starts_with(folder))
+        {
+            return EngineLayer(path.substr(folder.size()));
+        }
+    }
+    if (path.starts_with("debugdraw/"))
+    {
+        return file.starts_with("DrawCollector") ? "collector" : "drawlist";
+    }
+    if (path.starts_with("golden/"))
+    {
+        return file.starts_with("StateHash") ? "golden state" : "golden";
+    }
+    if (path.starts_with("testbed/scenes/"))
+    {
+        return "scenes";
+    }
+    for (std::string_view folder : {"render", "recorder", "testbed", "tests"})
+    {
+        if (path.starts_with(folder) && path.substr(folder.size()).starts_with('/'))
+        {
+            return folder;
+        }
+    }
+    return "";
+}
+
+bool MayUse(std::string_view user, std::string_view used)
+{
+    if (user == used)
+    {
+        return true;
+    }
+    const auto layer = std::ranges::find(Layers(), user, &Layer::name);
+    return layer != Layers().end() && std::ranges::find(layer->mayUse, used) != layer->mayUse.end();
+}
+
+struct Include
+{
+    std::size_t line = 0;
+    std::string text; ///< between the brackets or quotes
+};
+
+std::optional<std::string> IncludedText(std::string_view line)
+{
+    const auto skipSpace = [&] {
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    };
+    skipSpace();
+    if (!line.starts_with('#'))
+    {
+        return std::nullopt;
+    }
+    line.remove_prefix(1);
+    skipSpace();
+    if (!line.starts_with("include"))
+    {
+        return std::nullopt;
+    }
+    const std::size_t open = line.find_first_of("<\"");
+    if (open == std::string_view::npos)
+    {
+        return std::nullopt;
+    }
+    const std::size_t close = line.find_first_of(">\"", open + 1);
+    return std::string(line.substr(open + 1, close - open - 1));
+}
+
+std::vector<Include> IncludesOf(const fs::path& file)
+{
+    std::vector<Include> includes;
+    const std::vector<std::string> lines = ReadLines(file);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+        if (auto text = IncludedText(lines[i]))
+        {
+            includes.push_back({i + 1, *text});
+        }
+    }
+    return includes;
+}
+
+/// The file of ours that an include names: beside the including file, or on one of the include
+/// paths our targets have. Empty for the standard library and foreign headers. The file need not
+/// exist when its first folder already says whose it would be.
+std::string Resolve(const fs::path& root, const std::string& from, const std::string& text)
+{
+    static const std::vector<std::string> searched{"engine/include",
+                                                   "debugdraw/include",
+                                                   "render/include",
+                                                   "recorder/include",
+                                                   "golden/include",
+                                                   "testbed/include",
+                                                   ".",
+                                                   "testbed",
+                                                   "tests"};
+    const fs::path module = *fs::path(from).begin();
+    std::vector<fs::path> candidates{fs::path(from).parent_path() / text, module / "src" / text,
+                                     module / "include" / text, module / text};
+    for (const std::string& folder : searched)
+    {
+        candidates.push_back(fs::path(folder) / text);
+    }
+    for (const fs::path& candidate : candidates)
+    {
+        const fs::path normal = candidate.lexically_normal();
+        if (fs::is_regular_file(root / normal))
+        {
+            return normal.generic_string();
+        }
+    }
+    for (const std::string_view folder : {"Box2D", "debugdraw", "render", "recorder", "golden"})
+    {
+        if (text.starts_with(folder) && text.substr(folder.size()).starts_with('/'))
+        {
+            const std::string owner = folder == "Box2D" ? "engine" : std::string(folder);
+            return owner + "/include/" + text;
+        }
+    }
+    return text.starts_with("tests/") ? text : "";
+}
+
+} // namespace
+
+Findings CheckLayers(const fs::path& root)
+{
+    Findings findings;
+    for (const std::string& path : FilesBelow(root))
+    {
+        if (!IsCpp(path))
+        {
+            continue;
+        }
+        const std::string_view user = LayerOf(path);
+        if (user.empty())
+        {
+            findings.push_back(At(path, 1) +
+                               "lies in no layer; see ARCHITECTURE.md for where it belongs");
+            continue;
+        }
+        for (const Include& include : IncludesOf(root / path))
+        {
+            const std::string target = Resolve(root, path, include.text);
+            if (!target.empty() && !MayUse(user, LayerOf(target)))
+            {
+                findings.push_back(At(path, include.line) + std::string(user) +
+                                   " must not include " + include.text + " of " +
+                                   std::string(LayerOf(target)));
+            }
+        }
+    }
+    return findings;
+}
+
+namespace
+{
+
+/// Why this include is not allowed, or empty.
+std::string ForeignComplaint(const std::string& path, const std::string& header)
+{
+    const auto& libraries = ForeignLibraries();
+    const auto library = std::ranges::find_if(
+        libraries, [&](const ForeignLibrary& known) { return header.starts_with(known.header); });
+    if (library != libraries.end())
+    {
+        return StartsWithAny(path, library->homes)
+                   ? ""
+                   : header + " is wrapped elsewhere; use the wrapper (see ARCHITECTURE.md)";
+    }
+    if (header.find('.') == std::string::npos || StartsWithAny(header, kSimdHeaders))
+    {
+        return ""; // the standard library, the compiler
+    }
+    if (path.starts_with("engine/"))
+    {
+        return header + " is not of the C++ standard library, and the engine uses nothing else";
+    }
+    return StartsWithAny(header, kSystemHeaders)
+               ? ""
+               : header + " belongs to no known library; give it one home in "
+                          "tests/architecture/SourceTree.cpp";
+}
+
+} // namespace
+
+Findings CheckForeignLibraries(const fs::path& root)
+{
+    Findings findings;
+    for (const std::string& path : FilesBelow(root))
+    {
+        if (!IsCpp(path) || path.starts_with("tests/"))
+        {
+            continue;
+        }
+        for (const Include& include : IncludesOf(root / path))
+        {
+            if (!Resolve(root, path, include.text).empty())
+            {
+                continue;
+            }
+            if (const std::string complaint = ForeignComplaint(path, include.text);
+                !complaint.empty())
+            {
+                findings.push_back(At(path, include.line) + complaint);
+            }
+        }
+    }
+    return findings;
+}
+
+} // namespace architecture

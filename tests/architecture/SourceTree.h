@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Reads the source tree as text and reports what breaks the rules of ARCHITECTURE.md: who may
+/// include whom, which file may name which foreign library, what every file opens with. Called by
+/// the tests only; never compiles or preprocesses anything, so an include under #if counts too.
+namespace architecture
+{
+
+/// Every check returns one sentence per finding, "path:line: what and why", sorted by path.
+using Findings = std::vector<std::string>;
+
+/// Includes that go up the picture, tests included from outside tests, files outside every layer.
+Findings CheckLayers(const std::filesystem::path& root);
+
+/// Foreign headers outside the one file (or family of files) that wraps the library.
+Findings CheckForeignLibraries(const std::filesystem::path& root);
+
+/// The licence line on top, at most 700 lines, no absolute path of somebody's machine.
+Findings CheckFiles(const std::filesystem::path& root);
+
+/// Commands in `compileCommands` (compile_commands.json) for sources below `root` that would let
+/// the compiler change floating-point results.
+Findings CheckExactArithmetic(const std::filesystem::path& root,
+                              const std::filesystem::path& compileCommands);
+
+/// Folders the top CMakeLists.txt builds that the boxreel script does not watch for changes.
+Findings CheckWatchedFolders(const std::filesystem::path& root);
+
+} // namespace architecture
