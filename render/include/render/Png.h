@@ -4,7 +4,9 @@
 #include <debugdraw/Result.h>
 #include <render/Frame.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 /// Frames to and from PNG files, through libpng. Only Png.cpp knows that library.
 namespace boxreel
@@ -16,11 +18,18 @@ struct PngSettings
     bool overwrite = false;   ///< false: an existing file is an error
 };
 
-/// Reads any PNG type and depth as 8-bit RGBA. Never trusts the file: sizes are limited, a truncated or
-/// foreign file is an Error that names it.
+/// Reads any PNG type and depth as 8-bit RGBA; gamma and colour profiles are not applied. Never
+/// trusts the file: sizes are limited, a truncated, damaged or foreign file is an Error that names
+/// it.
 Result<Frame> ReadPng(const std::filesystem::path& path);
 
-/// Whole or not at all: written as NAME.part.png beside it, then renamed. RGB when the frame is opaque.
-Result<void> WritePng(const std::filesystem::path& path, const Frame& frame, const PngSettings& settings = {});
+/// Whole or not at all: written as NAME.part.png beside it, then renamed. RGB when the frame is
+/// opaque.
+Result<void> WritePng(const std::filesystem::path& path, const Frame& frame,
+                      const PngSettings& settings = {});
+
+/// The bytes of such a file. Same frame and level, same bytes; any number of threads may encode at
+/// once.
+Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel = 3);
 
 } // namespace boxreel

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+/// Files that appear under their name whole or not at all. What is written goes to NAME.part.EXT in
+/// the same folder and gets its name by Commit; what is not committed is removed. Used by
+/// everything that writes results: pictures, films, texts. Never asks, never prints.
+namespace boxreel
+{
+
+class AtomicFile
+{
+public:
+    /// Opens the part file for writing, empty. An Error when `path` exists and `overwrite` is
+    /// false, is not a regular file, lies in a folder that cannot be written, or is being written
+    /// by someone else.
+    static Result<AtomicFile> Create(const std::filesystem::path& path, bool overwrite);
+
+    AtomicFile(AtomicFile&& other) noexcept;
+    AtomicFile& operator=(AtomicFile&& other) noexcept;
+    ~AtomicFile(); ///< removes the part file unless it was committed
+
+    /// Where the bytes are until then. A library that wants a name may open and write it itself.
+    const std::filesystem::path& PartPath() const { return m_part; }
+
+    Result<void> Write(std::span<const std::uint8_t> bytes);
+
+    /// Flushes to the disk and renames. Nothing may follow.
+    Result<void> Commit();
+
+private:
+    AtomicFile() = default;
+    void Discard();
+
+    std::filesystem::path m_path; // the final name
+    std::filesystem::path m_part;
+    bool m_overwrite = false;
+    int m_descriptor = -1; // -1: committed or moved from
+};
+
+/// dir/film.mp4 becomes dir/film.part.mp4: the extension stays, since libraries go by it.
+std::filesystem::path PartPath(const std::filesystem::path& path);
+
+/// Create, Write and Commit in one.
+Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+                        bool overwrite);
+Result<void> WriteWhole(const std::filesystem::path& path, std::string_view text, bool overwrite);
+
+} // namespace boxreel

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/AtomicFile.h>
+
+#include <cassert>
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace boxreel
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+Error CannotWrite(ErrorKind kind, const fs::path& path, const std::string& why)
+{
+    return Error{kind, "Cannot write " + path.string() + ": " + why + "."};
+}
+
+// A full or broken device is nobody's choice of words; everything else about opening is the name's
+// fault.
+Error CannotOpen(const fs::path& path, int code)
+{
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    switch (code)
+    {
+    case ENOENT:
+        return CannotWrite(ErrorKind::Unusable, path,
+                           "the folder " + folder.string() +
+                               " does not exist; create it or choose another");
+    case ENOTDIR:
+        return CannotWrite(ErrorKind::Unusable, path,
+                           folder.string() + " is not a folder; choose another place");
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return CannotWrite(ErrorKind::Unusable, path,
+                           "no permission to write in the folder " + folder.string() +
+                               "; choose another place");
+    case ENAMETOOLONG:
+        return CannotWrite(ErrorKind::Unusable, path, "the name is too long; choose a shorter one");
+    case ENOSPC:
+    case EDQUOT:
+        return CannotWrite(ErrorKind::Failed, path,
+                           "the disk is full; free some space and try again");
+    default:
+        return CannotWrite(ErrorKind::Failed, path,
+                           std::generic_category().message(code) +
+                               "; check the disk and try again");
+    }
+}
+
+Error CannotFinish(const fs::path& path, int code)
+{
+    const bool isFull = code == ENOSPC || code == EDQUOT || code == EFBIG;
+    return CannotWrite(
+        ErrorKind::Failed, path,
+        isFull ? "the disk is full or the file too large for it; free some space and try again"
+               : std::generic_category().message(code) + "; check the disk and try again");
+}
+
+Error InTheWay(const fs::path& path)
+{
+    return CannotWrite(ErrorKind::Unusable, path,
+                       "it exists already; choose another name or allow overwriting (--force)");
+}
+
+// Opens and locks the part file. Whoever held the lock before may have renamed or removed the file
+// meanwhile, in which case the descriptor is not what the name says and the attempt is repeated.
+Result<int> OpenLocked(const fs::path& part, const fs::path& path)
+{
+    for (int attempt = 0; attempt < 100; ++attempt)
+    {
+        const int descriptor =
+            ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+        if (descriptor < 0)
+        {
+            return CannotOpen(path, errno);
+        }
+        // File systems without locks refuse with another code; then two writers are the users'
+        // risk.
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        {
+            ::close(descriptor);
+            return CannotWrite(ErrorKind::Unusable, path,
+                               "another program is writing it (" + part.string() +
+                                   "); wait for it or choose another name");
+        }
+        struct stat opened = {};
+        struct stat named = {};
+        if (::fstat(descriptor, &opened) == 0 && ::stat(part.c_str(), &named) == 0 &&
+            opened.st_dev == named.st_dev && opened.st_ino == named.st_ino)
+        {
+            if (::ftruncate(descriptor, 0) == 0)
+            {
+                return descriptor;
+            }
+            const int code = errno;
+            ::close(descriptor);
+            return CannotOpen(path, code);
+        }
+        ::close(descriptor);
+    }
+    return CannotWrite(ErrorKind::Failed, path,
+                       "other programs keep writing it; choose another name");
+}
+
+// A rename that refuses to replace, where the file system knows how; 0 or an errno.
+int Rename(const fs::path& from, const fs::path& to, bool overwrite)
+{
+#ifdef RENAME_NOREPLACE
+    if (!overwrite)
+    {
+        if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0)
+        {
+            return 0;
+        }
+        if (errno != EINVAL && errno != ENOSYS)
+        {
+            return errno;
+        }
+    }
+#endif
+    std::error_code ignored;
+    if (!overwrite && fs::exists(fs::symlink_status(to, ignored)))
+    {
+        return EEXIST;
+    }
+    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+} // namespace
+
+std::filesystem::path PartPath(const std::filesystem::path& path)
+{
+    fs::path part = path;
+    part.replace_filename(path.stem().string() + ".part" + path.extension().string());
+    return part;
+}
+
+Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path, bool overwrite)
+{
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (!path.has_filename())
+    {
+        return CannotWrite(ErrorKind::Unusable, path.empty() ? fs::path("''") : path,
+                           "this names no file; add a file name");
+    }
+    if (fs::is_directory(status))
+    {
+        return CannotWrite(ErrorKind::Unusable, path, "it is a folder; add a file name");
+    }
+    if (fs::exists(status) && !fs::is_regular_file(status))
+    {
+        return CannotWrite(ErrorKind::Unusable, path,
+                           "it is a device or a pipe; choose the name of a plain file");
+    }
+    if (!overwrite && fs::exists(fs::symlink_status(path, ignored)))
+    {
+        return InTheWay(path);
+    }
+    AtomicFile file;
+    file.m_path = path;
+    if (fs::is_symlink(fs::symlink_status(path, ignored)))
+    {
+        // The link stays; the file it leads to is replaced.
+        file.m_path = fs::weakly_canonical(path, ignored);
+        file.m_path = ignored ? path : file.m_path;
+    }
+    file.m_part = boxreel::PartPath(file.m_path);
+    file.m_overwrite = overwrite;
+    Result<int> descriptor = OpenLocked(file.m_part, path);
+    if (!descriptor)
+    {
+        return descriptor.GetError();
+    }
+    file.m_descriptor = *descriptor;
+    return file;
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : m_path(std::move(other.m_path)), m_part(std::move(other.m_part)),
+      m_overwrite(other.m_overwrite), m_descriptor(std::exchange(other.m_descriptor, -1))
+{}
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept
+{
+    if (this != &other)
+    {
+        Discard();
+        m_path = std::move(other.m_path);
+        m_part = std::move(other.m_part);
+        m_overwrite = other.m_overwrite;
+        m_descriptor = std::exchange(other.m_descriptor, -1);
+    }
+    return *this;
+}
+
+AtomicFile::~AtomicFile()
+{
+    Discard();
+}
+
+void AtomicFile::Discard()
+{
+    if (m_descriptor >= 0)
+    {
+        // Removed before the lock goes, so that nobody else's part file is hit.
+        ::unlink(m_part.c_str());
+        ::close(std::exchange(m_descriptor, -1));
+    }
+}
+
+Result<void> AtomicFile::Write(std::span<const std::uint8_t> bytes)
+{
+    assert(m_descriptor >= 0 && "AtomicFile::Write after Commit");
+    while (!bytes.empty())
+    {
+        const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR)
+        {
+            return CannotFinish(m_path, errno);
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(written < 0 ? 0 : written));
+    }
+    return {};
+}
+
+Result<void> AtomicFile::Commit()
+{
+    assert(m_descriptor >= 0 && "AtomicFile::Commit twice");
+    // Without the flush a power cut could leave the final name on a file without content.
+    if (::fsync(m_descriptor) != 0 && errno != EINVAL)
+    {
+        return CannotFinish(m_path, errno);
+    }
+    const int code = Rename(m_part, m_path, m_overwrite);
+    if (code == EEXIST)
+    {
+        return InTheWay(m_path);
+    }
+    if (code != 0)
+    {
+        return CannotFinish(m_path, code);
+    }
+    ::close(std::exchange(m_descriptor, -1));
+    return {};
+}
+
+Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+                        bool overwrite)
+{
+    Result<AtomicFile> file = AtomicFile::Create(path, overwrite);
+    if (!file)
+    {
+        return file.GetError();
+    }
+    const Result<void> written = file->Write(bytes);
+    return written ? file->Commit() : written;
+}
+
+Result<void> WriteWhole(const std::filesystem::path& path, std::string_view text, bool overwrite)
+{
+    return WriteWhole(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+                      overwrite);
+}
+
+} // namespace boxreel

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: MIT
+#include <render/Png.h>
+
+#include <debugdraw/AtomicFile.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include <png.h>
+
+namespace boxreel
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr png_uint_32 kMaxSide = 16384;          // twice what the renderer draws; 1 GiB when square
+constexpr std::uint64_t kMaxDeflateRatio = 1032; // zlib cannot shrink anything further
+constexpr std::size_t kMaxMessage = 160;
+
+// libpng reports errors by jumping out of its call. What it says is kept here, since nothing that
+// has a destructor may be alive between the jump and its landing.
+struct Trouble
+{
+    char message[kMaxMessage] = "";
+    bool isDevice = false; // reading failed, the bytes are not to blame
+};
+
+[[noreturn]] void OnError(png_structp png, png_const_charp message)
+{
+    auto* trouble = static_cast<Trouble*>(png_get_error_ptr(png));
+    std::snprintf(trouble->message, kMaxMessage, "%s", message);
+    png_longjmp(png, 1);
+}
+
+void OnWarning(png_structp, png_const_charp) {}
+
+// Runs `body`, which may call libpng but must not own anything; false when libpng gave up.
+template <class Body>
+bool Guarded(png_structp png, const Body& body)
+{
+    if (setjmp(png_jmpbuf(png)) != 0)
+    {
+        return false;
+    }
+    body();
+    return true;
+}
+
+// c * a / 255 to the nearest; 255 is odd, so there are no ties.
+std::uint8_t Premultiply(unsigned c, unsigned a)
+{
+    return static_cast<std::uint8_t>((c * a + 127) / 255);
+}
+
+// The nearest straight value. Its product is off by less than a / 510 < 1/2, so Premultiply gives c
+// back.
+std::uint8_t Unpremultiply(unsigned c, unsigned a)
+{
+    return a == 0 ? std::uint8_t{0}
+                  : static_cast<std::uint8_t>(std::min(255u, (c * 255 + a / 2) / a));
+}
+
+void PremultiplyAll(Frame& frame)
+{
+    for (std::size_t i = 0; i < frame.rgba.size(); i += 4)
+    {
+        std::uint8_t* p = frame.rgba.data() + i;
+        if (p[3] != 255)
+        {
+            p[0] = Premultiply(p[0], p[3]);
+            p[1] = Premultiply(p[1], p[3]);
+            p[2] = Premultiply(p[2], p[3]);
+        }
+    }
+}
+
+struct CloseFile
+{
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+struct Reader
+{
+    std::unique_ptr<std::FILE, CloseFile> file;
+    Trouble trouble;
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    png_uint_32 width = 0;
+    png_uint_32 height = 0;
+    std::size_t rowBytes = 0; // of a row as stored, before compression
+
+    Reader() = default;
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void OnRead(png_structp png, png_bytep bytes, std::size_t count)
+{
+    auto* file = static_cast<std::FILE*>(png_get_io_ptr(png));
+    if (std::fread(bytes, 1, count, file) != count)
+    {
+        auto* trouble = static_cast<Trouble*>(png_get_error_ptr(png));
+        trouble->isDevice = std::ferror(file) != 0;
+        png_error(png, trouble->isDevice ? "the device failed" : "it ends too early");
+    }
+}
+
+// Reads what stands before the pixels. Nothing here grows with the size that the file claims.
+void ReadHeader(Reader& reader)
+{
+    const png_structp png = reader.png;
+    png_set_read_fn(png, reader.file.get(), OnRead);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // ours are checked by the caller
+    // A damaged transparency chunk would change the picture unnoticed; everything else that pixels
+    // do not need (profiles, texts) is skipped.
+    png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+    static const png_byte kTransparency[5] = "tRNS";
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, kTransparency, 1);
+    png_read_info(png, reader.info);
+
+    reader.width = png_get_image_width(png, reader.info);
+    reader.height = png_get_image_height(png, reader.info);
+    reader.rowBytes = png_get_rowbytes(png, reader.info);
+}
+
+// As 8-bit RGBA, whatever the file holds.
+void ReadPixels(Reader& reader, png_bytep* rows)
+{
+    const png_structp png = reader.png;
+    png_set_expand(png);
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, reader.info);
+    png_read_image(png, rows);
+    png_read_end(png, nullptr);
+}
+
+Error CannotRead(ErrorKind kind, const fs::path& path, const std::string& why)
+{
+    return Error{kind, "Cannot read " + path.string() + ": " + why + "."};
+}
+
+Error Damaged(const Reader& reader, const fs::path& path)
+{
+    const std::string what = reader.trouble.message;
+    if (reader.trouble.isDevice)
+    {
+        return CannotRead(ErrorKind::Failed, path, what + "; check the disk and try again");
+    }
+    return CannotRead(ErrorKind::Unusable, path,
+                      "it is not a whole PNG picture (" + what +
+                          "); give it anew or choose another");
+}
+
+Result<void> OpenFile(Reader& reader, const fs::path& path)
+{
+    std::error_code code;
+    if (fs::is_directory(path, code))
+    {
+        return CannotRead(ErrorKind::Unusable, path, "it is a folder; name a PNG file");
+    }
+    reader.file.reset(std::fopen(path.c_str(), "rb"));
+    if (!reader.file)
+    {
+        const bool isMissing = errno == ENOENT || errno == ENOTDIR;
+        return CannotRead(ErrorKind::Unusable, path,
+                          isMissing
+                              ? std::string("there is no such file; check the name")
+                              : std::generic_category().message(errno) + "; check its permissions");
+    }
+    return {};
+}
+
+// Whether the file promises no more pixels than we take and than its length can hold.
+Result<void> CheckSize(const Reader& reader, const fs::path& path)
+{
+    const std::string promise = std::to_string(reader.width) + "x" + std::to_string(reader.height);
+    const std::string limit = std::to_string(kMaxSide);
+    if (reader.width > kMaxSide || reader.height > kMaxSide)
+    {
+        return CannotRead(ErrorKind::Unusable, path,
+                          "it has " + promise + " pixels; choose one of at most " + limit + "x" +
+                              limit);
+    }
+    std::error_code code;
+    const bool isRegular = fs::is_regular_file(path, code);
+    const std::uint64_t size = isRegular ? fs::file_size(path, code) : 0;
+    if (isRegular && !code &&
+        std::uint64_t{reader.rowBytes} * reader.height / kMaxDeflateRatio > size)
+    {
+        return CannotRead(ErrorKind::Unusable, path,
+                          "it is too short for the " + promise +
+                              " pixels it promises; give it anew or choose another");
+    }
+    return {};
+}
+
+// Opaque frames as RGB without filters: smaller and faster for flat pictures than libpng's
+// defaults.
+struct Writer
+{
+    Trouble trouble;
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::vector<std::uint8_t> bytes;
+    std::vector<std::uint8_t> row;
+
+    Writer() = default;
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+void OnWrite(png_structp png, png_bytep bytes, std::size_t count)
+{
+    auto* writer = static_cast<Writer*>(png_get_io_ptr(png));
+    bool isStored = true;
+    try
+    {
+        writer->bytes.insert(writer->bytes.end(), bytes, bytes + count);
+    }
+    catch (const std::bad_alloc&)
+    {
+        isStored = false; // libpng's jump must not leave from inside the handler
+    }
+    if (!isStored)
+    {
+        png_error(png, "out of memory");
+    }
+}
+
+void OnFlush(png_structp) {}
+
+bool IsOpaque(const Frame& frame)
+{
+    for (std::size_t i = 3; i < frame.rgba.size(); i += 4)
+    {
+        if (frame.rgba[i] != 255)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+void PackRow(const std::uint8_t* from, int width, bool isOpaque, std::uint8_t* to)
+{
+    for (int x = 0; x < width; ++x, from += 4)
+    {
+        if (isOpaque)
+        {
+            to[0] = from[0];
+            to[1] = from[1];
+            to[2] = from[2];
+            to += 3;
+            continue;
+        }
+        const unsigned a = from[3];
+        to[0] = Unpremultiply(from[0], a);
+        to[1] = Unpremultiply(from[1], a);
+        to[2] = Unpremultiply(from[2], a);
+        to[3] = from[3];
+        to += 4;
+    }
+}
+
+void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compressionLevel)
+{
+    const png_structp png = writer.png;
+    png_set_write_fn(png, &writer, OnWrite, OnFlush);
+    png_set_user_limits(png, kMaxSide, kMaxSide);
+    png_set_IHDR(png, writer.info, static_cast<png_uint_32>(frame.width),
+                 static_cast<png_uint_32>(frame.height), 8,
+                 isOpaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+    png_set_compression_level(png, compressionLevel);
+    png_set_compression_buffer_size(png, std::size_t{1} << 16);
+    png_write_info(png, writer.info);
+    for (int y = 0; y < frame.height; ++y)
+    {
+        PackRow(frame.Pixel(0, y), frame.width, isOpaque, writer.row.data());
+        png_write_row(png, writer.row.data());
+    }
+    png_write_end(png, nullptr);
+}
+
+} // namespace
+
+Result<Frame> ReadPng(const std::filesystem::path& path)
+{
+    Reader reader;
+    if (const Result<void> opened = OpenFile(reader, path); !opened)
+    {
+        return opened.GetError();
+    }
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.trouble, OnError, OnWarning);
+    reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
+    if (!reader.info)
+    {
+        return CannotRead(ErrorKind::Failed, path,
+                          "libpng could not start; free some memory and try again");
+    }
+    if (!Guarded(reader.png, [&reader] { ReadHeader(reader); }))
+    {
+        return Damaged(reader, path);
+    }
+    if (const Result<void> checked = CheckSize(reader, path); !checked)
+    {
+        return checked.GetError();
+    }
+    Frame frame(static_cast<int>(reader.width), static_cast<int>(reader.height));
+    std::vector<png_bytep> rows(reader.height);
+    for (int y = 0; y < frame.height; ++y)
+    {
+        rows[std::size_t(y)] = frame.Pixel(0, y);
+    }
+    if (!Guarded(reader.png, [&reader, &rows] { ReadPixels(reader, rows.data()); }))
+    {
+        return Damaged(reader, path);
+    }
+    PremultiplyAll(frame);
+    return frame;
+}
+
+Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel)
+{
+    assert(compressionLevel >= 1 && compressionLevel <= 9);
+    const std::size_t size =
+        std::size_t(std::max(frame.width, 0)) * std::size_t(std::max(frame.height, 0)) * 4;
+    if (size == 0 || size != frame.rgba.size())
+    {
+        return Error{ErrorKind::Unusable,
+                     "Cannot encode a picture of " + std::to_string(frame.width) + "x" +
+                         std::to_string(frame.height) + " pixels with " +
+                         std::to_string(frame.rgba.size()) + " bytes; draw it first."};
+    }
+    Writer writer;
+    const bool isOpaque = IsOpaque(frame);
+    writer.row.resize(std::size_t(frame.width) * (isOpaque ? 3 : 4));
+    writer.png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.trouble, OnError, OnWarning);
+    writer.info = writer.png ? png_create_info_struct(writer.png) : nullptr;
+    if (!writer.info)
+    {
+        return Error{
+            ErrorKind::Failed,
+            "Cannot encode a picture: libpng could not start; free some memory and try again."};
+    }
+    if (!Guarded(writer.png, [&] { WriteAll(writer, frame, isOpaque, compressionLevel); }))
+    {
+        return Error{ErrorKind::Failed,
+                     "Cannot encode a picture of " + std::to_string(frame.width) + "x" +
+                         std::to_string(frame.height) + " pixels (" + writer.trouble.message +
+                         "); choose a smaller size, at most " + std::to_string(kMaxSide) +
+                         " a side."};
+    }
+    return std::move(writer.bytes);
+}
+
+Result<void> WritePng(const std::filesystem::path& path, const Frame& frame,
+                      const PngSettings& settings)
+{
+    // Opened before the work: what is in the way is said at once.
+    Result<AtomicFile> file = AtomicFile::Create(path, settings.overwrite);
+    if (!file)
+    {
+        return file.GetError();
+    }
+    const Result<std::vector<std::uint8_t>> bytes = EncodePng(frame, settings.compressionLevel);
+    if (!bytes)
+    {
+        return bytes.GetError();
+    }
+    const Result<void> written = file->Write(*bytes);
+    return written ? file->Commit() : written;
+}
+
+} // namespace boxreel
