@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Collision/Shapes/b2EdgeShape.h>
+#include <Box2D/Collision/Shapes/b2Shape.h>
+
+/// Edges end to end, open or as a loop, each a child of its own: level ground. Collides from both
+/// sides and knows each edge's neighbours, so bodies slide along it without catching. It should not
+/// cross itself.
+class b2ChainShape final : public b2Shape
+{
+public:
+    b2ChainShape() : b2Shape(e_chain, b2_polygonRadius) {}
+    ~b2ChainShape() override;
+    b2ChainShape(const b2ChainShape& other);
+    b2ChainShape& operator=(const b2ChainShape& other);
+
+    /// Takes all vertices away, so that the chain can be made anew.
+    void Clear();
+
+    /// A closed loop through at least 3 vertices; the last is connected with the first.
+    void CreateLoop(const b2Vec2* vertices, int32 count);
+
+    /// An open chain through at least 2 vertices. Edges must be longer than b2_linearSlop; with
+    /// asserts off, vertices that are too close to the one before are left out.
+    void CreateChain(const b2Vec2* vertices, int32 count);
+
+    /// The ghost vertex before the first, to continue another chain.
+    void SetPrevVertex(const b2Vec2& prevVertex);
+
+    /// The ghost vertex after the last, to be continued by another chain.
+    void SetNextVertex(const b2Vec2& nextVertex);
+
+    b2Shape* Clone(b2BlockAllocator* allocator) const override;
+
+    /// The number of edges: one less than that of vertices, where a loop counts its first twice.
+    int32 GetChildCount() const override { return m_count > 0 ? m_count - 1 : 0; }
+
+    /// The child as an edge shape with its ghost vertices.
+    void GetChildEdge(b2EdgeShape* edge, int32 index) const;
+
+    bool TestPoint(const b2Transform& transform, const b2Vec2& p) const override;
+    bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, const b2Transform& transform,
+                 int32 childIndex) const override;
+    void ComputeAABB(b2AABB* aabb, const b2Transform& transform, int32 childIndex) const override;
+    void ComputeMass(b2MassData* massData, float32 density) const override;
+
+    b2Vec2* m_vertices = nullptr; ///< owned, from b2Alloc
+    int32 m_count = 0;            ///< of vertices; in a loop the last equals the first
+    b2Vec2 m_prevVertex;
+    b2Vec2 m_nextVertex;
+    bool m_hasPrevVertex = false;
+    bool m_hasNextVertex = false;
+
+private:
+    /// The vertices that are far enough apart, with room for one more. Null and a message when
+    /// fewer than `least` remain.
+    void TakeVertices(const b2Vec2* vertices, int32 count, int32 least);
+};

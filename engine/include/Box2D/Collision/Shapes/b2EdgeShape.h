@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Collision/Shapes/b2Shape.h>
+
+/// A line segment that circles and polygons collide with from both sides; edges never collide with
+/// edges. The ghost vertices are those of the neighbouring edges: with them set, bodies slide over
+/// the joints between edges without catching.
+class b2EdgeShape final : public b2Shape
+{
+public:
+    b2EdgeShape() : b2Shape(e_edge, b2_polygonRadius) {}
+
+    /// An edge by itself, without ghost vertices.
+    void Set(const b2Vec2& v1, const b2Vec2& v2);
+
+    b2Shape* Clone(b2BlockAllocator* allocator) const override;
+    int32 GetChildCount() const override { return 1; }
+    bool TestPoint(const b2Transform& transform, const b2Vec2& p) const override;
+    bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, const b2Transform& transform,
+                 int32 childIndex) const override;
+    void ComputeAABB(b2AABB* aabb, const b2Transform& transform, int32 childIndex) const override;
+    void ComputeMass(b2MassData* massData, float32 density) const override;
+
+    b2Vec2 m_vertex1; ///< one end [m]
+    b2Vec2 m_vertex2; ///< the other end [m]
+    b2Vec2 m_vertex0; ///< the neighbour's vertex before m_vertex1, if m_hasVertex0 [m]
+    b2Vec2 m_vertex3; ///< the neighbour's vertex after m_vertex2, if m_hasVertex3 [m]
+    bool m_hasVertex0 = false;
+    bool m_hasVertex3 = false;
+};

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Math.h>
+
+class b2Shape;
+
+/// A convex shape, or one edge of a chain, as the vertices and radius that GJK needs. The shape
+/// must outlive the proxy.
+struct b2DistanceProxy
+{
+    b2DistanceProxy() = default;
+    b2DistanceProxy(const b2DistanceProxy& other) { *this = other; }
+    b2DistanceProxy& operator=(const b2DistanceProxy& other);
+
+    /// Looks at the shape, or at the given child of a chain.
+    void Set(const b2Shape* shape, int32 index);
+
+    /// The index of the vertex furthest in direction d; of equals, the first.
+    int32 GetSupport(const b2Vec2& d) const;
+
+    /// The vertex furthest in direction d.
+    const b2Vec2& GetSupportVertex(const b2Vec2& d) const { return m_vertices[GetSupport(d)]; }
+
+    int32 GetVertexCount() const { return m_count; }
+    const b2Vec2& GetVertex(int32 index) const
+    {
+        b2Assert(0 <= index && index < m_count);
+        return m_vertices[index];
+    }
+
+    b2Vec2 m_buffer[2]; ///< the vertices of a chain's closing edge, which are not side by side
+    const b2Vec2* m_vertices = nullptr;
+    int32 m_count = 0;
+    float32 m_radius = 0.0f;
+};
+
+inline int32 b2DistanceProxy::GetSupport(const b2Vec2& d) const
+{
+    int32 best = 0;
+    float32 bestValue = b2Dot(m_vertices[0], d);
+    for (int32 i = 1; i < m_count; ++i)
+    {
+        const float32 value = b2Dot(m_vertices[i], d);
+        if (value > bestValue)
+        {
+            bestValue = value;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// Where b2Distance ended, to start the next call for the same pair there. Set count to 0 before
+/// the first call.
+struct b2SimplexCache
+{
+    float32 metric = 0.0f; ///< length or area of the simplex, to tell when it has gone stale
+    uint16 count = 0;
+    uint8 indexA[3] = {}; ///< vertices of A
+    uint8 indexB[3] = {}; ///< vertices of B
+};
+
+struct b2DistanceInput
+{
+    b2DistanceProxy proxyA;
+    b2DistanceProxy proxyB;
+    b2Transform transformA;
+    b2Transform transformB;
+    bool useRadii = false; ///< measure from the skins rather than from the cores
+};
+
+struct b2DistanceOutput
+{
+    b2Vec2 pointA;           ///< the closest point of A, in the world [m]
+    b2Vec2 pointB;           ///< the closest point of B, in the world [m]
+    float32 distance = 0.0f; ///< 0 when they overlap [m]
+    int32 iterations = 0;    ///< of GJK
+};
+
+/// The closest points of two shapes, by the algorithm of Gilbert, Johnson and Keerthi. The cache is
+/// read and written.
+void b2Distance(b2DistanceOutput* output, b2SimplexCache* cache, const b2DistanceInput* input);

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Collision/b2Collision.h>
+#include <Box2D/Common/b2GrowableStack.h>
+
+inline constexpr int32 b2_nullNode = -1;
+
+/// A binary tree of axis-aligned boxes that finds what overlaps a box or meets a ray. Leaves are
+/// the user's proxies, known by a number that stays valid until they are destroyed. The broad phase
+/// is built on it, and a program may use it for anything else that has a box. Insertion follows the
+/// surface area heuristic and rotations keep the tree low, so the order of insertion matters
+/// little; the result depends on nothing but the sequence of calls. A callback may not change the
+/// tree.
+class b2DynamicTree
+{
+public:
+    b2DynamicTree() = default;
+    ~b2DynamicTree();
+    b2DynamicTree(const b2DynamicTree&) = delete;
+    b2DynamicTree& operator=(const b2DynamicTree&) = delete;
+
+    /// Adds a proxy whose box is the given one, made b2_aabbExtension larger on every side.
+    int32 CreateProxy(const b2AABB& aabb, void* userData);
+
+    void DestroyProxy(int32 proxyId);
+
+    /// Follows a proxy that moves: while its box stays inside the stored one nothing happens and
+    /// the answer is false; else the stored box is made anew, larger and ahead of the displacement.
+    bool MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& displacement);
+
+    /// The same three steps for callers with a margin of their own: the box is stored as it is.
+    /// User data is a pointer or a number, at the caller's choice.
+    int32 CreateProxyExact(const b2AABB& fatAABB, void* userData);
+    int32 CreateProxyExact(const b2AABB& fatAABB, int32 userIndex);
+    /// Moves the proxy to where its box belongs in the tree.
+    void SetProxyAABB(int32 proxyId, const b2AABB& fatAABB);
+    /// Leaves the proxy where it is in the tree and lets the boxes above it grow: cheaper, but the
+    /// tree gets worse with every call until SetProxyAABB or RebuildBottomUp puts it right. The
+    /// box must contain the stored one.
+    void EnlargeProxy(int32 proxyId, const b2AABB& fatAABB);
+
+    void* GetUserData(int32 proxyId) const { return GetLeaf(proxyId).link.userData; }
+    int32 GetUserIndex(int32 proxyId) const { return GetLeaf(proxyId).link.userIndex; }
+    const b2AABB& GetFatAABB(int32 proxyId) const { return GetLeaf(proxyId).aabb; }
+
+    int32 GetProxyCount() const { return m_proxyCount; }
+
+    /// Calls `bool callback->QueryCallback(int32 proxyId)` for every proxy whose box overlaps the
+    /// given one, until it returns false.
+    template <typename T>
+    void Query(T* callback, const b2AABB& aabb) const;
+
+    /// The same with any callable: `bool visit(int32 proxyId)`.
+    template <typename Visit>
+    void ForEachOverlap(const b2AABB& aabb, Visit&& visit) const;
+
+    /// Calls `float32 callback->RayCastCallback(const b2RayCastInput& input, int32 proxyId)` for
+    /// the proxies whose boxes the ray meets, roughly in its direction. What it returns is the
+    /// ray's maxFraction from there on: 0 ends the cast, a negative number changes nothing.
+    template <typename T>
+    void RayCast(T* callback, const b2RayCastInput& input) const;
+
+    /// Checks the whole structure; for tests. Needs asserts on.
+    void Validate() const;
+
+    /// 0 for a tree of one proxy or none.
+    int32 GetHeight() const;
+
+    /// The largest difference of height between two siblings.
+    int32 GetMaxBalance() const;
+
+    /// The perimeters of all nodes over that of the root: what a query pays on average.
+    float32 GetAreaRatio() const;
+
+    /// Builds the tree anew from its leaves, better than insertion does. Slow: O(n^2).
+    void RebuildBottomUp();
+
+    /// Subtracts the new origin, given in old coordinates, from every box.
+    void ShiftOrigin(const b2Vec2& newOrigin);
+
+private:
+    // 32 bytes, two to a cache line.
+    struct Node
+    {
+        union Link {
+            int32 child[2];
+            void* userData;
+            int32 userIndex;
+        };
+
+        bool IsLeaf() const { return height == 0; }
+
+        b2AABB aabb;
+        Link link;
+        int32 parent; ///< of a free node: the next free one
+        int32 height; ///< leaves 0, free nodes -1
+    };
+
+    const Node& GetLeaf(int32 proxyId) const
+    {
+        b2Assert(0 <= proxyId && proxyId < m_nodeCapacity && m_nodes[proxyId].height == 0);
+        return m_nodes[proxyId];
+    }
+
+    int32 AllocateNode();
+    void FreeNode(int32 node);
+    int32 AllocateLeaf(const b2AABB& aabb);
+    void InsertLeaf(int32 leaf);
+    void RemoveLeaf(int32 leaf);
+    int32 FindSibling(const b2AABB& aabb) const;
+    void ReplaceChild(int32 parent, int32 oldChild, int32 newChild);
+    void RefitFrom(int32 node);
+    void Refit(int32 node);
+    void Rotate(int32 node);
+    void SwapGrandchild(int32 node, int32 side, int32 grandSide);
+    void ValidateNode(int32 node) const;
+
+    Node* m_nodes = nullptr;
+    int32 m_root = b2_nullNode;
+    int32 m_nodeCapacity = 0;
+    int32 m_nodeCount = 0;
+    int32 m_proxyCount = 0;
+    int32 m_freeList = b2_nullNode;
+};
+
+template <typename T>
+void b2DynamicTree::Query(T* callback, const b2AABB& aabb) const
+{
+    ForEachOverlap(aabb, [callback](int32 proxyId) { return callback->QueryCallback(proxyId); });
+}
+
+template <typename Visit>
+void b2DynamicTree::ForEachOverlap(const b2AABB& aabb, Visit&& visit) const
+{
+    if (m_root == b2_nullNode || !b2TestOverlap(m_nodes[m_root].aabb, aabb))
+    {
+        return;
+    }
+    b2GrowableStack<int32, 256> stack;
+    stack.Push(m_root);
+    while (stack.GetCount() > 0)
+    {
+        const int32 id = stack.Pop();
+        const Node& node = m_nodes[id];
+        if (node.IsLeaf())
+        {
+            if (!visit(id))
+            {
+                return;
+            }
+            continue;
+        }
+        for (const int32 child : node.link.child)
+        {
+            if (b2TestOverlap(m_nodes[child].aabb, aabb))
+            {
+                stack.Push(child);
+            }
+        }
+    }
+}
+
+template <typename T>
+void b2DynamicTree::RayCast(T* callback, const b2RayCastInput& input) const
+{
+    if (m_root == b2_nullNode)
+    {
+        return;
+    }
+    const b2Vec2 p1 = input.p1;
+    const b2Vec2 d = input.p2 - input.p1;
+    const b2Vec2 across = d.Skew();
+    const b2Vec2 absAcross = b2Abs(across);
+    float32 maxFraction = input.maxFraction;
+    b2Vec2 end = p1 + maxFraction * d;
+    b2AABB bounds;
+    bounds.lowerBound = b2Min(p1, end);
+    bounds.upperBound = b2Max(p1, end);
+
+    b2GrowableStack<int32, 256> stack;
+    stack.Push(m_root);
+    while (stack.GetCount() > 0)
+    {
+        const int32 id = stack.Pop();
+        const Node& node = m_nodes[id];
+        // A segment misses a box when one of three directions separates them: the two axes, and
+        // the one across the segment.
+        if (!b2TestOverlap(node.aabb, bounds) || b2Abs(b2Dot(across, p1 - node.aabb.GetCenter())) >
+                                                     b2Dot(absAcross, node.aabb.GetExtents()))
+        {
+            continue;
+        }
+        if (!node.IsLeaf())
+        {
+            // What is further along the ray waits, since a hit may make it needless.
+            const b2AABB& a = m_nodes[node.link.child[0]].aabb;
+            const b2AABB& b = m_nodes[node.link.child[1]].aabb;
+            const b2Vec2 fromAToB = (b.lowerBound + b.upperBound) - (a.lowerBound + a.upperBound);
+            const int32 nearer = b2Dot(fromAToB, d) < 0.0f ? 1 : 0;
+            stack.Push(node.link.child[1 - nearer]);
+            stack.Push(node.link.child[nearer]);
+            continue;
+        }
+
+        b2RayCastInput subInput;
+        subInput.p1 = input.p1;
+        subInput.p2 = input.p2;
+        subInput.maxFraction = maxFraction;
+        const float32 value = callback->RayCastCallback(subInput, id);
+        if (value == 0.0f)
+        {
+            return;
+        }
+        if (value > 0.0f)
+        {
+            maxFraction = value;
+            end = p1 + maxFraction * d;
+            bounds.lowerBound = b2Min(p1, end);
+            bounds.upperBound = b2Max(p1, end);
+        }
+    }
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Collision/b2Distance.h>
+#include <Box2D/Common/b2Math.h>
+
+struct b2TOIInput
+{
+    b2DistanceProxy proxyA;
+    b2DistanceProxy proxyB;
+    b2Sweep sweepA; ///< only the motion between the two counts, so both may share any origin
+    b2Sweep sweepB;
+    float32 tMax = 1.0f; ///< the sweeps are looked at from 0 to here
+};
+
+struct b2TOIOutput
+{
+    enum State
+    {
+        e_unknown,
+        e_failed,     ///< the search ended early; up to t they do not touch
+        e_overlapped, ///< they overlap at the start
+        e_touching,   ///< they come within the target distance at t
+        e_separated   ///< they stay apart up to tMax
+    };
+
+    State state = e_unknown;
+    float32 t = 0.0f;
+};
+
+/// When two moving shapes first come so close that their skins overlap by about a slop. With fixed
+/// rotations this is a shape cast and misses nothing; a shape that turns quickly may pass through
+/// in between, but never counts as touching when it does not.
+void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input);

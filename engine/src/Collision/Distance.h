@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Collision/b2Distance.h>
+
+/// Distance and overlap from the relative transform alone; see Manifolds.h for why. The contacts of
+/// Dynamics and the time of impact call these.
+class b2Shape;
+
+namespace box2d
+{
+/// b2Distance in A's frame: bInA is B's frame as seen from A's, and both points of the output are
+/// in A's frame.
+void ShapeDistance(b2DistanceOutput* output, b2SimplexCache* cache, const b2DistanceProxy& proxyA,
+                   const b2DistanceProxy& proxyB, const b2Transform& bInA, bool useRadii);
+
+bool TestOverlap(const b2Shape& shapeA, int32 indexA, const b2Shape& shapeB, int32 indexB,
+                 const b2Transform& bInA);
+} // namespace box2d
