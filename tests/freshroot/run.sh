@@ -1,0 +1,107 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# run.sh CHECKOUT WORK_DIR
+#
+# Tries the README's first command where nothing is installed: a minimal Debian 12 in a folder, with
+# git, sh and apt, in which the checkout's last commit is cloned. Reports how long the first and the
+# second film took; fails on what goes wrong, never on a time. Packages come from wherever this
+# machine's own apt gets them.
+#
+# Exit codes: 0 all is well, 77 this machine cannot try it, anything else a failure. After a failure
+# the folder stays for a look.
+# shellcheck disable=SC2016 # $(…) is apt's, "$@" the inner shell's
+set -eu
+checkout=$1
+work=$2
+root=$work/root
+
+skip() {
+    echo "skipped: $*"
+    exit 77
+}
+fail() {
+    echo "FAILED: $*" >&2
+    exit 1
+}
+
+[ "$(id -u)" -eq 0 ] || skip 'only root can make a Debian root and enter it'
+for tool in debootstrap chroot unshare apt-get ffprobe git; do
+    command -v $tool >/dev/null || skip "$tool is not installed"
+done
+unshare --mount true 2>/dev/null || skip 'this system lets nobody mount anything'
+git -C "$checkout" rev-parse --verify -q HEAD >/dev/null || skip "$checkout is no git checkout, so there is nothing to clone"
+mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' 'Origin: Debian' | sort -u | head -n 1)
+[ -n "$mirror" ] || skip "this machine's apt knows no Debian 12 (bookworm) main archive; run apt-get update once"
+
+# ------------------------------------------------------------------------------ an empty system
+
+mkdir -p "$work"
+if [ ! -f "$work/base.tar" ]; then
+    rm -rf "$work/base"
+    debootstrap --variant=minbase --include=git bookworm "$work/base" "$mirror" >"$work/debootstrap.log" 2>&1 ||
+        { tail -n 3 "$work/debootstrap.log"; skip 'debootstrap could not fetch a Debian 12'; }
+    rm -rf "$work"/base/var/lib/apt/lists/* "$work"/base/var/cache/apt/archives/*.deb
+    tar -C "$work/base" -cf "$work/base.tar.part" . && mv "$work/base.tar.part" "$work/base.tar"
+    rm -rf "$work/base"
+fi
+rm -rf "$root"
+mkdir "$root"
+tar -C "$root" -xf "$work/base.tar"
+
+# The same archives, the same way there.
+apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
+    sort -u >"$root/etc/apt/sources.list"
+apt-config dump Acquire | grep -Ei '^Acquire::(https?|ftp|Check-|Retries)' >"$root/etc/apt/apt.conf.d/90host" || true
+cp /etc/resolv.conf /etc/hosts "$root/etc/"
+
+git -C "$checkout" bundle create -q "$root/tmp/boxreel.bundle" HEAD
+
+# inside COMMAND…: in the root, in a shell's own words, with nothing of this session around it.
+inside() {
+    unshare --mount --fork sh -c 'mount -t proc proc "$1/proc" && shift && exec "$@"' sh "$root" \
+        env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LANG=C.UTF-8 \
+        ${http_proxy+"http_proxy=$http_proxy"} ${https_proxy+"https_proxy=$https_proxy"} \
+        chroot "$root" sh -c "$1" </dev/null
+}
+seconds() {
+    date +%s.%N
+}
+since() {
+    awk -v a="$1" -v b="$(seconds)" 'BEGIN { printf "%.1f", b - a }'
+}
+
+inside 'git clone -q /tmp/boxreel.bundle /srv/boxreel && cd /srv/boxreel && ! command -v cmake && ! command -v g++' ||
+    fail 'the fresh root is not what it should be'
+
+# ------------------------------------------------------------------------------ where it cannot
+
+says() { # CODE PATTERN COMMAND: ends with that code and one line that matches
+    status=0
+    inside "$3" >"$work/says.log" 2>&1 || status=$?
+    [ "$status" -eq "$1" ] && grep -q "$2" "$work/says.log" && return 0
+    cat "$work/says.log"
+    fail "expected exit code $1 and a line with \"$2\", got exit code $status"
+}
+says 3 'there is no sudo to install them; as root run: apt-get install g++' \
+    'cd /srv/boxreel && chroot --userspec=nobody --skip-chdir / env BOXREEL_BUILD_DIR=/tmp/nobody ./boxreel list'
+says 3 'apt-get failed .*check the network' \
+    'cd /srv/boxreel && BOXREEL_BUILD_DIR=/tmp/offline unshare --net ./boxreel list'
+inside 'rm -rf /tmp/nobody /tmp/offline'
+
+# ------------------------------------------------------------------------------ the two films
+
+started=$(seconds)
+inside 'cd /srv/boxreel && ./boxreel record pyramid -o pyramid.mp4' || fail 'the first film was not made'
+first=$(since "$started")
+started=$(seconds)
+inside 'cd /tmp && /srv/boxreel/boxreel record pyramid -o second.mp4' || fail 'the second film was not made'
+second=$(since "$started")
+
+for film in "$root/srv/boxreel/pyramid.mp4" "$root/tmp/second.mp4"; do
+    found=$(ffprobe -v error -count_frames -select_streams v -show_entries stream=codec_name,nb_read_frames -of csv=p=0 "$film")
+    [ "$found" = h264,600 ] || fail "$film should hold 600 frames of H.264, ffprobe says: $found"
+done
+cmp "$root/srv/boxreel/pyramid.mp4" "$root/tmp/second.mp4" || fail 'the two films are not the same'
+rm -rf "$root"
+echo "first film after $first s (packages, build, film), second after $second s"
