@@ -2,6 +2,7 @@
 #include <debugdraw/DrawList.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace boxreel
 {
@@ -28,6 +29,7 @@ void Rect::Include(const Rect& other)
 
 DrawItem& DrawList::Add(DrawKind kind, const Vec2* vertices, std::size_t count, Color color)
 {
+    assert(count <= 0xffff && "an item has at most 65535 points");
     DrawItem item;
     item.kind = kind;
     item.layer = layer;

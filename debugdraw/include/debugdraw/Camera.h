@@ -10,8 +10,8 @@ namespace boxreel
 
 struct Camera
 {
-    int width = 1280; ///< [px]
-    int height = 720; ///< [px]
+    int width = 1280;             ///< [px]
+    int height = 720;             ///< [px]
     double centerX = 0.0;         ///< world point in the middle of the frame [m]
     double centerY = 20.0;        ///< [m]
     double pixelsPerMeter = 14.4; ///< the testbed's default: 50 m in a height of 720 px
@@ -22,7 +22,9 @@ struct Camera
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// The view of `area` with `margin` (a share of the frame's smaller side) left on every side.
+/// The view of `area` with `margin` (a share of the frame's smaller side, 0 to 0.45) left on every
+/// side. An area that is empty or not finite gives the default view, 50 m high around (0, 20); a
+/// smaller one than a metre is shown as a metre.
 Camera FitTo(const Rect& area, int width, int height, double margin = 0.06);
 
 /// Keeps what moves in view, without shaking: the view only ever grows, smoothly, and lets go of a
@@ -34,17 +36,41 @@ public:
     /// `scene`: what should be seen at the start (the moving bodies, and static ones near them).
     FitCamera(int width, int height, const Rect& scene);
 
-    /// Once after every simulation step of `dt` seconds, with the boxes of the bodies that can move.
+    /// Once after every simulation step of `dt` seconds, with the boxes of the bodies that can
+    /// move. Boxes that are empty or not finite are ignored.
     void Update(const std::vector<Rect>& movers, double dt);
 
     const Camera& View() const { return m_view; }
 
 private:
-    int m_width;
-    int m_height;
-    Rect m_home;   // view at the start [m]; farther than a few of it away, a body is let go
-    Rect m_target; // what should be seen by now [m]
-    Rect m_shown;  // what is seen now, follows m_target smoothly [m]
+    /// What a frame shows [m]. Always of the picture's shape, so half the height says it all, and a
+    /// blend of two that lie one in the other lies between them.
+    struct Area
+    {
+        double x = 0.0; ///< centre
+        double y = 0.0;
+        double halfHeight = 0.0;
+        friend bool operator==(const Area&, const Area&) = default;
+    };
+    /// A Rect without rounding [m].
+    struct Box
+    {
+        double left, bottom, right, top;
+    };
+    Box BoxOf(const Area& area) const;
+    Box BoxOf(const Rect& rect, double border, const Area& area) const;
+    void Widen(Area& area, const Box& box) const;
+    void Approach(Area& area, const Area& goal, const Box& box) const;
+    void Follow(double dt);
+    static bool Holds(const Box& outer, const Box& inner);
+    static Area Blend(const Area& from, const Area& to, double share);
+
+    double m_aspect;     // width / height of the picture
+    Box m_neighbourhood; // outside of it a body is let go
+    // Each lies in the one before:
+    Area m_target; // where the view is going; only ever grows
+    Area m_guide;  // follows the target smoothly
+    Area m_shown;  // follows the guide, so that it starts softly too
     Camera m_view;
 };
 

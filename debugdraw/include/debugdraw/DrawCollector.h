@@ -4,6 +4,8 @@
 #include <Box2D/Common/b2Draw.h>
 #include <debugdraw/DrawList.h>
 
+#include <vector>
+
 /// The engine's debug drawing as a DrawList: register it with b2World::SetDebugDraw, call
 /// DrawDebugData, read the list. The only file of this folder that knows the engine.
 namespace boxreel
@@ -15,9 +17,11 @@ public:
     explicit DrawCollector(DrawList& list) : m_list(list) {}
 
     void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override;
+    /// With more corners than a DrawList fills (8): the outline alone.
     void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override;
     void DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color) override;
-    void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis, const b2Color& color) override;
+    void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis,
+                         const b2Color& color) override;
     void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override;
     void DrawTransform(const b2Transform& xf) override;
 
@@ -26,7 +30,10 @@ public:
     void BeginBody(int32 number) override;
 
 private:
+    const Vec2* Convert(const b2Vec2* vertices, int32 vertexCount);
+
     DrawList& m_list;
+    std::vector<Vec2> m_points; // scratch, kept so that drawing a frame allocates nothing
 };
 
 } // namespace boxreel

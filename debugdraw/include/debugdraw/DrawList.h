@@ -8,7 +8,8 @@
 
 /// What a world asked to draw: plain arrays in metres, in painter's order (later covers earlier).
 /// Filled by a collector (ours or an adapter for another engine), read by renderers, figures and
-/// golden tests. Can be built by hand, hashed, printed. Knows no pixels but the sizes of points and text.
+/// golden tests. Can be built by hand, hashed, printed. Knows no pixels but the sizes of points and
+/// text.
 namespace boxreel
 {
 
@@ -43,7 +44,8 @@ struct Color
 enum class DrawKind : std::uint8_t
 {
     Polygon,      ///< count points, outline only
-    SolidPolygon, ///< count points (3..8, convex, counter-clockwise): fill of half the colour, and outline
+    SolidPolygon, ///< count points (3..8, convex, counter-clockwise): fill of half the colour, and
+                  ///< outline
     Circle,       ///< point: centre; size: radius [m]; outline only
     SolidCircle,  ///< points: centre, unit axis; size: radius [m]; fill, outline and axis line
     Segment,      ///< two points

@@ -14,7 +14,8 @@ namespace boxreel
 /// The value is the exit code of the `boxreel` command.
 enum class ErrorKind
 {
-    Unusable = 1,  ///< what the caller named is unknown, missing, malformed, contradictory or in the way
+    Unusable =
+        1, ///< what the caller named is unknown, missing, malformed, contradictory or in the way
     Different = 2, ///< two things that should be equal are not
     Absent = 3,    ///< a library, encoder or device is not on this machine
     Failed = 4,    ///< reading or writing failed under way

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/Camera.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+// Plain double arithmetic throughout (no exp, no pow), so that every machine sees the same view.
+
+namespace boxreel
+{
+
+namespace
+{
+
+// A picture of less than a metre would show the engine's slop, not the scene.
+constexpr double kSmallestSide = 1.0;
+
+// Shares of the frame's smaller side. A body closer than the first to the edge makes the view grow
+// until it is farther than the second; the gap between them keeps the view from creeping after a
+// body step by step.
+constexpr double kCalmBorder = 0.03;
+constexpr double kRoomyBorder = 0.12;
+// At least this much is left beyond a body at once: its outline reaches past its box.
+constexpr double kUrgentBorder = 0.005;
+
+// Home views on either side of the first one in which bodies are followed. More would show a scene
+// as a speck once something has fallen off it.
+constexpr double kNeighbourViews = 1.0;
+
+// Longer lags behind what happens, shorter makes the viewer notice the camera [s].
+constexpr double kFollowTime = 0.2;
+
+// Differences that no pixel shows: the view then comes to rest, and equal frames can be recognised.
+constexpr double kRestPixels = 0.02;
+
+// A share of half the view's height: where edges coincide, they do so up to this.
+constexpr double kRounding = 1e-6;
+
+bool IsUsable(const Rect& box)
+{
+    return std::isfinite(box.lower.x) && std::isfinite(box.lower.y) && std::isfinite(box.upper.x) &&
+           std::isfinite(box.upper.y) && !box.IsEmpty();
+}
+
+} // namespace
+
+Vec2 Camera::ToPixel(Vec2 world) const
+{
+    return {static_cast<float>(width * 0.5 + (world.x - centerX) * pixelsPerMeter),
+            static_cast<float>(height * 0.5 - (world.y - centerY) * pixelsPerMeter)};
+}
+
+Vec2 Camera::ToWorld(Vec2 pixel) const
+{
+    return {static_cast<float>(centerX + (pixel.x - width * 0.5) / pixelsPerMeter),
+            static_cast<float>(centerY - (pixel.y - height * 0.5) / pixelsPerMeter)};
+}
+
+Rect Camera::VisibleArea() const
+{
+    return {ToWorld({0.0f, static_cast<float>(height)}),
+            ToWorld({static_cast<float>(width), 0.0f})};
+}
+
+Camera FitTo(const Rect& area, int width, int height, double margin)
+{
+    assert(width > 0 && height > 0);
+    assert(margin >= 0.0 && margin <= 0.45);
+    Camera camera;
+    camera.width = width;
+    camera.height = height;
+    if (!IsUsable(area))
+    {
+        camera.pixelsPerMeter = height / 50.0;
+        return camera;
+    }
+    const double lowerX = area.lower.x;
+    const double lowerY = area.lower.y;
+    const double upperX = area.upper.x;
+    const double upperY = area.upper.y;
+    const double border = 2.0 * margin * std::min(width, height);
+    camera.centerX = 0.5 * (lowerX + upperX);
+    camera.centerY = 0.5 * (lowerY + upperY);
+    camera.pixelsPerMeter = std::min((width - border) / std::max(upperX - lowerX, kSmallestSide),
+                                     (height - border) / std::max(upperY - lowerY, kSmallestSide));
+    return camera;
+}
+
+FitCamera::FitCamera(int width, int height, const Rect& scene)
+    : m_aspect(static_cast<double>(width) / height), m_view(FitTo(scene, width, height))
+{
+    m_shown = {m_view.centerX, m_view.centerY, 0.5 * height / m_view.pixelsPerMeter};
+    m_guide = m_shown;
+    m_target = m_shown;
+    m_neighbourhood =
+        BoxOf(Area{m_shown.x, m_shown.y, m_shown.halfHeight * (1.0 + 2.0 * kNeighbourViews)});
+}
+
+FitCamera::Box FitCamera::BoxOf(const Area& area) const
+{
+    const double halfWidth = area.halfHeight * m_aspect;
+    return {area.x - halfWidth, area.y - area.halfHeight, area.x + halfWidth,
+            area.y + area.halfHeight};
+}
+
+// The part of `rect` in the neighbourhood, with `border` (a share of the smaller side of `area`)
+// around it.
+FitCamera::Box FitCamera::BoxOf(const Rect& rect, double border, const Area& area) const
+{
+    const double room = border * 2.0 * area.halfHeight * std::min(m_aspect, 1.0);
+    return {std::max<double>(rect.lower.x, m_neighbourhood.left) - room,
+            std::max<double>(rect.lower.y, m_neighbourhood.bottom) - room,
+            std::min<double>(rect.upper.x, m_neighbourhood.right) + room,
+            std::min<double>(rect.upper.y, m_neighbourhood.top) + room};
+}
+
+bool FitCamera::Holds(const Box& outer, const Box& inner)
+{
+    return inner.left >= outer.left && inner.right <= outer.right && inner.bottom >= outer.bottom &&
+           inner.top <= outer.top;
+}
+
+FitCamera::Area FitCamera::Blend(const Area& from, const Area& to, double share)
+{
+    return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
+            from.halfHeight + share * (to.halfHeight - from.halfHeight)};
+}
+
+// To the smallest area of the picture's shape around both.
+void FitCamera::Widen(Area& area, const Box& box) const
+{
+    const Box old = BoxOf(area);
+    const double left = std::min(old.left, box.left);
+    const double right = std::max(old.right, box.right);
+    const double bottom = std::min(old.bottom, box.bottom);
+    const double top = std::max(old.top, box.top);
+    area = {0.5 * (left + right), 0.5 * (bottom + top),
+            0.5 * std::max(top - bottom, (right - left) / m_aspect)};
+}
+
+// As far on the way to `goal`, which holds it, as it takes to hold `box`. Edges move linearly.
+void FitCamera::Approach(Area& area, const Area& goal, const Box& box) const
+{
+    const Box from = BoxOf(area);
+    const Box to = BoxOf(goal);
+    double share = 0.0;
+    const double rounding = kRounding * area.halfHeight;
+    const auto reach = [&share, rounding](double lacking, double way) {
+        if (lacking > rounding)
+        {
+            share = lacking < way ? std::max(share, lacking / way) : 1.0;
+        }
+    };
+    reach(from.left - box.left, from.left - to.left);
+    reach(box.right - from.right, to.right - from.right);
+    reach(from.bottom - box.bottom, from.bottom - to.bottom);
+    reach(box.top - from.top, to.top - from.top);
+    area = share < 1.0 ? Blend(area, goal, share) : goal;
+}
+
+void FitCamera::Follow(double dt)
+{
+    const double share = dt > 0.0 ? dt / (dt + kFollowTime) : 0.0;
+    m_guide = Blend(m_guide, m_target, share);
+    m_shown = Blend(m_shown, m_guide, share);
+
+    const double pixel = 2.0 * m_shown.halfHeight / m_view.height;
+    const double growth = m_target.halfHeight - m_shown.halfHeight;
+    const double wayX = std::abs(m_target.x - m_shown.x) + growth * m_aspect;
+    const double wayY = std::abs(m_target.y - m_shown.y) + growth;
+    if (std::max(wayX, wayY) < kRestPixels * pixel)
+    {
+        m_guide = m_target;
+        m_shown = m_target;
+    }
+}
+
+void FitCamera::Update(const std::vector<Rect>& movers, double dt)
+{
+    const Area before = m_shown;
+    Rect inSight; // all movers that are not let go
+    for (const Rect& mover : movers)
+    {
+        const Box part = BoxOf(mover, 0.0, m_target);
+        if (!IsUsable(mover) || part.right < part.left || part.top < part.bottom)
+        {
+            continue;
+        }
+        if (!Holds(BoxOf(m_target), BoxOf(mover, kCalmBorder, m_target)))
+        {
+            Widen(m_target, BoxOf(mover, kRoomyBorder, m_target));
+        }
+        inSight.Include(mover);
+    }
+    Follow(dt);
+    if (!inSight.IsEmpty())
+    {
+        Approach(m_shown, m_target, BoxOf(inSight, kUrgentBorder, m_shown));
+        Approach(m_guide, m_target, BoxOf(m_shown));
+    }
+    if (m_shown != before)
+    {
+        m_view.centerX = m_shown.x;
+        m_view.centerY = m_shown.y;
+        m_view.pixelsPerMeter = 0.5 * m_view.height / m_shown.halfHeight;
+    }
+}
+
+} // namespace boxreel

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/DrawCollector.h>
+
+namespace boxreel
+{
+
+namespace
+{
+
+constexpr int32 kMaxSolidVertices = 8; // what a renderer can fill
+constexpr float kAxisLength = 0.4f;    // of a drawn frame of reference [m]
+
+Vec2 From(const b2Vec2& v)
+{
+    return {v.x, v.y};
+}
+
+// To the nearest of 256 steps; what is out of range, or no number, is cut to it.
+std::uint8_t ChannelFrom(float32 channel)
+{
+    return channel > 0.0f
+               ? static_cast<std::uint8_t>(channel < 1.0f ? channel * 255.0f + 0.5f : 255.0f)
+               : std::uint8_t{0};
+}
+
+Color From(const b2Color& color)
+{
+    return {ChannelFrom(color.r), ChannelFrom(color.g), ChannelFrom(color.b), ChannelFrom(color.a)};
+}
+
+DrawLayer LayerFrom(uint32 flag)
+{
+    switch (flag)
+    {
+    case b2Draw::e_jointBit:
+        return DrawLayer::Joints;
+    case b2Draw::e_aabbBit:
+        return DrawLayer::Aabbs;
+    case b2Draw::e_pairBit:
+        return DrawLayer::Pairs;
+    case b2Draw::e_centerOfMassBit:
+        return DrawLayer::CentersOfMass;
+    default:
+        return DrawLayer::Shapes;
+    }
+}
+
+} // namespace
+
+const Vec2* DrawCollector::Convert(const b2Vec2* vertices, int32 vertexCount)
+{
+    m_points.clear();
+    for (int32 i = 0; i < vertexCount; ++i)
+    {
+        m_points.push_back(From(vertices[i]));
+    }
+    return m_points.data();
+}
+
+void DrawCollector::DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color)
+{
+    if (vertexCount >= 3)
+    {
+        m_list.AddPolygon(Convert(vertices, vertexCount), std::size_t(vertexCount), From(color));
+    }
+    else if (vertexCount > 0)
+    {
+        DrawSegment(vertices[0], vertices[vertexCount - 1], color);
+    }
+}
+
+void DrawCollector::DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount,
+                                     const b2Color& color)
+{
+    // Cut into pieces it would show the cuts, so what has too many corners is an outline.
+    if (vertexCount < 3 || vertexCount > kMaxSolidVertices)
+    {
+        DrawPolygon(vertices, vertexCount, color);
+        return;
+    }
+    m_list.AddSolidPolygon(Convert(vertices, vertexCount), std::size_t(vertexCount), From(color));
+}
+
+void DrawCollector::DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color)
+{
+    m_list.AddCircle(From(center), radius, From(color));
+}
+
+void DrawCollector::DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis,
+                                    const b2Color& color)
+{
+    m_list.AddSolidCircle(From(center), radius, From(axis), From(color));
+}
+
+void DrawCollector::DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color)
+{
+    m_list.AddSegment(From(p1), From(p2), From(color));
+}
+
+void DrawCollector::DrawTransform(const b2Transform& xf)
+{
+    m_list.AddTransform(From(xf.p), From(xf.q.GetXAxis()), kAxisLength);
+}
+
+void DrawCollector::BeginLayer(uint32 flag)
+{
+    m_list.layer = LayerFrom(flag);
+}
+
+void DrawCollector::BeginBody(int32 number)
+{
+    m_list.owner = number < 0 ? kNoOwner : static_cast<std::uint32_t>(number);
+}
+
+} // namespace boxreel
