@@ -20,6 +20,7 @@ struct OverlayVertex
     Vec2 position; ///< [px], y down
     Vec2 uv;       ///< into the font texture
     Color color;   ///< not premultiplied
+    friend bool operator==(const OverlayVertex&, const OverlayVertex&) = default;
 };
 
 struct OverlayCommand
@@ -27,6 +28,7 @@ struct OverlayCommand
     std::uint32_t firstIndex = 0;
     std::uint32_t indexCount = 0;
     int clipX0 = 0, clipY0 = 0, clipX1 = 0, clipY1 = 0; ///< [px], y down, upper bounds excluded
+    friend bool operator==(const OverlayCommand&, const OverlayCommand&) = default;
 };
 
 struct Overlay
@@ -35,6 +37,7 @@ struct Overlay
     std::vector<std::uint32_t> indices;
     std::vector<OverlayCommand> commands;
     bool IsEmpty() const { return commands.empty(); }
+    friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 
 /// What the panel shows: a title and rows of name and value.

@@ -8,6 +8,7 @@
 #include <render/Frame.h>
 #include <render/Overlay.h>
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -24,6 +25,15 @@ struct RendererSettings
     Theme theme = Theme::Classic();
 };
 
+/// What the last Submit did.
+struct RenderStatistics
+{
+    std::size_t itemsDrawn = 0;
+    std::size_t itemsSkipped = 0; ///< outside the picture, or with coordinates that are not finite
+    std::size_t drawCalls = 0;    ///< without the overlay's
+    bool unchanged = false; ///< the same list, camera and overlay as before: nothing was drawn
+};
+
 class Renderer
 {
 public:
@@ -34,13 +44,18 @@ public:
 
     /// Hands the picture to GL and returns; the caller may step its world before it reads.
     /// The camera's size must be the renderer's. `overlay` lies on top of the list.
-    Result<void> Submit(const DrawList& list, const Camera& camera, const Overlay* overlay = nullptr);
+    Result<void> Submit(const DrawList& list, const Camera& camera,
+                        const Overlay* overlay = nullptr);
 
-    /// Waits for the last Submit and copies its pixels; resizes `frame` when needed.
+    /// Waits for the last Submit (the first must come before) and copies its pixels; resizes
+    /// `frame` when needed.
     Result<void> Read(Frame& frame);
 
     /// Submit and Read in one.
-    Result<void> Draw(const DrawList& list, const Camera& camera, Frame& frame, const Overlay* overlay = nullptr);
+    Result<void> Draw(const DrawList& list, const Camera& camera, Frame& frame,
+                      const Overlay* overlay = nullptr);
+
+    const RenderStatistics& Statistics() const;
 
     /// Which library drew it, e.g. "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 Mesa 22.3.6".
     const std::string& Description() const;

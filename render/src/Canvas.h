@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "GlFunctions.h"
+#include "Shaders.h"
+
+#include <debugdraw/Result.h>
+#include <debugdraw/Theme.h>
+#include <render/Frame.h>
+#include <render/Overlay.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+/// The GL side of a Renderer: the picture it draws into, its programs and buffers. Owned by
+/// Renderer, which makes the context current before every call, destruction included. Programs are
+/// made when first needed, since each costs some milliseconds.
+namespace boxreel
+{
+
+class Canvas
+{
+public:
+    static Result<std::unique_ptr<Canvas>> Create(const Context& context, int width, int height);
+    ~Canvas();
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+
+    void Clear(Color background);
+    Result<void> Draw(std::span<const Batch> batches);
+    Result<void> Draw(const Overlay& overlay);
+    void Flush() { m_gl.Flush(); }
+    Result<void> Read(Frame& frame);
+
+    /// Who draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
+    std::string Description() const;
+
+private:
+    struct Program
+    {
+        GLuint program = 0;
+        GLuint vertexArray = 0;
+        int vectors = 0;
+    };
+
+    Canvas(const GlFunctions& gl, int width, int height)
+        : m_gl(gl), m_width(width), m_height(height)
+    {}
+    Result<void> MakeTarget();
+    Result<GLuint> Compile(GLenum stage, const std::string& source);
+    Result<Program> Link(const ShaderSource& source);
+    Result<const Program*> Need(ProgramKind kind);
+    Result<const Program*> NeedMesh();
+    void NeedFont();
+    void DrawBatch(const Batch& batch, const Program& program, std::size_t offset);
+
+    GlFunctions m_gl;
+    int m_width;
+    int m_height;
+    GLuint m_framebuffer = 0;
+    GLuint m_renderbuffer = 0;
+    GLuint m_instances = 0;
+    GLuint m_meshVertices = 0;
+    GLuint m_meshIndices = 0;
+    GLuint m_font = 0;
+    std::array<std::optional<Program>, kProgramKinds> m_programs;
+    std::optional<Program> m_mesh;
+};
+
+} // namespace boxreel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+struct ImFontAtlas;
+
+/// The one font of the toolkit's pictures, rasterised once a process: DejaVu Sans, or the font
+/// inside Dear ImGui where that is not installed. Labels are laid out here, panels by Dear ImGui
+/// with the same texture. Immutable once made, so any thread may read it.
+namespace boxreel
+{
+
+/// A letter to draw, relative to the text's top left corner.
+struct GlyphQuad
+{
+    float x0, y0, x1, y1; ///< [px], y down, whole pixels
+    float u0, v0, u1, v1; ///< into the texture
+};
+
+class FontAtlas
+{
+public:
+    static const FontAtlas& Get();
+    ~FontAtlas();
+    FontAtlas(const FontAtlas&) = delete;
+    FontAtlas& operator=(const FontAtlas&) = delete;
+
+    int Width() const { return m_width; }   ///< of the texture [px]
+    int Height() const { return m_height; } ///< [px]
+    const std::uint8_t* Coverage() const
+    {
+        return m_coverage;
+    } ///< one byte a pixel, rows top to bottom
+
+    /// Replaces `quads` by the visible letters of a UTF-8 text; a line feed starts a line.
+    void Layout(std::string_view text, std::vector<GlyphQuad>& quads) const;
+
+    /// For Overlay.cpp alone.
+    ImFontAtlas* ImGuiAtlas() const { return m_atlas; }
+
+private:
+    FontAtlas();
+
+    ImFontAtlas* m_atlas;
+    const std::uint8_t* m_coverage = nullptr;
+    int m_width = 0;
+    int m_height = 0;
+};
+
+} // namespace boxreel

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "Shaders.h"
+
+namespace boxreel
+{
+namespace
+{
+
+// How much of a pixel lies within t of a straight edge's inner side, less one half. The pixel, a
+// unit square, seen along the edge's normal n, is as wide as a trapezoid: a = the larger and b =
+// the smaller of |n.x|, |n.y| give its base a + b and its top a - b; coverage is the integral of
+// that trapezoid, exactly.
+//   k = (base / 2, top / 2, 1 / a, 1 / (2 b))
+// Two parallel edges h from a middle line cover G(h - x) + G(h + x), exactly too, however near they
+// are.
+constexpr const char* kCoverage = R"(
+vec4 Trapezoid(vec2 n)
+{
+    n = abs(n);
+    float a = max(n.x, n.y);
+    float b = max(min(n.x, n.y), 1e-4);
+    return vec4(0.5 * (a + b), 0.5 * (a - b), 1.0 / a, 0.5 / b);
+}
+float G(float t, vec4 k)
+{
+    float u = min(abs(t), k.x);
+    float v = max(u - k.y, 0.0);
+    float g = (u - v * v * k.w) * k.z;
+    return t < 0.0 ? -g : g;
+}
+float Slab(float x, float h, vec4 k)
+{
+    return G(h - x, k) + G(h + x, k);
+}
+)";
+
+// Corners of a quad around an oriented box, a little larger than what its coverage reaches.
+constexpr const char* kQuad = R"(
+uniform vec2 pixelToClip; // 2 / size
+void PlaceQuad(vec2 center, vec2 axis, vec2 reach)
+{
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+    vec2 local = corner * (reach + 0.75);
+    vec2 pixel = center + local.x * axis + local.y * vec2(-axis.y, axis.x);
+    gl_Position = vec4(pixel * pixelToClip - 1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kShapeVertex = R"(
+layout(location = 0) in vec4 placeIn;
+layout(location = 1) in vec4 sizeIn;
+layout(location = 2) in vec4 strokeIn;
+layout(location = 3) in vec4 fillIn;
+flat out vec4 place;
+flat out vec4 size;
+flat out vec4 stroke;
+flat out vec4 fill;
+flat out vec4 k;
+void main()
+{
+    place = placeIn;
+    size = sizeIn;
+    stroke = strokeIn;
+    fill = fillIn;
+    k = Trapezoid(placeIn.zw);
+    PlaceQuad(placeIn.xy, placeIn.zw, REACH);
+}
+)";
+
+constexpr const char* kShapeInputs = R"(
+flat in vec4 place; // centre [px], unit axis
+flat in vec4 size;
+flat in vec4 stroke; // premultiplied
+flat in vec4 fill;   // premultiplied
+flat in vec4 k;      // of the axis, and of the direction across it, which has the same trapezoid
+layout(location = 0) out vec4 color;
+)";
+
+// size: outer half extents, inner half extents (0, 0 when there is no inside). Exact along edges;
+// at corners of turned boxes the product of two slabs is a little off.
+constexpr const char* kBoxFragment = R"(
+void main()
+{
+    vec2 p = gl_FragCoord.xy - place.xy;
+    float x = abs(dot(p, place.zw));
+    float y = abs(place.z * p.y - place.w * p.x);
+    float outer = Slab(x, size.x, k) * Slab(y, size.y, k);
+    float inner = Slab(x, size.z, k) * Slab(y, size.w, k);
+    color = stroke * (outer - inner) + fill * inner;
+}
+)";
+
+// size: half length of the spine (0 for a disc), outer radius, inner radius (negative when there is
+// no inside), half width of the axis line (0 for none). A pixel sees the edge as its tangent; a
+// circle bends away from that by 1/(24 d) on the average over a pixel, which is what 1/12 under the
+// root adds.
+constexpr const char* kRoundFragment = R"(
+void main()
+{
+    vec2 p = gl_FragCoord.xy - place.xy;
+    float x = dot(p, place.zw);
+    float y = place.z * p.y - place.w * p.x;
+    float beyond = sign(x) * max(abs(x) - size.x, 0.0);
+    float bend = size.x == 0.0 || beyond != 0.0 ? 1.0 / 12.0 : 0.0;
+    float d = sqrt(beyond * beyond + y * y + bend);
+    vec2 n = vec2(beyond * place.z - y * place.w, beyond * place.w + y * place.z) / max(d, 1e-6);
+    vec4 kn = Trapezoid(dot(n, n) > 0.01 ? n : vec2(1.0, 0.0));
+    float outer = G(size.y - d, kn) + 0.5;
+    float inner = G(size.z - d, kn) + 0.5;
+    float axis = Slab(abs(y), size.w, k) * (G(x + 0.785 * size.w, k) + 0.5);
+    float filled = inner * (1.0 - axis);
+    color = stroke * (outer - filled) + fill * filled;
+}
+)";
+
+// The area of a polygon within a pixel, exactly: the sum over its edges of the area between the
+// edge and the pixel's lower side, as far as the edge lies above the pixel. With the edge's ends
+// clamped to the pixel's width, that is the width times the mean of a linear function clamped to
+// [0, 1], whose integral Q(y) = c^2/2 + c r is written with the clamped value c and the rest r = y
+// - c, so that nothing large cancels.
+constexpr const char* kPolygonArea = R"(
+float UnderEdge(vec2 a, vec2 b, float slope)
+{
+    vec2 x = clamp(vec2(a.x, b.x), 0.0, 1.0);
+    vec2 y = a.y + (x - a.x) * slope;
+    vec2 c = clamp(y, 0.0, 1.0);
+    vec2 r = y - c;
+    float rise = c.y - c.x;
+    float run = rise + (r.y - r.x);
+    float integral = 0.5 * rise * (c.x + c.y) + c.y * r.y - c.x * r.x;
+    float mean = abs(run) > 1e-6 ? integral / run : 0.5 * (c.x + c.y);
+    return (x.y - x.x) * mean;
+}
+)";
+
+constexpr const char* kPolygonVertex = R"(
+layout(location = 0) in vec4 placeIn;
+layout(location = 1) in vec4 sizeIn;
+layout(location = 2) in vec4 strokeIn;
+layout(location = 3) in vec4 fillIn;
+layout(location = 4) in vec4 cornersIn[(OUTER + INNER) / 2];
+flat out vec4 stroke;
+flat out vec4 fill;
+flat out vec3 core;
+flat out vec4 corners[(OUTER + INNER) / 2];
+flat out vec2 slopes[(OUTER + INNER) / 2];
+float Slope(vec2 a, vec2 b)
+{
+    return a.x == b.x ? 0.0 : (b.y - a.y) / (b.x - a.x);
+}
+void Ring(int first, int count)
+{
+    for (int i = first; i < first + count; ++i)
+    {
+        vec4 next = cornersIn[i + 1 < first + count ? i + 1 : first];
+        corners[i] = cornersIn[i];
+        slopes[i] = vec2(Slope(cornersIn[i].xy, cornersIn[i].zw), Slope(cornersIn[i].zw, next.xy));
+    }
+}
+void main()
+{
+    stroke = strokeIn;
+    fill = fillIn;
+    core = vec3(placeIn.xy, sizeIn.z > 0.0 ? sizeIn.z * sizeIn.z : -1.0);
+    Ring(0, OUTER / 2);
+    Ring(OUTER / 2, INNER / 2);
+    PlaceQuad(placeIn.xy, placeIn.zw, sizeIn.xy);
+}
+)";
+
+// The loop runs once or not at all: the one way to make a software rasteriser step over pixels that
+// are all fill.
+constexpr const char* kPolygonFragment = R"(
+flat in vec4 stroke; // premultiplied
+flat in vec4 fill;   // premultiplied
+flat in vec3 core;   // centre [px], and the square of the distance within which all is fill
+flat in vec4 corners[(OUTER + INNER) / 2];
+flat in vec2 slopes[(OUTER + INNER) / 2];
+layout(location = 0) out vec4 color;
+void main()
+{
+    vec2 p = gl_FragCoord.xy - core.xy;
+    float outer = 1.0;
+    float inner = 1.0;
+    for (int turn = dot(p, p) < core.z ? 1 : 0; turn < 1; ++turn)
+    {
+        vec4 pixel = (gl_FragCoord.xy - 0.5).xyxy;
+        outer = 0.0;
+        inner = 0.0;
+        for (int i = 0; i < OUTER / 2; ++i)
+        {
+            vec4 here = corners[i] - pixel;
+            vec2 next = corners[i + 1 < OUTER / 2 ? i + 1 : 0].xy - pixel.xy;
+            outer += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
+        }
+        for (int i = OUTER / 2; i < (OUTER + INNER) / 2; ++i)
+        {
+            vec4 here = corners[i] - pixel;
+            vec2 next = corners[i + 1 < (OUTER + INNER) / 2 ? i + 1 : OUTER / 2].xy - pixel.xy;
+            inner += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
+        }
+        outer = min(abs(outer), 1.0);
+        inner = min(abs(inner), outer);
+    }
+    color = stroke * (outer - inner) + fill * inner;
+}
+)";
+
+constexpr const char* kGlyphVertex = R"(
+layout(location = 0) in vec4 rectangle; // [px]
+layout(location = 1) in vec4 texture01;
+layout(location = 2) in vec4 inkIn;     // premultiplied
+uniform vec2 pixelToClip;
+out vec2 uv;
+flat out vec4 ink;
+void main()
+{
+    bvec2 far = bvec2((gl_VertexID & 1) != 0, (gl_VertexID >> 1) != 0);
+    ink = inkIn;
+    uv = mix(texture01.xy, texture01.zw, far);
+    gl_Position = vec4(mix(rectangle.xy, rectangle.zw, far) * pixelToClip - 1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kMeshVertex = R"(
+layout(location = 0) in vec2 position; // [px]
+layout(location = 1) in vec2 uvIn;
+layout(location = 2) in vec4 colorIn;
+uniform vec2 pixelToClip;
+out vec2 uv;
+out vec4 ink;
+void main()
+{
+    ink = vec4(colorIn.rgb * colorIn.a, colorIn.a);
+    uv = uvIn;
+    gl_Position = vec4(position * pixelToClip - 1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kInkFragment = R"(
+uniform sampler2D font;
+in vec2 uv;
+INK
+layout(location = 0) out vec4 color;
+void main()
+{
+    color = ink * texture(font, uv).r;
+}
+)";
+
+const std::string kVersion = "#version 330 core\n";
+
+std::string Define(const char* name, const std::string& value)
+{
+    return std::string("#define ") + name + " " + value + "\n";
+}
+
+ShaderSource ShapeShader(const char* reach, const char* fragment)
+{
+    return {kVersion + Define("REACH", reach) + kCoverage + kQuad + kShapeVertex,
+            kVersion + kCoverage + kShapeInputs + fragment, 4};
+}
+
+ShaderSource PolygonShader(int outer, int inner)
+{
+    const std::string head =
+        kVersion + Define("OUTER", std::to_string(outer)) + Define("INNER", std::to_string(inner));
+    return {head + kQuad + kPolygonVertex, head + kPolygonArea + kPolygonFragment,
+            4 + (outer + inner) / 2};
+}
+
+} // namespace
+
+ShaderSource InstancedShader(ProgramKind kind)
+{
+    switch (kind)
+    {
+    case ProgramKind::Box:
+        return ShapeShader("sizeIn.xy", kBoxFragment);
+    case ProgramKind::Round:
+        return ShapeShader("vec2(sizeIn.x + sizeIn.y, sizeIn.y)", kRoundFragment);
+    case ProgramKind::SmallPolygon:
+        return PolygonShader(6, 4);
+    case ProgramKind::Polygon:
+        return PolygonShader(12, 12);
+    case ProgramKind::Glyph:
+        break;
+    }
+    return {kVersion + kGlyphVertex, kVersion + Define("INK", "flat in vec4 ink;") + kInkFragment,
+            3};
+}
+
+ShaderSource MeshShader()
+{
+    return {kVersion + kMeshVertex, kVersion + Define("INK", "in vec4 ink;") + kInkFragment, 0};
+}
+
+} // namespace boxreel

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: MIT
+#include "ShapeBuilder.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace boxreel
+{
+namespace
+{
+
+// A pixel reaches this far from its centre: what is farther than that from a pixel's centre leaves
+// it alone.
+constexpr double kPixelReach = 0.7072;
+
+// Beyond the frame by more than this [px], coordinates are clipped before they become floats, whose
+// steps would show.
+constexpr double kGuard = 4096.0;
+
+// Four corners closer than this to a rectangle [px] are drawn as one: a hundredth of a grey level
+// per hundredth of a pixel would be invisible, half a level is the most this costs.
+constexpr double kBoxTolerance = 0.005;
+
+// The product of two slabs overstates a box that is small in both directions, and the half plane of
+// a tangent a small disc; below these half extents [px] the exact area of a polygon is taken
+// instead.
+constexpr double kSmallBox = 2.0;
+constexpr double kSmallDisc = 1.5;
+
+// A round line end of half width h covers pi/2 h^2, as much as a square one that is this much
+// longer (times h).
+constexpr double kSquareCap = std::numbers::pi / 4.0;
+
+// Lines thicker than this [px] get ends that are really round; in thinner ones nobody can tell.
+constexpr double kThinLine = 3.0;
+
+// Cosine and sine of the corners of a regular 12-gon, stretched to the area of the unit circle
+// (a 12-gon of radius R has the area 3 R^2).
+constexpr double kTwelveStretch = 1.0233267079464885; // sqrt(pi / 3)
+constexpr double kTwelveLong = 0.8660254037844386;    // cos 30 degrees
+constexpr std::array<Point, 12> kTwelve{{{1.0, 0.0},
+                                         {kTwelveLong, 0.5},
+                                         {0.5, kTwelveLong},
+                                         {0.0, 1.0},
+                                         {-0.5, kTwelveLong},
+                                         {-kTwelveLong, 0.5},
+                                         {-1.0, 0.0},
+                                         {-kTwelveLong, -0.5},
+                                         {-0.5, -kTwelveLong},
+                                         {0.0, -1.0},
+                                         {0.5, -kTwelveLong},
+                                         {kTwelveLong, -0.5}}};
+
+constexpr Color kXAxis{255, 64, 64, 255};
+constexpr Color kYAxis{64, 220, 64, 255};
+
+bool IsFinite(Point p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+std::array<float, 4> Premultiplied(double r, double g, double b, double a)
+{
+    const double scale = a / 255.0;
+    return {float(r * scale), float(g * scale), float(b * scale), float(a)};
+}
+
+std::array<float, 4> Opaque(Color color)
+{
+    return Premultiplied(color.r, color.g, color.b, color.a / 255.0);
+}
+
+Convex TwelveGon(Point center, double radius)
+{
+    Convex polygon;
+    for (const Point corner : kTwelve)
+    {
+        polygon.Add(center + (radius * kTwelveStretch) * corner);
+    }
+    return polygon;
+}
+
+/// The part of a segment within a rectangle, as a range of its parameter; empty when it lies
+/// outside. (Liang and Barsky, "A New Concept and Method for Line Clipping", 1984.)
+std::optional<std::pair<double, double>> ClipSegment(Point a, Point b, Point lower, Point upper)
+{
+    const Point d = b - a;
+    double first = 0.0;
+    double last = 1.0;
+    const double rates[4] = {-d.x, d.x, -d.y, d.y};
+    const double rooms[4] = {a.x - lower.x, upper.x - a.x, a.y - lower.y, upper.y - a.y};
+    for (int side = 0; side < 4; ++side)
+    {
+        if (rates[side] == 0.0)
+        {
+            if (rooms[side] < 0.0)
+            {
+                return std::nullopt;
+            }
+            continue;
+        }
+        const double at = rooms[side] / rates[side];
+        (rates[side] < 0.0 ? first : last) =
+            rates[side] < 0.0 ? std::max(first, at) : std::min(last, at);
+    }
+    return first <= last ? std::optional(std::pair(first, last)) : std::nullopt;
+}
+
+/// The rectangle that four corners in order are, if they are one.
+std::optional<OrientedBox> AsBox(const Convex& p)
+{
+    if (p.count != 4)
+    {
+        return std::nullopt;
+    }
+    const Point diagonals = (p.corners[0] + p.corners[2]) - (p.corners[1] + p.corners[3]);
+    const Point u = p.corners[1] - p.corners[0];
+    const Point v = p.corners[2] - p.corners[1];
+    const double length = Length(u);
+    if (Length(diagonals) > kBoxTolerance ||
+        std::abs(Dot(u, v)) > kBoxTolerance * std::min(length, Length(v)))
+    {
+        return std::nullopt;
+    }
+    return OrientedBox{0.25 * (p.corners[0] + p.corners[1] + p.corners[2] + p.corners[3]),
+                       (1.0 / length) * u,
+                       {0.5 * length, 0.5 * Length(v)}};
+}
+
+} // namespace
+
+ShapeBuilder::ShapeBuilder(const Camera& camera, const Theme& theme, Batches& batches)
+    : m_camera(camera), m_theme(theme), m_batches(batches)
+{}
+
+bool ShapeBuilder::Add(const DrawList& list, const DrawItem& item)
+{
+    assert(std::size_t(item.first) + item.count <= list.points.size() &&
+           "a DrawItem's points lie outside its list");
+    const Vec2* const points = list.points.data() + item.first;
+    if (item.count == 0 ||
+        std::any_of(points, points + item.count,
+                    [](Vec2 p) { return !std::isfinite(p.x) || !std::isfinite(p.y); }) ||
+        !std::isfinite(item.size))
+    {
+        return false;
+    }
+    const double meters = m_camera.pixelsPerMeter;
+    const double width = m_theme.outlineWidth;
+    switch (item.kind)
+    {
+    case DrawKind::Polygon:
+        return AddOutline(points, item.count, item.color);
+    case DrawKind::SolidPolygon:
+        return AddSolidPolygon(points, item.count, item.color);
+    case DrawKind::Circle:
+        return AddDisc(ToPixel(points[0]), item.size * meters, std::nullopt, width,
+                       {Opaque(item.color), {}});
+    case DrawKind::SolidCircle:
+        return AddDisc(ToPixel(points[0]), item.size * meters, Point{points[1].x, -points[1].y},
+                       width, SolidPaint(item.color));
+    case DrawKind::Segment:
+        return AddLine(ToPixel(points[0]), ToPixel(points[1]), width, Opaque(item.color));
+    case DrawKind::Transform:
+        return AddTransform(points, item.size);
+    case DrawKind::Point:
+        // A disc that is all outline.
+        return AddDisc(ToPixel(points[0]), 0.25 * item.size, std::nullopt, 0.5 * item.size,
+                       {Opaque(item.color), {}});
+    case DrawKind::Text:
+        return AddText(points[0], list.texts[item.text], item.color);
+    }
+    return false;
+}
+
+Point ShapeBuilder::ToPixel(Vec2 world) const
+{
+    return {0.5 * m_camera.width + (world.x - m_camera.centerX) * m_camera.pixelsPerMeter,
+            0.5 * m_camera.height - (world.y - m_camera.centerY) * m_camera.pixelsPerMeter};
+}
+
+std::optional<PixelBounds> ShapeBuilder::InPicture(Point lower, Point upper) const
+{
+    // Limited before they become integers, so that nothing overflows.
+    const auto limit = [](double value, int most) {
+        return int(std::clamp(value, 0.0, double(most)));
+    };
+    const PixelBounds bounds{
+        limit(std::floor(lower.x), m_camera.width), limit(std::floor(lower.y), m_camera.height),
+        limit(std::ceil(upper.x), m_camera.width), limit(std::ceil(upper.y), m_camera.height)};
+    return bounds.IsEmpty() ? std::nullopt : std::optional(bounds);
+}
+
+ShapeBuilder::Paint ShapeBuilder::SolidPaint(Color color) const
+{
+    const double alpha = m_theme.fillAlpha * color.a / 255.0;
+    return {Opaque(color), Premultiplied(0.5 * color.r, 0.5 * color.g, 0.5 * color.b, alpha)};
+}
+
+bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, Color color)
+{
+    if (count > kMaxCorners - 4)
+    {
+        return AddOutline(points, count, color); // more corners than the interface allows
+    }
+    std::array<Point, kMaxCorners> corners;
+    std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
+    Convex polygon = MakeConvex(corners.data(), count);
+    if (polygon.count < 3) // no inside: what is left of it is a line between its farthest corners
+    {
+        return AddOutline(points, count, color);
+    }
+    const double width = m_theme.outlineWidth;
+    const double guard = kGuard + 2.0 * width;
+    const Point lower{-guard, -guard};
+    const Point upper{m_camera.width + guard, m_camera.height + guard};
+    const bool far = std::any_of(
+        polygon.corners.begin(), polygon.corners.begin() + std::ptrdiff_t(polygon.count),
+        [&](Point p) { return p.x < lower.x || p.y < lower.y || p.x > upper.x || p.y > upper.y; });
+    if (far)
+    {
+        polygon = Clip(polygon, lower, upper);
+        if (polygon.count < 3)
+        {
+            return false;
+        }
+    }
+    const Paint paint = SolidPaint(color);
+    const std::optional<OrientedBox> box = AsBox(polygon);
+    if (box && std::max(box->half.x, box->half.y) + 0.5 * width >= kSmallBox)
+    {
+        return EmitBox(*box, width, paint);
+    }
+    return EmitPolygon(Grow(polygon, 0.5 * width), Shrink(polygon, 0.5 * width), paint);
+}
+
+bool ShapeBuilder::AddOutline(const Vec2* points, std::size_t count, Color color)
+{
+    bool drawn = false;
+    const Rgba stroke = Opaque(color);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const std::size_t next = (i + 1) % count;
+        if (next == 0 && count == 2)
+        {
+            break; // the way back is the same line
+        }
+        drawn |= AddLine(ToPixel(points[i]), ToPixel(points[next]), m_theme.outlineWidth, stroke);
+    }
+    return drawn;
+}
+
+bool ShapeBuilder::AddDisc(Point center, double radius, std::optional<Point> axis,
+                           double outlineWidth, const Paint& paint)
+{
+    radius = std::abs(radius);
+    const double half = 0.5 * outlineWidth;
+    const double outer = radius + half;
+    const double inner = radius - half;
+    const Point direction =
+        axis && Length(*axis) > 0.0 ? (1.0 / Length(*axis)) * *axis : Point{1.0, 0.0};
+    if (outer < kSmallDisc + 0.625)
+    {
+        const Convex hole = inner > 0.0 ? TwelveGon(center, inner) : Convex{};
+        const bool drawn = outer > 0.0 && EmitPolygon(TwelveGon(center, outer), hole, paint);
+        return drawn && (!axis || inner <= 0.0 ||
+                         AddLine(center, center + radius * direction, outlineWidth, paint.stroke));
+    }
+    return EmitRound({center, direction, {0.0, 0.0}}, outer, inner, axis ? half : 0.0, paint);
+}
+
+bool ShapeBuilder::AddLine(Point a, Point b, double width, const Rgba& color)
+{
+    const double length = Length(b - a);
+    const Point direction = length > 0.0 ? (1.0 / length) * (b - a) : Point{1.0, 0.0};
+    const double guard = kGuard + 2.0 * width;
+    const auto range =
+        ClipSegment(a, b, {-guard, -guard}, {m_camera.width + guard, m_camera.height + guard});
+    if (!range)
+    {
+        return false;
+    }
+    const Point from = range->first > 0.0 ? a + range->first * (b - a) : a;
+    const Point to = range->second < 1.0 ? a + range->second * (b - a) : b;
+    const double half = 0.5 * width;
+    const OrientedBox spine{0.5 * (from + to), direction, {0.5 * Length(to - from), 0.0}};
+    const Paint paint{color, {}};
+    if (width > kThinLine)
+    {
+        return EmitRound(spine, half, -1.0, 0.0, paint);
+    }
+    return EmitBox(
+        {spine.center, direction, {spine.half.x + (kSquareCap - 0.5) * half, 0.5 * half}}, half,
+        paint);
+}
+
+bool ShapeBuilder::AddTransform(const Vec2* points, double length)
+{
+    const Point origin = ToPixel(points[0]);
+    const double scale = length * m_camera.pixelsPerMeter;
+    const Point x{scale * points[1].x, -scale * points[1].y};
+    const Point y{x.y, -x.x}; // a quarter turn to the left, with y down
+    const bool drawnX = AddLine(origin, origin + x, m_theme.outlineWidth, Opaque(kXAxis));
+    const bool drawnY = AddLine(origin, origin + y, m_theme.outlineWidth, Opaque(kYAxis));
+    return drawnX || drawnY;
+}
+
+bool ShapeBuilder::AddText(Vec2 topLeft, const std::string& text, Color color)
+{
+    const Point corner = ToPixel(topLeft);
+    const Point at{std::floor(corner.x + 0.5), std::floor(corner.y + 0.5)};
+    if (!IsFinite(at) || std::abs(at.x) > 1e6 || std::abs(at.y) > 1e6) // no text is that long
+    {
+        return false;
+    }
+    FontAtlas::Get().Layout(text, m_glyphs);
+    const Rgba ink = Opaque(color);
+    bool drawn = false;
+    for (const GlyphQuad& glyph : m_glyphs)
+    {
+        const Point lower = at + Point{glyph.x0, glyph.y0};
+        const Point upper = at + Point{glyph.x1, glyph.y1};
+        if (const auto bounds = InPicture(lower, upper))
+        {
+            const std::array<float, 12> attributes{
+                float(lower.x), float(lower.y), float(upper.x), float(upper.y), glyph.u0, glyph.v0,
+                glyph.u1,       glyph.v1,       ink[0],         ink[1],         ink[2],   ink[3]};
+            m_batches.Add(ProgramKind::Glyph, *bounds, attributes);
+            drawn = true;
+        }
+    }
+    return drawn;
+}
+
+bool ShapeBuilder::EmitBox(const OrientedBox& box, double outlineWidth, const Paint& paint)
+{
+    const double half = 0.5 * outlineWidth;
+    const Point u = box.axis;
+    const Point outer{box.half.x + half, box.half.y + half};
+    const Point inner{box.half.x - half, box.half.y - half};
+    const bool hollow = inner.x > 0.0 && inner.y > 0.0;
+    const Point reach{std::abs(u.x) * outer.x + std::abs(u.y) * outer.y + 0.5,
+                      std::abs(u.y) * outer.x + std::abs(u.x) * outer.y + 0.5};
+    const auto bounds = InPicture(box.center - reach, box.center + reach);
+    if (!bounds)
+    {
+        return false;
+    }
+    const std::array<float, 16> attributes{float(box.center.x),
+                                           float(box.center.y),
+                                           float(u.x),
+                                           float(u.y),
+                                           float(outer.x),
+                                           float(outer.y),
+                                           hollow ? float(inner.x) : 0.0f,
+                                           hollow ? float(inner.y) : 0.0f,
+                                           paint.stroke[0],
+                                           paint.stroke[1],
+                                           paint.stroke[2],
+                                           paint.stroke[3],
+                                           paint.fill[0],
+                                           paint.fill[1],
+                                           paint.fill[2],
+                                           paint.fill[3]};
+    m_batches.Add(ProgramKind::Box, *bounds, attributes);
+    return true;
+}
+
+bool ShapeBuilder::EmitRound(const OrientedBox& spine, double outerRadius, double innerRadius,
+                             double axisHalf, const Paint& paint)
+{
+    const Point u = spine.axis;
+    const double length = spine.half.x;
+    const Point reach{std::abs(u.x) * length + outerRadius + 0.5,
+                      std::abs(u.y) * length + outerRadius + 0.5};
+    const auto bounds = InPicture(spine.center - reach, spine.center + reach);
+    if (!bounds)
+    {
+        return false;
+    }
+    const std::array<float, 16> attributes{float(spine.center.x),
+                                           float(spine.center.y),
+                                           float(u.x),
+                                           float(u.y),
+                                           float(length),
+                                           float(outerRadius),
+                                           float(innerRadius > 0.0 ? innerRadius : -2.0),
+                                           float(axisHalf),
+                                           paint.stroke[0],
+                                           paint.stroke[1],
+                                           paint.stroke[2],
+                                           paint.stroke[3],
+                                           paint.fill[0],
+                                           paint.fill[1],
+                                           paint.fill[2],
+                                           paint.fill[3]};
+    m_batches.Add(ProgramKind::Round, *bounds, attributes);
+    return true;
+}
+
+bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const Paint& paint)
+{
+    const OrientedBox quad = BoxAround(outer);
+    const Point u = quad.axis;
+    const Point reach{std::abs(u.x) * quad.half.x + std::abs(u.y) * quad.half.y + 0.5,
+                      std::abs(u.y) * quad.half.x + std::abs(u.x) * quad.half.y + 0.5};
+    const auto bounds = InPicture(quad.center - reach, quad.center + reach);
+    if (!bounds)
+    {
+        return false;
+    }
+    // Pixels whose centre is this near the middle are all fill.
+    const double core = InsideDistance(inner, quad.center) - kPixelReach;
+    const bool small = outer.count <= 6 && inner.count <= 4;
+    const std::size_t outerSlots = small ? 6 : kMaxCorners;
+    const std::size_t innerSlots = small ? 4 : kMaxCorners;
+
+    std::array<float, 64> attributes;
+    std::size_t used = 0;
+    const auto put = [&](double value) { attributes[used++] = float(value); };
+    for (const double value :
+         {quad.center.x, quad.center.y, u.x, u.y, quad.half.x, quad.half.y, core, 0.0})
+    {
+        put(value);
+    }
+    std::copy(paint.stroke.begin(), paint.stroke.end(), attributes.begin() + 8);
+    std::copy(paint.fill.begin(), paint.fill.end(), attributes.begin() + 12);
+    used = 16;
+    const auto putCorners = [&](const Convex& polygon, std::size_t slots) {
+        for (std::size_t i = 0; i < slots; ++i)
+        {
+            // Corners left over repeat the last: an edge of no length has no area below it.
+            const Point corner =
+                polygon.count ? polygon.corners[std::min(i, polygon.count - 1)] : quad.center;
+            put(corner.x);
+            put(corner.y);
+        }
+    };
+    putCorners(outer, outerSlots);
+    putCorners(inner, innerSlots);
+    m_batches.Add(small ? ProgramKind::SmallPolygon : ProgramKind::Polygon, *bounds,
+                  {attributes.data(), used});
+    return true;
+}
+
+} // namespace boxreel

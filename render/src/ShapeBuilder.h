@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Batches.h"
+#include "Convex.h"
+#include "FontAtlas.h"
+
+#include <debugdraw/Camera.h>
+#include <debugdraw/DrawList.h>
+#include <debugdraw/Theme.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+/// Turns the items of a DrawList into instances for the shaders, in pixels. Pure arithmetic in
+/// double, made float at the end, so that the same list gives the same bits on any machine. Called
+/// by Renderer, once a frame; knows no GL.
+///
+/// A shape's attributes (floats): Box and Round 16, SmallPolygon 36, Polygon 64, Glyph 12;
+/// Shaders.cpp has their meaning.
+namespace boxreel
+{
+
+class ShapeBuilder
+{
+public:
+    /// The camera's size is the picture's; its numbers are finite and its scale is positive.
+    ShapeBuilder(const Camera& camera, const Theme& theme, Batches& batches);
+
+    /// Adds what the item shows in the picture. False when that is nothing (outside, or not
+    /// finite).
+    bool Add(const DrawList& list, const DrawItem& item);
+
+private:
+    /// Premultiplied, 0 to 1.
+    using Rgba = std::array<float, 4>;
+
+    struct Paint
+    {
+        Rgba stroke{};
+        Rgba fill{};
+    };
+
+    Point ToPixel(Vec2 world) const;
+    std::optional<PixelBounds> InPicture(Point lower, Point upper) const;
+    Paint SolidPaint(Color color) const;
+
+    bool AddSolidPolygon(const Vec2* points, std::size_t count, Color color);
+    bool AddOutline(const Vec2* points, std::size_t count, Color color);
+    bool AddDisc(Point center, double radius, std::optional<Point> axis, double outlineWidth,
+                 const Paint& paint);
+    bool AddLine(Point a, Point b, double width, const Rgba& color);
+    bool AddTransform(const Vec2* points, double length);
+    bool AddText(Vec2 topLeft, const std::string& text, Color color);
+
+    bool EmitBox(const OrientedBox& box, double outlineWidth, const Paint& paint);
+    bool EmitPolygon(const Convex& outer, const Convex& inner, const Paint& paint);
+    bool EmitRound(const OrientedBox& spine, double outerRadius, double innerRadius,
+                   double axisHalf, const Paint& paint);
+
+    Camera m_camera;
+    Theme m_theme;
+    Batches& m_batches;
+    std::vector<GlyphQuad> m_glyphs;
+};
+
+} // namespace boxreel
