@@ -81,7 +81,7 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path)
     for (int attempt = 0; attempt < 100; ++attempt)
     {
         const int descriptor =
-            ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+            ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (descriptor < 0)
         {
             return CannotOpen(path, errno);
@@ -234,6 +234,40 @@ Result<void> AtomicFile::Write(std::span<const std::uint8_t> bytes)
         bytes = bytes.subspan(static_cast<std::size_t>(written < 0 ? 0 : written));
     }
     return {};
+}
+
+Result<void> AtomicFile::WriteAt(std::int64_t offset, std::span<const std::uint8_t> bytes)
+{
+    assert(m_descriptor >= 0 && "AtomicFile::WriteAt after Commit");
+    while (!bytes.empty())
+    {
+        const ssize_t written = ::pwrite(m_descriptor, bytes.data(), bytes.size(), offset);
+        if (written < 0 && errno != EINTR)
+        {
+            return CannotFinish(m_path, errno);
+        }
+        const std::size_t done = static_cast<std::size_t>(written < 0 ? 0 : written);
+        bytes = bytes.subspan(done);
+        offset += static_cast<std::int64_t>(done);
+    }
+    return {};
+}
+
+Result<std::size_t> AtomicFile::ReadAt(std::int64_t offset, std::span<std::uint8_t> bytes) const
+{
+    assert(m_descriptor >= 0 && "AtomicFile::ReadAt after Commit");
+    while (true)
+    {
+        const ssize_t got = ::pread(m_descriptor, bytes.data(), bytes.size(), offset);
+        if (got >= 0)
+        {
+            return static_cast<std::size_t>(got);
+        }
+        if (errno != EINTR)
+        {
+            return CannotFinish(m_path, errno);
+        }
+    }
 }
 
 Result<void> AtomicFile::Commit()

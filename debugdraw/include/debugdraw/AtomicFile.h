@@ -31,6 +31,11 @@ public:
 
     Result<void> Write(std::span<const std::uint8_t> bytes);
 
+    /// For formats that go back to fill in what they know only at the end. Neither moves the place
+    /// where Write goes on. ReadAt gives less than was asked for at the end of the file.
+    Result<void> WriteAt(std::int64_t offset, std::span<const std::uint8_t> bytes);
+    Result<std::size_t> ReadAt(std::int64_t offset, std::span<std::uint8_t> bytes) const;
+
     /// Flushes to the disk and renames. Nothing may follow.
     Result<void> Commit();
 

@@ -7,29 +7,34 @@
 #include <string_view>
 
 /// Which simulation step a frame shows, in whole numbers, so that no film drifts however long.
+/// Used by whoever makes a film; knows no world and no file.
 namespace boxreel
 {
 
 /// A positive fraction in lowest terms. "60", "29.97", "0.25", "30000/1001" are all exact.
 struct Rational
 {
-    std::int64_t num = 1;
-    std::int64_t den = 1;
-    /// An Error (Unusable) unless the text is a finite number above zero with at most nine digits a part.
+    std::int64_t num = 1; ///< 1 to 1,000,000,000
+    std::int64_t den = 1; ///< 1 to 1,000,000,000
+
+    /// A decimal or a fraction of two whole numbers. An Error (Unusable) unless it is a number
+    /// above zero with at most nine digits on either side of the point or the slash.
     static Result<Rational> Parse(std::string_view text);
     double ToDouble() const { return double(num) / double(den); }
     friend bool operator==(const Rational&, const Rational&) = default;
 };
 
 /// Frame k shows the simulated time k * speed / fps: the state after floor(that * hz) steps.
+/// Exact for every frame up to 10^11 and any Rational.
 struct FrameClock
 {
     Rational framesPerSecond{60, 1};
     Rational stepsPerSecond{60, 1};
     Rational speed{1, 1}; ///< simulated seconds per second of film
 
-    std::int64_t StepOfFrame(std::int64_t frame) const;
-    double SecondsOfFrame(std::int64_t frame) const; ///< simulated time shown
+    std::int64_t StepOfFrame(std::int64_t frame) const;  ///< frame >= 0
+    double SecondsOfFrame(std::int64_t frame) const;     ///< simulated time shown [s]
+    double FilmSecondsOfFrame(std::int64_t frame) const; ///< time in the film [s]
 };
 
 } // namespace boxreel

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <functional>
 
-/// The loop that makes a film: step, draw, read, encode, overlapped over bounded queues so that memory
-/// does not grow with the film. Knows no engine: the caller fills in what each frame shows.
+/// The loop that makes a film: step, draw, read, encode, overlapped over bounded queues so that
+/// memory does not grow with the film. Knows no engine: the caller fills in what each frame shows.
 namespace boxreel
 {
 
@@ -30,14 +30,16 @@ struct RecordingProgress
 struct RecordingSettings
 {
     std::int64_t frameCount = 600; ///< at least 1
-    /// Called for frame 0, 1, 2, … in order, on the calling thread: advance the world, fill the content.
+    /// Called for frame 0, 1, 2, … in order, on the calling thread: advance the world, fill the
+    /// content.
     std::function<Result<void>(std::int64_t frame, FrameContent& content)> fill;
-    /// Called on the calling thread after frames are encoded; may be empty. False stops the recording early.
+    /// Called on the calling thread after frames are encoded; may be empty. False stops the
+    /// recording early.
     std::function<bool(const RecordingProgress&)> progress;
 };
 
-/// Runs to the end and closes the writer. On an Error (or a stop) the writer is left unclosed, so that its
-/// destruction leaves no file under the final name.
+/// Runs to the end and closes the writer. On an Error (or a stop) the writer is left unclosed, so
+/// that its destruction leaves no file under the final name.
 Result<void> Record(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer);
 
 } // namespace boxreel

@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-/// A film back into frames, for tests and golden comparisons. Colours are converted by the film's own
-/// tags. libav is loaded by Open, not before.
+/// A film back into frames, for tests and golden comparisons. Colours are converted by the film's
+/// own tags. libav is loaded by Open, not before.
 namespace boxreel
 {
 

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "FFmpegLibrary.h"
+
+#include <cassert>
+#include <mutex>
+
+#include <dlfcn.h>
+
+namespace boxreel
+{
+
+namespace
+{
+
+FFmpegLibrary g_library;
+
+template <class Function>
+bool Bind(void* handle, const char* symbol, Function& function)
+{
+    function = reinterpret_cast<Function>(dlsym(handle, symbol));
+    return function != nullptr;
+}
+
+Error MissingSymbol(const char* symbol, const std::string& name, const std::string& package)
+{
+    return Error{ErrorKind::Absent,
+                 name + " lacks the function " + symbol + "; install Debian's " + package + "."};
+}
+
+// One per library, for the four lists of functions differ.
+#define BOXREEL_BIND(symbol)                                                                       \
+    if (!Bind(*handle, #symbol, g_library.symbol))                                                 \
+    {                                                                                              \
+        return MissingSymbol(#symbol, name, package);                                              \
+    }
+#define BOXREEL_LOADER(function, functions)                                                        \
+    Result<void> function(const std::string& name, const std::string& package)                     \
+    {                                                                                              \
+        Result<void*> handle = OpenSharedLibrary(name, package);                                   \
+        if (!handle)                                                                               \
+        {                                                                                          \
+            return handle.GetError();                                                              \
+        }                                                                                          \
+        functions(BOXREEL_BIND) return {};                                                         \
+    }
+BOXREEL_LOADER(BindUtil, BOXREEL_AVUTIL_FUNCTIONS)
+BOXREEL_LOADER(BindScale, BOXREEL_SWSCALE_FUNCTIONS)
+BOXREEL_LOADER(BindCodec, BOXREEL_AVCODEC_FUNCTIONS)
+BOXREEL_LOADER(BindFormat, BOXREEL_AVFORMAT_FUNCTIONS)
+#undef BOXREEL_LOADER
+#undef BOXREEL_BIND
+
+/// The version is part of the name: the structures are those of the headers compiled against.
+Result<void> LoadOne(Result<void> (*bind)(const std::string&, const std::string&),
+                     const std::string& library, int major)
+{
+    return bind("lib" + library + ".so." + std::to_string(major),
+                "lib" + library + std::to_string(major));
+}
+
+Result<void> LoadAll()
+{
+    if (Result<void> done = LoadOne(BindUtil, "avutil", LIBAVUTIL_VERSION_MAJOR); !done)
+    {
+        return done;
+    }
+    if (Result<void> done = LoadOne(BindScale, "swscale", LIBSWSCALE_VERSION_MAJOR); !done)
+    {
+        return done;
+    }
+    if (Result<void> done = LoadOne(BindCodec, "avcodec", LIBAVCODEC_VERSION_MAJOR); !done)
+    {
+        return done;
+    }
+    if (Result<void> done = LoadOne(BindFormat, "avformat", LIBAVFORMAT_VERSION_MAJOR); !done)
+    {
+        return done;
+    }
+    if (g_library.av_log_get_level() == AV_LOG_INFO) // libav's default: nobody else has a say
+    {
+        g_library.av_log_set_level(AV_LOG_QUIET);
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void*> OpenSharedLibrary(const std::string& name, const std::string& package)
+{
+    // Never closed: libav keeps threads and tables of its own.
+    void* handle = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (handle == nullptr)
+    {
+        const char* reason = dlerror();
+        return Error{ErrorKind::Absent, "Films need " + name + ", which cannot be loaded (" +
+                                            (reason != nullptr ? reason : "no reason given") +
+                                            "); install Debian's " + package + "."};
+    }
+    return handle;
+}
+
+Result<void> LoadFFmpeg()
+{
+    static std::mutex mutex;
+    static bool loaded = false;
+    const std::lock_guard lock(mutex);
+    if (!loaded)
+    {
+        if (Result<void> done = LoadAll(); !done)
+        {
+            return done;
+        }
+        loaded = true;
+    }
+    return {};
+}
+
+const FFmpegLibrary& FFmpeg()
+{
+    assert(g_library.avformat_open_input != nullptr && "LoadFFmpeg must have succeeded");
+    return g_library;
+}
+
+std::string FFmpegText(int status)
+{
+    char text[AV_ERROR_MAX_STRING_SIZE] = "";
+    FFmpeg().av_strerror(status, text, sizeof text);
+    return text;
+}
+
+void FFmpegDelete::operator()(AVFrame* frame) const
+{
+    FFmpeg().av_frame_free(&frame);
+}
+
+void FFmpegDelete::operator()(AVPacket* packet) const
+{
+    FFmpeg().av_packet_free(&packet);
+}
+
+void FFmpegDelete::operator()(AVCodecContext* context) const
+{
+    FFmpeg().avcodec_free_context(&context);
+}
+
+void FFmpegDelete::operator()(SwsContext* context) const
+{
+    FFmpeg().sws_freeContext(context);
+}
+
+void FFmpegDelete::operator()(AVIOContext* context) const
+{
+    FFmpeg().av_freep(&context->buffer); // libav may have exchanged the buffer it was given
+    FFmpeg().avio_context_free(&context);
+}
+
+} // namespace boxreel

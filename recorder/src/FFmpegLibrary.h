@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+
+#include <memory>
+#include <string>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/avutil.h>
+#include <libavutil/opt.h>
+#include <libavutil/pixdesc.h>
+#include <libswscale/swscale.h>
+}
+
+/// libav, opened when first asked for: linking it would cost every command 30 ms. A table of the
+/// functions used here, and owners for what they allocate. Only the files named FFmpeg* include
+/// this.
+namespace boxreel
+{
+
+#define BOXREEL_AVUTIL_FUNCTIONS(X)                                                                \
+    X(av_color_primaries_name)                                                                     \
+    X(av_color_range_name)                                                                         \
+    X(av_color_space_name)                                                                         \
+    X(av_color_transfer_name)                                                                      \
+    X(av_dict_free)                                                                                \
+    X(av_dict_get)                                                                                 \
+    X(av_dict_set)                                                                                 \
+    X(av_frame_alloc)                                                                              \
+    X(av_frame_free)                                                                               \
+    X(av_frame_get_buffer)                                                                         \
+    X(av_frame_is_writable)                                                                        \
+    X(av_frame_unref)                                                                              \
+    X(av_freep)                                                                                    \
+    X(av_get_pix_fmt)                                                                              \
+    X(av_get_pix_fmt_name)                                                                         \
+    X(av_log_get_level)                                                                            \
+    X(av_log_set_level)                                                                            \
+    X(av_malloc)                                                                                   \
+    X(av_pix_fmt_desc_get)                                                                         \
+    X(av_strdup)                                                                                   \
+    X(av_strerror)
+
+#define BOXREEL_SWSCALE_FUNCTIONS(X)                                                               \
+    X(sws_freeContext)                                                                             \
+    X(sws_getCoefficients)                                                                         \
+    X(sws_getContext)                                                                              \
+    X(sws_isSupportedInput)                                                                        \
+    X(sws_scale)                                                                                   \
+    X(sws_setColorspaceDetails)
+
+#define BOXREEL_AVCODEC_FUNCTIONS(X)                                                               \
+    X(av_packet_alloc)                                                                             \
+    X(av_packet_free)                                                                              \
+    X(av_packet_rescale_ts)                                                                        \
+    X(av_packet_unref)                                                                             \
+    X(avcodec_alloc_context3)                                                                      \
+    X(avcodec_find_decoder)                                                                        \
+    X(avcodec_find_encoder_by_name)                                                                \
+    X(avcodec_free_context)                                                                        \
+    X(avcodec_open2)                                                                               \
+    X(avcodec_parameters_from_context)                                                             \
+    X(avcodec_parameters_to_context)                                                               \
+    X(avcodec_receive_frame)                                                                       \
+    X(avcodec_receive_packet)                                                                      \
+    X(avcodec_send_frame)                                                                          \
+    X(avcodec_send_packet)
+
+#define BOXREEL_AVFORMAT_FUNCTIONS(X)                                                              \
+    X(av_find_best_stream)                                                                         \
+    X(av_guess_frame_rate)                                                                         \
+    X(av_read_frame)                                                                               \
+    X(av_write_frame)                                                                              \
+    X(av_write_trailer)                                                                            \
+    X(avformat_alloc_output_context2)                                                              \
+    X(avformat_close_input)                                                                        \
+    X(avformat_find_stream_info)                                                                   \
+    X(avformat_free_context)                                                                       \
+    X(avformat_new_stream)                                                                         \
+    X(avformat_open_input)                                                                         \
+    X(avformat_write_header)                                                                       \
+    X(avio_alloc_context)                                                                          \
+    X(avio_context_free)                                                                           \
+    X(avio_flush)
+
+struct FFmpegLibrary
+{
+#define BOXREEL_DECLARE(name) decltype(&::name) name = nullptr;
+    BOXREEL_AVUTIL_FUNCTIONS(BOXREEL_DECLARE)
+    BOXREEL_SWSCALE_FUNCTIONS(BOXREEL_DECLARE)
+    BOXREEL_AVCODEC_FUNCTIONS(BOXREEL_DECLARE)
+    BOXREEL_AVFORMAT_FUNCTIONS(BOXREEL_DECLARE)
+#undef BOXREEL_DECLARE
+};
+
+/// Opens the libraries, once per process. An Error (Absent) says which is missing and which package
+/// has it. libav's own messages are switched off unless the program has chosen a level itself.
+Result<void> LoadFFmpeg();
+
+/// The table. LoadFFmpeg must have succeeded.
+const FFmpegLibrary& FFmpeg();
+
+/// Opens one shared library; for LoadFFmpeg, and for the test of its Error.
+Result<void*> OpenSharedLibrary(const std::string& name, const std::string& package);
+
+/// libav's words for one of its error codes.
+std::string FFmpegText(int status);
+
+struct FFmpegDelete
+{
+    void operator()(AVFrame* frame) const;
+    void operator()(AVPacket* packet) const;
+    void operator()(AVCodecContext* context) const;
+    void operator()(SwsContext* context) const;
+    void operator()(AVIOContext* context) const; ///< its buffer, too; not what it reads or writes
+};
+
+template <class T>
+using FFmpegOwner = std::unique_ptr<T, FFmpegDelete>;
+
+} // namespace boxreel

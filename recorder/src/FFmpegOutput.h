@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "FFmpegLibrary.h"
+
+#include <debugdraw/AtomicFile.h>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+/// libav's muxer writing into an AtomicFile, so that any name is a name (no "a:b.mp4" as a
+/// protocol) and what went wrong is known in full. Used by FFmpegEncoder.
+namespace boxreel
+{
+
+class FFmpegOutput
+{
+public:
+    explicit FFmpegOutput(AtomicFile& file); ///< which must outlive it
+    FFmpegOutput(const FFmpegOutput&) = delete;
+    FFmpegOutput& operator=(const FFmpegOutput&) = delete;
+
+    /// Gives `context` this output; it must not outlive it.
+    void AttachTo(AVFormatContext& context);
+
+    /// Hands libav's buffer to the file.
+    void Flush();
+
+    bool HasFailed() const { return m_error.has_value(); }
+
+    /// What went wrong first while writing; `fallback` when it was not the file.
+    Error FirstError(Error fallback) const { return m_error.value_or(std::move(fallback)); }
+
+private:
+    /// A place in the file. libav opens a second one to read when it moves an index to the front.
+    struct Cursor
+    {
+        FFmpegOutput* output = nullptr;
+        std::int64_t position = 0;
+    };
+
+    static FFmpegOwner<AVIOContext> MakeContext(Cursor& cursor, bool forWriting);
+    static int OnWrite(void* opaque, std::uint8_t* data, int size);
+    static int OnRead(void* opaque, std::uint8_t* data, int size);
+    static std::int64_t OnSeek(void* opaque, std::int64_t offset, int whence);
+    static int OnOpen(AVFormatContext* context, AVIOContext** io, const char* url, int flags,
+                      AVDictionary** options);
+    static int OnClose(AVFormatContext* context, AVIOContext* io);
+
+    AtomicFile& m_file;
+    std::int64_t m_size = 0;
+    std::optional<Error> m_error;
+    Cursor m_writing;
+    Cursor m_reading;
+    FFmpegOwner<AVIOContext> m_context;
+};
+
+} // namespace boxreel

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "FFmpegReader.h"
+
+#include "FFmpegLibrary.h"
+#include "FFmpegPicture.h"
+
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace boxreel
+{
+
+namespace
+{
+
+// Containers of films; none that points to other files or to the network.
+constexpr const char* kContainers = "mov,matroska,gif,apng,avi,nut,yuv4mpegpipe,ivf,flv,ogg,mpegts";
+constexpr std::int64_t kMostPixels = 8192 * 8192;
+
+struct InputDelete
+{
+    void operator()(AVFormatContext* context) const { FFmpeg().avformat_close_input(&context); }
+};
+
+std::string NameOr(const char* name)
+{
+    return name != nullptr ? name : "unknown";
+}
+
+class FFmpegReader final : public VideoSource
+{
+public:
+    explicit FFmpegReader(std::filesystem::path path) : m_path(std::move(path)) {}
+
+    Result<void> Open();
+    Result<bool> Next(Frame& frame, double& seconds) override;
+
+private:
+    Result<void> OpenInput();
+    Result<void> OpenDecoder();
+    void FillInfo();
+    Result<void> Feed();
+    Result<bool> End();
+    Error Damaged(const std::string& why) const;
+
+    std::filesystem::path m_path;
+    std::unique_ptr<AVFormatContext, InputDelete> m_input;
+    AVStream* m_stream = nullptr; // the input's
+    FFmpegOwner<AVCodecContext> m_decoder;
+    FFmpegOwner<AVPacket> m_packet;
+    FFmpegOwner<AVFrame> m_picture;
+    PictureToFrame m_converter;
+    std::int64_t m_frames = 0;
+    double m_lastSeconds = 0.0;
+    bool m_isDraining = false;
+};
+
+Error FFmpegReader::Damaged(const std::string& why) const
+{
+    return Error{ErrorKind::Failed, m_path.string() + " is damaged or cut short after " +
+                                        std::to_string(m_frames) + " frames (" + why +
+                                        "); record it again."};
+}
+
+Result<void> FFmpegReader::Open()
+{
+    if (Result<void> done = OpenInput(); !done)
+    {
+        return done;
+    }
+    if (Result<void> done = OpenDecoder(); !done)
+    {
+        return done;
+    }
+    FillInfo();
+    return {};
+}
+
+Result<void> FFmpegReader::OpenInput()
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(m_path, error))
+    {
+        return Error{ErrorKind::Unusable,
+                     m_path.string() + (std::filesystem::exists(m_path, error)
+                                            ? " is not a file; name a film."
+                                            : " does not exist; check the name.")};
+    }
+    AVDictionary* options = nullptr;
+    FFmpeg().av_dict_set(&options, "format_whitelist", kContainers, 0);
+    FFmpeg().av_dict_set(&options, "protocol_whitelist", "file", 0);
+    AVFormatContext* input = nullptr;
+    // "file:" keeps a colon in the name from being taken for a protocol.
+    int status = FFmpeg().avformat_open_input(&input, ("file:" + m_path.string()).c_str(), nullptr,
+                                              &options);
+    FFmpeg().av_dict_free(&options);
+    if (status >= 0)
+    {
+        m_input.reset(input);
+        status = FFmpeg().avformat_find_stream_info(input, nullptr);
+    }
+    if (status >= 0)
+    {
+        status = FFmpeg().av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    }
+    if (status < 0)
+    {
+        return Error{ErrorKind::Unusable, m_path.string() + " is not a film that can be read (" +
+                                              FFmpegText(status) +
+                                              "); it is damaged, cut short or of another kind."};
+    }
+    m_stream = input->streams[status];
+    return {};
+}
+
+Result<void> FFmpegReader::OpenDecoder()
+{
+    const AVCodec* codec = FFmpeg().avcodec_find_decoder(m_stream->codecpar->codec_id);
+    if (codec == nullptr)
+    {
+        return Error{ErrorKind::Absent, m_path.string() +
+                                            " needs a decoder that this build of libavcodec lacks; "
+                                            "install Debian's libavcodec-extra."};
+    }
+    m_decoder.reset(FFmpeg().avcodec_alloc_context3(codec));
+    FFmpeg().avcodec_parameters_to_context(m_decoder.get(), m_stream->codecpar);
+    m_decoder->pkt_timebase = m_stream->time_base;
+    m_decoder->max_pixels = kMostPixels;
+    m_decoder->err_recognition =
+        AV_EF_CRCCHECK | AV_EF_EXPLODE; // no guesses where a film is damaged
+    const int status = FFmpeg().avcodec_open2(m_decoder.get(), codec, nullptr);
+    if (status < 0)
+    {
+        return Error{ErrorKind::Unusable, m_path.string() + " cannot be decoded (" +
+                                              FFmpegText(status) +
+                                              "); it is damaged or of another kind."};
+    }
+    m_packet.reset(FFmpeg().av_packet_alloc());
+    m_picture.reset(FFmpeg().av_frame_alloc());
+    return {};
+}
+
+void FFmpegReader::FillInfo()
+{
+    const AVCodecParameters& codec = *m_stream->codecpar;
+    info.width = codec.width;
+    info.height = codec.height;
+    AVRational rate = m_stream->avg_frame_rate;
+    if (rate.num <= 0 || rate.den <= 0)
+    {
+        rate = FFmpeg().av_guess_frame_rate(m_input.get(), m_stream, nullptr);
+    }
+    info.framesPerSecond =
+        rate.num > 0 && rate.den > 0 ? Rational{rate.num, rate.den} : Rational{1, 1};
+    info.container = m_input->iformat->name;
+    info.codec = m_decoder->codec->name;
+    info.pixelFormat = NameOr(FFmpeg().av_get_pix_fmt_name(AVPixelFormat(codec.format)));
+    info.colorSpace = NameOr(FFmpeg().av_color_space_name(codec.color_space));
+    info.colorPrimaries = NameOr(FFmpeg().av_color_primaries_name(codec.color_primaries));
+    info.colorTransfer = NameOr(FFmpeg().av_color_transfer_name(codec.color_trc));
+    info.colorRange = NameOr(FFmpeg().av_color_range_name(codec.color_range));
+}
+
+/// Gives the decoder the next packet of the film, or its end.
+Result<void> FFmpegReader::Feed()
+{
+    int status = FFmpeg().av_read_frame(m_input.get(), m_packet.get());
+    if (status == AVERROR_EOF && m_input->pb != nullptr && m_input->pb->error == 0)
+    {
+        m_isDraining = true;
+        status = FFmpeg().avcodec_send_packet(m_decoder.get(), nullptr);
+        return status < 0 ? Result<void>(Damaged(FFmpegText(status))) : Result<void>();
+    }
+    if (status < 0)
+    {
+        return Damaged(FFmpegText(status));
+    }
+    const bool isOurs = m_packet->stream_index == m_stream->index;
+    const bool isCorrupt = isOurs && (m_packet->flags & AV_PKT_FLAG_CORRUPT) != 0;
+    if (isOurs && !isCorrupt)
+    {
+        status = FFmpeg().avcodec_send_packet(m_decoder.get(), m_packet.get());
+    }
+    FFmpeg().av_packet_unref(m_packet.get());
+    if (isCorrupt || status < 0)
+    {
+        return Damaged(isCorrupt ? "a frame is incomplete" : FFmpegText(status));
+    }
+    return {};
+}
+
+/// After the last picture: whether the film holds what its header promised.
+Result<bool> FFmpegReader::End()
+{
+    if (m_frames == 0)
+    {
+        return Damaged("it holds no picture");
+    }
+    if (m_stream->nb_frames > 0 && m_frames < m_stream->nb_frames)
+    {
+        return Damaged(std::to_string(m_stream->nb_frames) + " were promised");
+    }
+    const double promised = double(m_input->duration) / AV_TIME_BASE;
+    const double period = 1.0 / info.framesPerSecond.ToDouble();
+    const bool isStoredDuration =
+        m_input->duration_estimation_method != AVFMT_DURATION_FROM_BITRATE;
+    // The header's clock may be as coarse as a millisecond; a whole frame must be missing.
+    if (m_input->duration > 0 && isStoredDuration && m_lastSeconds + 2.5 * period < promised)
+    {
+        return Damaged(std::to_string(promised) + " s were promised");
+    }
+    return false;
+}
+
+Result<bool> FFmpegReader::Next(Frame& frame, double& seconds)
+{
+    while (true)
+    {
+        const int status = FFmpeg().avcodec_receive_frame(m_decoder.get(), m_picture.get());
+        if (status == AVERROR_EOF)
+        {
+            return End();
+        }
+        if (status == AVERROR(EAGAIN) && !m_isDraining)
+        {
+            if (Result<void> fed = Feed(); !fed)
+            {
+                return fed.GetError();
+            }
+            continue;
+        }
+        if (status < 0)
+        {
+            return Damaged(FFmpegText(status));
+        }
+        break;
+    }
+    if (Result<void> converted = m_converter.Convert(*m_picture, frame); !converted)
+    {
+        return Damaged(converted.GetError().message);
+    }
+    const AVRational base = m_stream->time_base;
+    seconds = double(m_picture->best_effort_timestamp * base.num) / double(base.den);
+    m_lastSeconds = seconds;
+    ++m_frames;
+    FFmpeg().av_frame_unref(m_picture.get());
+    return true;
+}
+
+} // namespace
+
+Result<std::unique_ptr<VideoSource>> OpenFFmpegReader(const std::filesystem::path& path)
+{
+    if (Result<void> loaded = LoadFFmpeg(); !loaded)
+    {
+        return loaded.GetError();
+    }
+    auto reader = std::make_unique<FFmpegReader>(path);
+    if (Result<void> opened = reader->Open(); !opened)
+    {
+        return opened.GetError();
+    }
+    return std::unique_ptr<VideoSource>(std::move(reader));
+}
+
+} // namespace boxreel

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "VideoSource.h"
+
+#include <filesystem>
+#include <memory>
+
+/// A film read by libav. Used by VideoReader; loads libav when called.
+namespace boxreel
+{
+
+Result<std::unique_ptr<VideoSource>> OpenFFmpegReader(const std::filesystem::path& path);
+
+} // namespace boxreel

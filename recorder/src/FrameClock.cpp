@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <recorder/FrameClock.h>
+
+#include <cassert>
+#include <numeric>
+#include <optional>
+#include <string>
+
+namespace boxreel
+{
+
+namespace
+{
+
+// Three parts of a Rational and a frame number multiply to 10^27 * 10^11 < 2^127.
+__extension__ typedef __int128 Wide;
+
+constexpr std::size_t kMaxDigits = 9;
+constexpr std::int64_t kMaxPart = 1'000'000'000;
+
+bool IsDigits(std::string_view text)
+{
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::int64_t ToInteger(std::string_view digits)
+{
+    std::int64_t value = 0;
+    for (const char digit : digits)
+    {
+        value = value * 10 + (digit - '0');
+    }
+    return value;
+}
+
+Error Refuse(std::string_view text, const char* why)
+{
+    constexpr std::size_t kShown = 40; // a longer text would bury the sentence
+    std::string shown(text.substr(0, kShown));
+    if (text.size() > kShown)
+    {
+        shown += "...";
+    }
+    return Error{ErrorKind::Unusable,
+                 "\"" + shown + "\" " + why +
+                     "; write a number above zero such as 60, 29.97 or 30000/1001."};
+}
+
+std::optional<Rational> Reduce(std::int64_t num, std::int64_t den)
+{
+    const std::int64_t divisor = std::gcd(num, den);
+    num /= divisor;
+    den /= divisor;
+    if (num > kMaxPart || den > kMaxPart)
+    {
+        return std::nullopt;
+    }
+    return Rational{num, den};
+}
+
+/// The quotient as a double without first rounding its two halves.
+double Divide(Wide num, Wide den)
+{
+    return double(num / den) + double(num % den) / double(den);
+}
+
+} // namespace
+
+Result<Rational> Rational::Parse(std::string_view text)
+{
+    if (text.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "An empty text is no number; write one above zero such as 60, "
+                     "29.97 or 30000/1001."};
+    }
+    if (text.front() == '-')
+    {
+        return Refuse(text, "is not above zero");
+    }
+    const std::size_t slash = text.find('/');
+    const std::size_t mark = slash != std::string_view::npos ? slash : text.find('.');
+    const std::string_view whole = text.substr(0, mark);
+    const std::string_view part = mark == std::string_view::npos ? "" : text.substr(mark + 1);
+    // ".5" is a number, "5." and "1/" are slips of the keyboard.
+    const bool wholeMissing = whole.empty() && slash == std::string_view::npos;
+    if ((!wholeMissing && !IsDigits(whole)) || (mark != std::string_view::npos && !IsDigits(part)))
+    {
+        return Refuse(text, "is not a number");
+    }
+    if (whole.size() > kMaxDigits || part.size() > kMaxDigits)
+    {
+        return Refuse(text, "has more than nine digits on one side");
+    }
+    std::int64_t num = ToInteger(whole);
+    std::int64_t den = 1;
+    if (slash != std::string_view::npos)
+    {
+        den = ToInteger(part);
+    }
+    else
+    {
+        for (const char digit : part)
+        {
+            num = num * 10 + (digit - '0');
+            den *= 10;
+        }
+    }
+    if (num == 0 || den == 0)
+    {
+        return Refuse(text, den == 0 ? "divides by zero" : "is not above zero");
+    }
+    const std::optional<Rational> reduced = Reduce(num, den);
+    return reduced ? Result<Rational>(*reduced)
+                   : Refuse(text, "has too many digits to be kept exactly");
+}
+
+std::int64_t FrameClock::StepOfFrame(std::int64_t frame) const
+{
+    assert(frame >= 0 && "frames are counted from 0");
+    const Wide num = Wide(frame) * speed.num * stepsPerSecond.num * framesPerSecond.den;
+    const Wide den = Wide(speed.den) * stepsPerSecond.den * framesPerSecond.num;
+    return std::int64_t(num / den);
+}
+
+double FrameClock::SecondsOfFrame(std::int64_t frame) const
+{
+    return Divide(Wide(frame) * speed.num * framesPerSecond.den,
+                  Wide(speed.den) * framesPerSecond.num);
+}
+
+double FrameClock::FilmSecondsOfFrame(std::int64_t frame) const
+{
+    return Divide(Wide(frame) * framesPerSecond.den, Wide(framesPerSecond.num));
+}
+
+} // namespace boxreel

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestFilm.h"
+
+#include <recorder/VideoReader.h>
+#include <recorder/VideoWriter.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+/// Every format is decoded again and compared with the frames that were written.
+namespace
+{
+
+using namespace testfilm;
+using boxreel::Frame;
+using boxreel::Quality;
+using boxreel::Rational;
+using boxreel::VideoSettings;
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 96;
+constexpr int kCount = 50; // more than the encoders hold back
+
+/// What one format must give back.
+struct Case
+{
+    const char* name;
+    Quality quality;
+    const char* codec;
+    const char* pixelFormat;
+    double clock; ///< what its times are rounded to [s]; 0: exact
+    int maxError; ///< over all pixels, of 255; 0: bit-equal
+    double meanError;
+};
+
+// The errors are those of 1-px lines in 4:2:0, where a line keeps its brightness and shares its
+// colour with its neighbours; measured, with a tenth to spare.
+const Case kCases[] = {
+    {"draft.mp4", Quality::Draft, "h264", "yuv420p", 0.0, 110, 3.0},
+    {"standard.mp4", Quality::Standard, "h264", "yuv420p", 0.0, 90, 1.5},
+    {"high.mp4", Quality::High, "h264", "yuv420p", 0.0, 90, 1.2},
+    {"lossless.mp4", Quality::Lossless, "h264", "gbrp", 0.0, 0, 0.0},
+    {"standard.mkv", Quality::Standard, "h264", "yuv420p", 0.001, 90, 1.5},
+    {"lossless.mkv", Quality::Lossless, "ffv1", "bgr0", 0.001, 0, 0.0},
+    {"draft.webm", Quality::Draft, "vp9", "yuv420p", 0.001, 110, 3.0},
+    {"standard.webm", Quality::Standard, "vp9", "yuv420p", 0.001, 90, 1.5},
+    {"high.webm", Quality::High, "vp9", "yuv420p", 0.001, 90, 1.2},
+    {"lossless.webm", Quality::Lossless, "vp9", "gbrp", 0.001, 0, 0.0},
+    {"standard.gif", Quality::Standard, "gif", "bgra", 0.01, 0, 0.0},
+    {"lossless.gif", Quality::Lossless, "gif", "bgra", 0.01, 0, 0.0},
+    {"frames-####.png", Quality::Standard, "png", "rgba", 0.0, 0, 0.0},
+};
+
+class EveryFormat : public testing::TestWithParam<Case>
+{
+protected:
+    TemporaryFolder m_folder;
+};
+
+TEST_P(EveryFormat, GivesBackTheFramesThatWereWritten)
+{
+    const Case& c = GetParam();
+    const std::vector<Frame> frames = Drawings(kWidth, kHeight, kCount);
+    const Rational rate = std::string(c.codec) == "png" ? Rational{60, 1} : Rational{25, 1};
+    WriteFilm(m_folder / c.name, {.framesPerSecond = rate, .quality = c.quality}, frames);
+    const Film film = ReadFilm(m_folder / c.name);
+    ASSERT_EQ(film.frames.size(), std::size_t(kCount));
+    EXPECT_EQ(film.info.width, kWidth);
+    EXPECT_EQ(film.info.height, kHeight);
+    EXPECT_EQ(film.info.framesPerSecond, rate);
+    EXPECT_EQ(film.info.codec, c.codec);
+    EXPECT_EQ(film.info.pixelFormat, c.pixelFormat);
+    for (std::size_t k = 0; k < film.times.size(); ++k)
+    {
+        EXPECT_EQ(film.times[k], double(k) * double(rate.den) / double(rate.num)) << "frame " << k;
+    }
+    const Difference difference = Compare(film.frames, frames);
+    EXPECT_LE(difference.max, c.maxError);
+    EXPECT_LE(difference.mean, c.meanError);
+    RecordProperty("max", difference.max);
+    RecordProperty("mean", std::to_string(difference.mean));
+}
+
+// Patches of the colours of a drawing, each larger than any block of a codec: what is left is the
+// matrix, the range and the tags.
+TEST_P(EveryFormat, KeepsFlatColoursWithinTwoOf255)
+{
+    const boxreel::Color colors[] = {kOutline,        kFill,         kGround,
+                                     {255, 255, 255}, {230, 40, 40}, {40, 60, 230}};
+    Frame frame(384, 256);
+    for (int i = 0; i < 6; ++i)
+    {
+        FillRect(frame, i % 3 * 128, i / 3 * 128, i % 3 * 128 + 128, i / 3 * 128 + 128, colors[i]);
+    }
+    const Case& c = GetParam();
+    WriteFilm(m_folder / c.name, {.framesPerSecond = {50, 1}, .quality = c.quality},
+              {frame, frame, frame});
+    const Film film = ReadFilm(m_folder / c.name);
+    ASSERT_EQ(film.frames.size(), 3u);
+    for (const Frame& read : film.frames)
+    {
+        for (int i = 0; i < 6; ++i)
+        {
+            const int x = i % 3 * 128 + 64;
+            const int y = i / 3 * 128 + 64;
+            for (int channel = 0; channel < 3; ++channel)
+            {
+                EXPECT_NEAR(read.Pixel(x, y)[channel], frame.Pixel(x, y)[channel], 2)
+                    << "patch " << i << ", channel " << channel;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(VideoWriter, EveryFormat, testing::ValuesIn(kCases),
+                         [](const testing::TestParamInfo<Case>& test) {
+                             std::string name;
+                             for (const char* c = test.param.name; *c != '\0'; ++c)
+                             {
+                                 name +=
+                                     std::isalnum(static_cast<unsigned char>(*c)) != 0 ? *c : '_';
+                             }
+                             return name;
+                         });
+
+} // namespace
