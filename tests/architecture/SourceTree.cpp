@@ -58,7 +58,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
 {
     static const std::vector<ForeignLibrary> libraries{
         {"png.h", {"render/src/Png."}},
-        {"zlib.h", {"render/src/Png."}},
+        {"zlib.h", {"golden/src/Gzip."}},
         {"GL/", {"render/src/Context", "render/src/Gl"}},
         {"EGL/", {"render/src/Context", "render/src/Gl"}},
         {"GLES", {"render/src/Context", "render/src/Gl"}},

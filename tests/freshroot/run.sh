@@ -71,7 +71,7 @@ since() {
     awk -v a="$1" -v b="$(seconds)" 'BEGIN { printf "%.1f", b - a }'
 }
 
-inside 'git clone -q /tmp/boxreel.bundle /srv/boxreel && cd /srv/boxreel && ! command -v cmake && ! command -v g++' ||
+inside 'git -c advice.detachedHead=false clone -q /tmp/boxreel.bundle /srv/boxreel && cd /srv/boxreel && ! command -v cmake && ! command -v g++' ||
     fail 'the fresh root is not what it should be'
 
 # ------------------------------------------------------------------------------ where it cannot
