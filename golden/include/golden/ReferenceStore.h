@@ -11,12 +11,13 @@
 #include <vector>
 
 /// The folder of what was approved, at three depths: references/state/NAME.txt (hash),
-/// references/drawlist/NAME.txt, references/frames/NAME.png. Verify compares in that order, so that a
-/// failure says whether the motion, the geometry or only the pixels changed.
+/// references/drawlist/NAME.txt, references/frames/NAME.png. Verify compares in that order, so that
+/// a failure says whether the motion, the geometry or only the pixels changed.
 namespace boxreel
 {
 
-/// One moment of a scene. `name` is a relative path such as "pyramid/3s"; it cannot leave the folder.
+/// One moment of a scene. `name` is a relative path such as "pyramid/3s"; it cannot leave the
+/// folder.
 struct GoldenCandidate
 {
     std::string name;
@@ -28,10 +29,10 @@ struct GoldenCandidate
 enum class GoldenStatus
 {
     Same,
-    Missing,   ///< no reference: fails, the candidate is written to the output folder
-    State,     ///< the worlds differ
-    DrawList,  ///< same world, other geometry
-    Pixels,    ///< same geometry, other pixels
+    Missing,  ///< no reference: fails, the candidate is written to the output folder
+    State,    ///< the worlds differ
+    DrawList, ///< same world, other geometry
+    Pixels,   ///< same geometry, other pixels
 };
 
 struct GoldenVerdict
@@ -45,12 +46,14 @@ struct GoldenVerdict
 class ReferenceStore
 {
 public:
-    /// `references`: the approved folder; `output`: where failures leave NAME.expected.png, NAME.actual.png,
-    /// NAME.difference.png, NAME.side-by-side.png and the two draw lists.
+    /// `references`: the approved folder; `output`: where failures leave NAME.expected.png,
+    /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png and the two draw lists.
     ReferenceStore(std::filesystem::path references, std::filesystem::path output);
 
-    /// An Error only when a file cannot be read or written, or the name is not usable; a difference is a verdict.
-    Result<GoldenVerdict> Verify(const GoldenCandidate& candidate, const CompareSettings& settings = {}) const;
+    /// An Error only when a file cannot be read or written, or the name is not usable; a difference
+    /// is a verdict.
+    Result<GoldenVerdict> Verify(const GoldenCandidate& candidate,
+                                 const CompareSettings& settings = {}) const;
 
     /// Makes the candidate the reference. Files are written whole or not at all.
     Result<void> Accept(const GoldenCandidate& candidate) const;

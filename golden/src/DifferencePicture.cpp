@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "DifferencePicture.h"
+
+#include <golden/Compare.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace boxreel
+{
+
+namespace
+{
+
+// A pixel as one word, so that whole rows are painted a vector at a time. Byte 0 is red.
+constexpr int Shift(int byte)
+{
+    return std::endian::native == std::endian::little ? 8 * byte : 24 - 8 * byte;
+}
+
+constexpr std::uint32_t Word(std::uint32_t r, std::uint32_t g, std::uint32_t b)
+{
+    return r << Shift(0) | g << Shift(1) | b << Shift(2) | 255u << Shift(3);
+}
+
+constexpr std::uint32_t kOver = Word(255, 40, 60);
+constexpr std::uint32_t kWithin = Word(60, 110, 190);
+constexpr std::uint32_t kBox = Word(255, 255, 255);
+constexpr std::uint32_t kSeparator = Word(112, 112, 112);
+constexpr int kBoxDistance = 6;    // [px] free between the box and what it surrounds
+constexpr int kSeparatorWidth = 4; // [px]
+
+// Dark gray, at most 24 + 3/8 * 255 = 119, so that every mark stands out, on dark ground and on
+// light. Brightness is (2 r + 5 g + b) / 8: close enough for looking, and shifts only.
+std::uint32_t Faded(std::uint32_t pixel)
+{
+    const std::uint32_t r = pixel >> Shift(0) & 255u;
+    const std::uint32_t g = pixel >> Shift(1) & 255u;
+    const std::uint32_t b = pixel >> Shift(2) & 255u;
+    const std::uint32_t brightness = (2 * r + (g << 2) + g + b) >> 3;
+    const std::uint32_t gray = 24 + ((2 * brightness + brightness) >> 3);
+    return gray << Shift(0) | gray << Shift(1) | gray << Shift(2) | 255u << Shift(3);
+}
+
+std::uint32_t Load(const std::uint8_t* pixel)
+{
+    std::uint32_t word;
+    std::memcpy(&word, pixel, 4);
+    return word;
+}
+
+void Store(std::uint8_t* pixel, std::uint32_t word)
+{
+    std::memcpy(pixel, &word, 4);
+}
+
+void FadeRow(const std::uint8_t* from, std::uint8_t* to, int width)
+{
+    for (std::size_t i = 0; i < std::size_t(width) * 4; i += 4)
+    {
+        Store(to + i, Faded(Load(from + i)));
+    }
+}
+
+void FillRect(Frame& frame, int x0, int y0, int x1, int y1, std::uint32_t color)
+{
+    for (int y = std::max(y0, 0); y < std::min(y1, frame.height); ++y)
+    {
+        for (int x = std::max(x0, 0); x < std::min(x1, frame.width); ++x)
+        {
+            Store(frame.Pixel(x, y), color);
+        }
+    }
+}
+
+// A one-pixel change drowns in a picture of a million; a thin box leads the eye to it. It keeps its
+// distance, so it never covers what it shows; on a side with no room it lies outside and is left
+// out.
+void PaintBox(Frame& frame, const PixelBox& box)
+{
+    const int left = box.x0 - kBoxDistance, top = box.y0 - kBoxDistance;
+    const int right = box.x1 + kBoxDistance, bottom = box.y1 + kBoxDistance;
+    FillRect(frame, left, top, right + 1, top + 1, kBox);
+    FillRect(frame, left, bottom, right + 1, bottom + 1, kBox);
+    FillRect(frame, left, top, left + 1, bottom + 1, kBox);
+    FillRect(frame, right, top, right + 1, bottom + 1, kBox);
+}
+
+void PaintMarks(Frame& frame, const Marks& marks)
+{
+    const PixelBox& box = marks.different;
+    for (int y = box.y0; y <= box.y1; ++y)
+    {
+        for (int x = box.x0; x <= box.x1; ++x)
+        {
+            const Mark mark = marks.At(x, y);
+            if (mark != Mark::Same)
+            {
+                Store(frame.Pixel(x, y), mark == Mark::Over ? kOver : kWithin);
+            }
+        }
+    }
+}
+
+void Paste(const Frame& source, Frame& target, int left)
+{
+    for (int y = 0; y < source.height && source.width > 0; ++y)
+    {
+        std::memcpy(target.Pixel(left, y), source.Pixel(0, y), std::size_t(source.width) * 4);
+    }
+}
+
+} // namespace
+
+void PixelBox::Include(int x, int y)
+{
+    const bool first = x1 < x0;
+    x0 = first ? x : std::min(x0, x);
+    y0 = first ? y : std::min(y0, y);
+    x1 = first ? x : std::max(x1, x);
+    y1 = first ? y : std::max(y1, y);
+}
+
+void Marks::Set(int x, int y, Mark mark)
+{
+    if (marks.empty())
+    {
+        marks.resize(std::size_t(width) * std::size_t(height), Mark::Same);
+    }
+    marks[std::size_t(y) * std::size_t(width) + std::size_t(x)] = mark;
+    different.Include(x, y);
+    if (mark == Mark::Over)
+    {
+        over.Include(x, y);
+    }
+}
+
+Frame PaintDifference(const Frame& expected, const Marks& marks)
+{
+    // Row after row is appended: filling the picture with zeros first would cost as much again.
+    Frame picture;
+    picture.width = marks.width;
+    picture.height = marks.height;
+    picture.rgba.reserve(std::size_t(marks.width) * std::size_t(marks.height) * 4);
+    std::vector<std::uint8_t> row(std::size_t(marks.width) * 4);
+    for (int y = 0; y < marks.height && marks.width > 0; ++y)
+    {
+        const int width = y < expected.height ? expected.width : 0;
+        if (width > 0)
+        {
+            FadeRow(expected.Pixel(0, y), row.data(), width);
+        }
+        picture.rgba.insert(picture.rgba.end(), row.begin(), row.end());
+    }
+    PaintMarks(picture, marks);
+    if (marks.over.x1 >= 0)
+    {
+        PaintBox(picture, marks.over);
+    }
+    return picture;
+}
+
+Frame SideBySide(const Frame& expected, const Frame& actual, const Frame& difference)
+{
+    const int height = std::max({expected.height, actual.height, difference.height});
+    // Columns as wide as the widest, so that the same place in two of them is easy to find.
+    const int column = std::max({expected.width, actual.width, difference.width});
+    Frame picture(3 * column + 2 * kSeparatorWidth, height);
+    FillRect(picture, 0, 0, picture.width, picture.height, kSeparator);
+    Paste(expected, picture, 0);
+    Paste(actual, picture, column + kSeparatorWidth);
+    Paste(difference, picture, 2 * (column + kSeparatorWidth));
+    return picture;
+}
+
+} // namespace boxreel

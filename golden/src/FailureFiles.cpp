@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "FailureFiles.h"
+
+#include <golden/Compare.h>
+#include <render/Png.h>
+
+#include <utility>
+#include <vector>
+
+namespace boxreel
+{
+
+namespace
+{
+
+constexpr const char* kExpectedPng = ".expected.png";
+constexpr const char* kActualPng = ".actual.png";
+constexpr const char* kDifferencePng = ".difference.png";
+constexpr const char* kSideBySidePng = ".side-by-side.png";
+constexpr const char* kExpectedTxt = ".expected.txt";
+constexpr const char* kActualTxt = ".actual.txt";
+
+constexpr const char* kAll[] = {kExpectedPng,   kActualPng,   kDifferencePng,
+                                kSideBySidePng, kExpectedTxt, kActualTxt};
+
+} // namespace
+
+Result<FailureFiles> FailureFiles::At(const std::filesystem::path& output, const std::string& name)
+{
+    for (const char* suffix : kAll)
+    {
+        const Result<std::filesystem::path> path = PathInside(output, name + suffix);
+        if (!path)
+        {
+            return path.GetError();
+        }
+    }
+    return FailureFiles((output / name).string());
+}
+
+std::string FailureFiles::ActualPicture() const
+{
+    return m_base + kActualPng;
+}
+
+std::string FailureFiles::SideBySidePicture() const
+{
+    return m_base + kSideBySidePng;
+}
+
+std::string FailureFiles::ExpectedList() const
+{
+    return m_base + kExpectedTxt;
+}
+
+std::string FailureFiles::ActualList() const
+{
+    return m_base + kActualTxt;
+}
+
+Result<void> FailureFiles::Remove() const
+{
+    for (const char* suffix : kAll)
+    {
+        if (const Result<void> removed = RemoveFile(m_base + suffix); !removed)
+        {
+            return removed;
+        }
+    }
+    return {};
+}
+
+Result<void> FailureFiles::Write(const Moment& expected, const Moment& actual,
+                                 const Frame& difference) const
+{
+    std::vector<std::pair<const char*, const Frame*>> pictures;
+    Frame sideBySide;
+    if (actual.frame)
+    {
+        pictures.emplace_back(kActualPng, &*actual.frame);
+    }
+    if (expected.frame)
+    {
+        pictures.emplace_back(kExpectedPng, &*expected.frame);
+    }
+    if (expected.frame && actual.frame)
+    {
+        sideBySide = SideBySide(*expected.frame, *actual.frame, difference);
+        pictures.emplace_back(kDifferencePng, &difference);
+        pictures.emplace_back(kSideBySidePng, &sideBySide);
+    }
+    std::vector<FileToWrite> files;
+    for (const auto& [suffix, frame] : pictures)
+    {
+        // A frame without pixels has no PNG; that there is none says the same.
+        if (frame->rgba.empty())
+        {
+            continue;
+        }
+        Result<FileToWrite> file = Picture(m_base + suffix, *frame, PngSettings{}.compressionLevel);
+        if (!file)
+        {
+            return file.GetError();
+        }
+        files.push_back(*std::move(file));
+    }
+    if (expected.list)
+    {
+        files.push_back({m_base + kExpectedTxt, *expected.list});
+    }
+    if (actual.list)
+    {
+        files.push_back({m_base + kActualTxt, *actual.list});
+    }
+    return WriteAll(files);
+}
+
+} // namespace boxreel

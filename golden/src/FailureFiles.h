@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Moment.h"
+
+#include <debugdraw/Result.h>
+
+#include <filesystem>
+#include <string>
+
+/// What a failed comparison leaves for a person to look at, under the output folder. Used by the
+/// reference store only; never touches the references.
+namespace boxreel
+{
+
+class FailureFiles
+{
+public:
+    /// An Error when a link in the folder leads out of it.
+    static Result<FailureFiles> At(const std::filesystem::path& output, const std::string& name);
+
+    std::string ActualPicture() const;
+    std::string SideBySidePicture() const;
+    std::string ExpectedList() const;
+    std::string ActualList() const;
+
+    /// Those of an earlier failure, so that nobody takes them for this one's.
+    Result<void> Remove() const;
+
+    /// The pictures and the lists of both moments as far as they have them; with both frames, the
+    /// difference and all three side by side.
+    Result<void> Write(const Moment& expected, const Moment& actual, const Frame& difference) const;
+
+private:
+    explicit FailureFiles(std::string base) : m_base(std::move(base)) {}
+    std::string m_base; // the output folder and the name
+};
+
+} // namespace boxreel

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "Gzip.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace boxreel
+{
+
+namespace
+{
+
+constexpr int kGzipFormat = 15 + 16; // zlib: the largest window, with a gzip header around it
+constexpr int kMemoryLevel = 9;
+
+Error NotGzip()
+{
+    return Error{ErrorKind::Unusable, "it is not a whole gzip file"};
+}
+
+Error NoMemory()
+{
+    return Error{ErrorKind::Failed, "there is not enough memory"};
+}
+
+// zlib's streams, ended whatever happens.
+struct Deflater
+{
+    z_stream stream{};
+    const bool isReady = deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipFormat,
+                                      kMemoryLevel, Z_DEFAULT_STRATEGY) == Z_OK;
+    ~Deflater() { deflateEnd(&stream); }
+};
+
+struct Inflater
+{
+    z_stream stream{};
+    const bool isReady = inflateInit2(&stream, kGzipFormat) == Z_OK;
+    ~Inflater() { inflateEnd(&stream); }
+};
+
+// zlib takes its input through a pointer to non-const, and does not write to it.
+Bytef* Input(std::string_view bytes)
+{
+    return reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+}
+
+bool FitsZlib(std::string_view bytes)
+{
+    return bytes.size() <= std::numeric_limits<uInt>::max();
+}
+
+} // namespace
+
+Result<std::string> Gzip(std::string_view text)
+{
+    Deflater deflater;
+    if (!deflater.isReady || !FitsZlib(text))
+    {
+        return NoMemory();
+    }
+    z_stream& stream = deflater.stream;
+    std::string out(deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
+    if (!FitsZlib(out))
+    {
+        return NoMemory();
+    }
+    stream.next_in = Input(text);
+    stream.avail_in = static_cast<uInt>(text.size());
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(out.size());
+    if (deflate(&stream, Z_FINISH) != Z_STREAM_END)
+    {
+        return NoMemory();
+    }
+    out.resize(stream.total_out);
+    return out;
+}
+
+Result<std::string> Gunzip(std::string_view bytes, std::size_t limit)
+{
+    Inflater inflater;
+    if (!inflater.isReady)
+    {
+        return NoMemory();
+    }
+    if (!FitsZlib(bytes))
+    {
+        return NotGzip();
+    }
+    z_stream& stream = inflater.stream;
+    stream.next_in = Input(bytes);
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    std::string out;
+    std::array<char, 1 << 16> block;
+    int status = Z_OK;
+    while (status == Z_OK)
+    {
+        stream.next_out = reinterpret_cast<Bytef*>(block.data());
+        stream.avail_out = static_cast<uInt>(block.size());
+        status = inflate(&stream, Z_NO_FLUSH);
+        out.append(block.data(), block.size() - stream.avail_out);
+        if (out.size() > limit)
+        {
+            return Error{ErrorKind::Unusable,
+                         "it unpacks to more than " + std::to_string(limit >> 20) + " MB"};
+        }
+    }
+    if (status != Z_STREAM_END || stream.avail_in != 0)
+    {
+        return NotGzip();
+    }
+    return out;
+}
+
+} // namespace boxreel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ReferenceFiles.h"
+
+#include <debugdraw/Result.h>
+#include <golden/ReferenceStore.h>
+#include <render/Frame.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// One moment of a scene at three depths, as it is stored and as it is compared. Used by the
+/// reference store only; knows where each depth lies and in which form, and judges nothing.
+namespace boxreel
+{
+
+/// A depth that is absent is not compared.
+struct Moment
+{
+    std::optional<std::string> state; ///< 16 hex digits
+    std::optional<std::string> list;  ///< as text
+    std::optional<Frame> frame;
+};
+
+/// What was approved under a name; everything absent when nothing was.
+Result<Moment> ReadReference(const std::filesystem::path& references, const std::string& name);
+
+/// A candidate without a state does not ask for that depth. An empty list or frame does not either,
+/// unless something was approved: then it is a scene that stopped drawing.
+Moment Take(const GoldenCandidate& candidate, const Moment& expected);
+
+/// The files, relative to the references, that the actual moment's depths need and that are not
+/// there; one at least when the moment has no depth at all.
+std::vector<std::string> MissingFiles(const std::string& name, const Moment& expected,
+                                      const Moment& actual);
+
+/// Makes the moment the reference, and removes the depths it does not have.
+Result<void> Store(const std::filesystem::path& references, const std::string& name,
+                   const Moment& moment);
+
+/// Names that have a reference at any depth, sorted.
+std::vector<std::string> ReferenceNames(const std::filesystem::path& references);
+
+/// A frame as the bytes of a PNG file, zlib level 1 (fast) to 9 (small).
+Result<FileToWrite> Picture(const std::filesystem::path& path, const Frame& frame,
+                            int compressionLevel);
+
+} // namespace boxreel

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+/// Colours in OKLab, the space in which equal distances look about equally different. Used by the
+/// comparison of pictures only; every compiler and C library gives the same bits, because nothing
+/// but +, -, *, / and the square root (all correctly rounded by IEEE 754) is used.
+namespace boxreel
+{
+
+struct OkLab
+{
+    double lightness = 0.0; ///< 0 black to 1 white
+    double a = 0.0;         ///< green to red, about -0.4 to 0.4
+    double b = 0.0;         ///< blue to yellow, about -0.4 to 0.4
+};
+
+/// Of an opaque sRGB colour.
+OkLab ToOkLab(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
+
+/// Euclidean; black to white is 1.
+double Distance(const OkLab& p, const OkLab& q);
+
+/// Of two premultiplied RGBA pixels: laid on black and laid on white, the larger distance counts,
+/// so that a change of opacity alone is seen too.
+double PixelDistance(const std::uint8_t* p, const std::uint8_t* q);
+
+} // namespace boxreel

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "ReferenceFiles.h"
+
+#include "Gzip.h"
+
+#include <debugdraw/AtomicFile.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+namespace boxreel
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// Leaves room for a suffix and ".part" in the 255 bytes that file systems allow.
+constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kPlainTextLimit = 64 * 1024;
+constexpr std::size_t kLargestText = 64 * 1024 * 1024;
+
+bool IsNameCharacter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
+}
+
+bool IsInside(const fs::path& root, const fs::path& path)
+{
+    return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+}
+
+Error CannotRead(const fs::path& path, const std::string& why)
+{
+    return Error{ErrorKind::Unusable, "Cannot read " + path.string() + ": " + why + "."};
+}
+
+fs::path Packed(fs::path pathTxt)
+{
+    pathTxt += ".gz";
+    return pathTxt;
+}
+
+} // namespace
+
+std::string WhyNotUsable(const std::string& name)
+{
+    if (name.empty() || name.size() > kLongestName)
+    {
+        return "a name has 1 to " + std::to_string(kLongestName) + " characters";
+    }
+    // Cut at every slash, the ends included: an absolute name starts with an empty part.
+    for (std::size_t begin = 0; begin <= name.size();)
+    {
+        const std::size_t end = std::min(name.find('/', begin), name.size());
+        const std::string_view part = std::string_view(name).substr(begin, end - begin);
+        if (part.empty() || part.front() == '.')
+        {
+            return "no part between slashes may be empty or start with a dot";
+        }
+        if (!std::all_of(part.begin(), part.end(), IsNameCharacter))
+        {
+            return "use a-z, 0-9, '.', '_', '-' and '/' only";
+        }
+        begin = end + 1;
+    }
+    // A file being written is called so until it is whole.
+    return name.ends_with(".part") ? "\".part\" at the end is kept for unfinished files" : "";
+}
+
+Result<fs::path> PathInside(const fs::path& root, const fs::path& relative)
+{
+    fs::path here = root;
+    for (const fs::path& part : relative)
+    {
+        here /= part;
+        std::error_code code;
+        if (!fs::is_symlink(fs::symlink_status(here, code)))
+        {
+            continue;
+        }
+        const fs::path realRoot = fs::canonical(root, code);
+        const fs::path target = code ? fs::path() : fs::canonical(here, code);
+        if (code || !IsInside(realRoot, target))
+        {
+            return Error{ErrorKind::Unusable, "The link " + here.string() +
+                                                  " does not lead to a place in " + root.string() +
+                                                  "; remove it."};
+        }
+    }
+    return here;
+}
+
+Result<bool> IsFile(const fs::path& path)
+{
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (status.type() == fs::file_type::not_found)
+    {
+        return false;
+    }
+    if (code)
+    {
+        return CannotRead(path, code.message());
+    }
+    if (!fs::is_regular_file(status))
+    {
+        return CannotRead(path, "it is not a file; move it away");
+    }
+    return true;
+}
+
+Result<std::string> ReadBytes(const fs::path& path)
+{
+    std::error_code code;
+    const std::uintmax_t size = fs::file_size(path, code);
+    if (code)
+    {
+        return CannotRead(path, code.message());
+    }
+    if (size > kLargestText)
+    {
+        return CannotRead(path, "it is larger than " + std::to_string(kLargestText >> 20) +
+                                    " MB and no text of ours; restore it");
+    }
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+    {
+        return CannotRead(path, "no permission to open it");
+    }
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    {
+        return Error{ErrorKind::Failed, "Reading " + path.string() + " failed; check the disk."};
+    }
+    return bytes;
+}
+
+Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs::path& relativeTxt)
+{
+    const Result<fs::path> plain = PathInside(root, relativeTxt);
+    const Result<fs::path> packed = PathInside(root, Packed(relativeTxt));
+    if (!plain || !packed)
+    {
+        return !plain ? plain.GetError() : packed.GetError();
+    }
+    const Result<bool> hasPlain = IsFile(*plain);
+    const Result<bool> hasPacked = IsFile(*packed);
+    if (!hasPlain || !hasPacked)
+    {
+        return !hasPlain ? hasPlain.GetError() : hasPacked.GetError();
+    }
+    if (*hasPlain && *hasPacked)
+    {
+        return CannotRead(*plain,
+                          packed->filename().string() +
+                              " lies beside it and only one can be right; remove the other");
+    }
+    if (!*hasPlain && !*hasPacked)
+    {
+        return std::optional<std::string>();
+    }
+    Result<std::string> bytes = ReadBytes(*hasPlain ? *plain : *packed);
+    if (!bytes)
+    {
+        return bytes.GetError();
+    }
+    if (*hasPlain)
+    {
+        return std::optional<std::string>(*std::move(bytes));
+    }
+    Result<std::string> text = Gunzip(*bytes, kLargestText);
+    if (!text)
+    {
+        return CannotRead(*packed, text.GetError().message + "; restore it or accept it again");
+    }
+    return std::optional<std::string>(*std::move(text));
+}
+
+Result<FileToWrite> StoredText(const fs::path& pathTxt, std::string text)
+{
+    if (text.size() <= kPlainTextLimit)
+    {
+        return FileToWrite{pathTxt, std::move(text)};
+    }
+    Result<std::string> packed = Gzip(text);
+    if (!packed)
+    {
+        return Error{packed.GetError().kind,
+                     "Cannot pack " + pathTxt.string() + ": " + packed.GetError().message + "."};
+    }
+    return FileToWrite{Packed(pathTxt), *std::move(packed)};
+}
+
+Result<void> WriteAll(const std::vector<FileToWrite>& files)
+{
+    std::vector<AtomicFile> written;
+    for (const FileToWrite& file : files)
+    {
+        std::error_code code;
+        fs::create_directories(file.path.parent_path(), code);
+        if (code)
+        {
+            return Error{ErrorKind::Unusable, "Cannot create the folder " +
+                                                  file.path.parent_path().string() + ": " +
+                                                  code.message() + "; choose another place."};
+        }
+        Result<AtomicFile> opened = AtomicFile::Create(file.path, true);
+        if (!opened)
+        {
+            return opened.GetError();
+        }
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.bytes.data());
+        if (const Result<void> done = opened->Write({bytes, file.bytes.size()}); !done)
+        {
+            return done.GetError();
+        }
+        written.push_back(*std::move(opened));
+    }
+    for (AtomicFile& file : written)
+    {
+        if (const Result<void> done = file.Commit(); !done)
+        {
+            return done.GetError();
+        }
+    }
+    return {};
+}
+
+Result<void> RemoveFile(const fs::path& path)
+{
+    std::error_code code;
+    fs::remove(path, code);
+    if (code && code != std::errc::not_a_directory)
+    {
+        return Error{ErrorKind::Failed,
+                     "Cannot remove " + path.string() + ": " + code.message() + "."};
+    }
+    return {};
+}
+
+} // namespace boxreel

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "TextDifference.h"
+
+#include <algorithm>
+
+namespace boxreel
+{
+
+namespace
+{
+
+// Cuts the first line off `rest`; none when nothing is left.
+std::optional<std::string_view> TakeLine(std::string_view& rest)
+{
+    if (rest.empty())
+    {
+        return std::nullopt;
+    }
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    return line;
+}
+
+std::optional<std::string> Copy(const std::optional<std::string_view>& line)
+{
+    return line ? std::optional<std::string>(*line) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<LineDifference> FirstDifference(std::string_view expected, std::string_view actual)
+{
+    if (expected == actual)
+    {
+        return std::nullopt;
+    }
+    for (std::size_t number = 1;; ++number)
+    {
+        const auto a = TakeLine(expected);
+        const auto b = TakeLine(actual);
+        if (a != b || (!a && !b))
+        {
+            return LineDifference{number, Copy(a), Copy(b)};
+        }
+    }
+}
+
+std::string Describe(const LineDifference& difference)
+{
+    const std::string line = "line " + std::to_string(difference.line);
+    if (!difference.actual && !difference.expected)
+    {
+        return "only the newline at the end differs";
+    }
+    if (!difference.actual)
+    {
+        return line + " is missing: \"" + *difference.expected + "\"";
+    }
+    if (!difference.expected)
+    {
+        return line + " is one too many: \"" + *difference.actual + "\"";
+    }
+    return line + " is \"" + *difference.actual + "\" instead of \"" + *difference.expected + "\"";
+}
+
+} // namespace boxreel
