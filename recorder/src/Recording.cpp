@@ -1,1 +1,152 @@
+// SPDX-License-Identifier: MIT
 #include <recorder/Recording.h>
+
+#include "EncoderThread.h"
+
+#include <cassert>
+#include <string>
+
+namespace boxreel
+{
+
+namespace
+{
+
+/// One run of Record.
+class Recorder
+{
+public:
+    Recorder(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer)
+        : m_settings(settings), m_renderer(renderer), m_writer(writer), m_encoder(writer)
+    {}
+
+    Result<void> Run();
+
+private:
+    Result<void> Fill(std::int64_t frame);
+    Result<void> Make(std::int64_t frame);
+    bool Report(std::int64_t framesDone);
+    Result<void> Finish();
+
+    const RecordingSettings& m_settings;
+    Renderer& m_renderer;
+    VideoWriter& m_writer;
+    FrameContent m_content;
+    std::int64_t m_reported = 0;
+    std::int64_t m_repeated = 0;
+    EncoderThread m_encoder;
+};
+
+Result<void> Recorder::Run()
+{
+    if (Result<void> filled = Fill(0); !filled)
+    {
+        return filled;
+    }
+    for (std::int64_t frame = 0; frame < m_settings.frameCount; ++frame)
+    {
+        if (Result<void> made = Make(frame); !made)
+        {
+            return made;
+        }
+        if (!Report(m_encoder.FramesDone()))
+        {
+            return {};
+        }
+    }
+    return Finish();
+}
+
+Result<void> Recorder::Fill(std::int64_t frame)
+{
+    m_content.list.Clear();
+    m_content.overlay.vertices.clear();
+    m_content.overlay.indices.clear();
+    m_content.overlay.commands.clear();
+    return m_settings.fill(frame, m_content);
+}
+
+/// Submits frame `frame`, fills the next while it is drawn, hands its pixels to the encoder.
+Result<void> Recorder::Make(std::int64_t frame)
+{
+    const Overlay* overlay = m_content.overlay.IsEmpty() ? nullptr : &m_content.overlay;
+    if (Result<void> submitted = m_renderer.Submit(m_content.list, m_content.camera, overlay);
+        !submitted)
+    {
+        return submitted;
+    }
+    // The renderer may have drawn the same before this film began, but the film has no frame to
+    // repeat then.
+    const bool isRepeat = frame > 0 && m_renderer.Statistics().unchanged;
+    if (frame + 1 < m_settings.frameCount)
+    {
+        if (Result<void> filled = Fill(frame + 1); !filled)
+        {
+            return filled;
+        }
+    }
+    Frame* pixels = m_encoder.BeginFrame();
+    if (pixels == nullptr)
+    {
+        return m_encoder.Finish();
+    }
+    if (!isRepeat)
+    {
+        if (Result<void> read = m_renderer.Read(*pixels); !read)
+        {
+            return read;
+        }
+    }
+    m_repeated += isRepeat ? 1 : 0;
+    m_encoder.EndFrame(isRepeat);
+    return {};
+}
+
+/// False when the caller wants to stop.
+bool Recorder::Report(std::int64_t framesDone)
+{
+    if (!m_settings.progress || framesDone == m_reported)
+    {
+        return true;
+    }
+    m_reported = framesDone;
+    return m_settings.progress({framesDone, m_settings.frameCount, m_repeated});
+}
+
+Result<void> Recorder::Finish()
+{
+    std::int64_t done = m_encoder.FramesDone();
+    while (done < m_settings.frameCount)
+    {
+        const std::int64_t more = m_encoder.WaitForMore(done);
+        if (more == done) // the writer has failed
+        {
+            break;
+        }
+        done = more;
+        if (!Report(done))
+        {
+            return {};
+        }
+    }
+    if (Result<void> finished = m_encoder.Finish(); !finished)
+    {
+        return finished;
+    }
+    return m_writer.Close();
+}
+
+} // namespace
+
+Result<void> Record(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer)
+{
+    assert(settings.fill && "a recording needs somebody who fills its frames");
+    if (settings.frameCount < 1)
+    {
+        return Error{ErrorKind::Unusable, "A film of " + std::to_string(settings.frameCount) +
+                                              " frames cannot be made; record at least one."};
+    }
+    return Recorder(settings, renderer, writer).Run();
+}
+
+} // namespace boxreel

@@ -13,7 +13,8 @@
 namespace boxreel
 {
 
-/// What the caller fills for one frame. The list arrives empty, the camera as it was left.
+/// What the caller fills for one frame. The list and the overlay arrive empty, the camera as it was
+/// left.
 struct FrameContent
 {
     DrawList list;
@@ -23,23 +24,27 @@ struct FrameContent
 
 struct RecordingProgress
 {
-    std::int64_t framesDone = 0;
+    std::int64_t framesDone = 0; ///< encoded
     std::int64_t framesTotal = 0;
+    std::int64_t framesRepeated = 0; ///< so far not drawn, being equal to the one before
 };
 
 struct RecordingSettings
 {
     std::int64_t frameCount = 600; ///< at least 1
     /// Called for frame 0, 1, 2, … in order, on the calling thread: advance the world, fill the
-    /// content.
+    /// content. It runs ahead: a frame is filled while the one before is drawn and earlier ones are
+    /// encoded.
     std::function<Result<void>(std::int64_t frame, FrameContent& content)> fill;
     /// Called on the calling thread after frames are encoded; may be empty. False stops the
     /// recording early.
     std::function<bool(const RecordingProgress&)> progress;
 };
 
-/// Runs to the end and closes the writer. On an Error (or a stop) the writer is left unclosed, so
-/// that its destruction leaves no file under the final name.
+/// Runs to the end and closes the writer. On an Error (or a stop, which is no Error) the writer is
+/// left unclosed, so that its destruction leaves no file under the final name. The film does not
+/// depend on the timing: a frame whose content equals the one before is repeated instead of drawn,
+/// which gives the same pixels. The writer's size must be the renderer's.
 Result<void> Record(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer);
 
 } // namespace boxreel

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestFilm.h"
+
+#include <recorder/Recording.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <thread>
+
+namespace
+{
+
+using namespace testfilm;
+using boxreel::Error;
+using boxreel::ErrorKind;
+using boxreel::Frame;
+using boxreel::FrameContent;
+using boxreel::Quality;
+using boxreel::RecordingProgress;
+using boxreel::RecordingSettings;
+using boxreel::Renderer;
+using boxreel::Result;
+using boxreel::VideoWriter;
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 90;
+
+/// A box on its way, which stops at frame `stop`.
+void FillBox(std::int64_t frame, std::int64_t stop, FrameContent& content)
+{
+    content.camera.width = kWidth;
+    content.camera.height = kHeight;
+    content.camera.centerX = 0.0;
+    content.camera.centerY = 0.0;
+    content.camera.pixelsPerMeter = 10.0;
+    const float x = 0.05f * float(std::min(frame, stop));
+    const boxreel::Vec2 box[] = {{x, -1}, {x + 2, -1}, {x + 2, 1}, {x, 1}};
+    content.list.AddSolidPolygon(box, 4, kOutline);
+}
+
+class RecordFixture : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        Result<Renderer> renderer = Renderer::Create({.width = kWidth, .height = kHeight});
+        ASSERT_TRUE(renderer) << renderer.GetError().message;
+        m_renderer.emplace(std::move(*renderer));
+    }
+
+    VideoWriter OpenWriter(const std::filesystem::path& path, int width = kWidth)
+    {
+        Result<VideoWriter> writer = VideoWriter::Open(
+            path, {.width = width, .height = kHeight, .quality = Quality::Lossless});
+        EXPECT_TRUE(writer) << writer.GetError().message;
+        return std::move(*writer);
+    }
+
+    RecordingSettings Settings(std::int64_t count, std::int64_t stop)
+    {
+        RecordingSettings settings;
+        settings.frameCount = count;
+        settings.fill = [stop](std::int64_t frame, FrameContent& content) -> Result<void> {
+            FillBox(frame, stop, content);
+            return {};
+        };
+        return settings;
+    }
+
+    TemporaryFolder m_folder;
+    std::optional<Renderer> m_renderer;
+};
+
+TEST_F(RecordFixture, TheFilmHoldsTheFramesThatDrawingOneByOneGives)
+{
+    constexpr int kCount = 40;
+    VideoWriter writer = OpenWriter(m_folder / "film.mkv");
+    const Result<void> recorded = Record(Settings(kCount, 25), *m_renderer, writer);
+    ASSERT_TRUE(recorded) << recorded.GetError().message;
+    const Film film = ReadFilm(m_folder / "film.mkv");
+    ASSERT_EQ(film.frames.size(), std::size_t(kCount));
+    for (int k = 0; k < kCount; ++k)
+    {
+        FrameContent content;
+        FillBox(k, 25, content);
+        Frame expected;
+        ASSERT_TRUE(m_renderer->Draw(content.list, content.camera, expected));
+        EXPECT_EQ(film.frames[std::size_t(k)], expected) << "frame " << k;
+    }
+}
+
+TEST_F(RecordFixture, EqualFramesAreRepeatedAndReported)
+{
+    VideoWriter writer = OpenWriter(m_folder / "film.mkv");
+    RecordingSettings settings = Settings(30, 10);
+    RecordingProgress last;
+    settings.progress = [&](const RecordingProgress& progress) {
+        EXPECT_GT(progress.framesDone, last.framesDone);
+        EXPECT_EQ(progress.framesTotal, 30);
+        last = progress;
+        return true;
+    };
+    ASSERT_TRUE(Record(settings, *m_renderer, writer));
+    EXPECT_EQ(last.framesDone, 30);
+    EXPECT_EQ(last.framesRepeated, 19); // frames 11 to 29 equal frame 10
+    EXPECT_EQ(ReadFilm(m_folder / "film.mkv").frames.size(), 30u);
+}
+
+TEST_F(RecordFixture, AFilmThatStartsWithWhatTheRendererDrewLastHasItsFirstFrame)
+{
+    FrameContent content;
+    FillBox(0, 0, content);
+    Frame expected;
+    ASSERT_TRUE(m_renderer->Draw(content.list, content.camera, expected));
+    VideoWriter writer = OpenWriter(m_folder / "film.mkv");
+    ASSERT_TRUE(Record(Settings(3, 0), *m_renderer, writer));
+    const Film film = ReadFilm(m_folder / "film.mkv");
+    ASSERT_EQ(film.frames.size(), 3u);
+    EXPECT_EQ(film.frames[2], expected);
+}
+
+TEST_F(RecordFixture, FramesAreFilledInOrderOnTheCallingThread)
+{
+    const std::thread::id caller = std::this_thread::get_id();
+    std::int64_t next = 0;
+    RecordingSettings settings = Settings(20, 100);
+    settings.fill = [&](std::int64_t frame, FrameContent& content) -> Result<void> {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        EXPECT_EQ(frame, next++);
+        EXPECT_TRUE(content.list.items.empty());
+        if (frame > 0)
+        {
+            EXPECT_EQ(content.camera.width, kWidth) << "the camera stays as it was left";
+        }
+        FillBox(frame, 100, content);
+        return {};
+    };
+    VideoWriter writer = OpenWriter(m_folder / "film.mkv");
+    ASSERT_TRUE(Record(settings, *m_renderer, writer));
+    EXPECT_EQ(next, 20);
+}
+
+TEST_F(RecordFixture, TheSameFilmHasTheSameBytesHoweverTheTimesFall)
+{
+    for (const char* name : {"a.mp4", "b.mp4"})
+    {
+        const bool isSlow = *name == 'b';
+        RecordingSettings settings = Settings(40, 20);
+        settings.fill = [isSlow](std::int64_t frame, FrameContent& content) -> Result<void> {
+            if (isSlow && frame % 7 == 0)
+            {
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+            FillBox(frame, 20, content);
+            return {};
+        };
+        VideoWriter writer = OpenWriter(m_folder / name);
+        ASSERT_TRUE(Record(settings, *m_renderer, writer));
+    }
+    EXPECT_EQ(ReadBytes(m_folder / "a.mp4"), ReadBytes(m_folder / "b.mp4"));
+}
+
+TEST_F(RecordFixture, AnErrorOfTheCallerEndsTheFilmAndLeavesNothing)
+{
+    {
+        RecordingSettings settings = Settings(1000, 1000);
+        settings.fill = [](std::int64_t frame, FrameContent& content) -> Result<void> {
+            FillBox(frame, 1000, content);
+            return frame < 12 ? Result<void>() : Error{ErrorKind::Failed, "the world ended"};
+        };
+        VideoWriter writer = OpenWriter(m_folder / "film.mkv");
+        const Result<void> recorded = Record(settings, *m_renderer, writer);
+        ASSERT_FALSE(recorded);
+        EXPECT_EQ(recorded.GetError().message, "the world ended");
+    }
+    EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
+}
+
+// A GIF cannot hold a lossless frame of more than 256 colours: the writer fails in the middle of
+// the film.
+TEST_F(RecordFixture, AnErrorOfTheEncoderEndsTheLoopAndIsReturned)
+{
+    std::int64_t filled = 0;
+    {
+        RecordingSettings settings = Settings(1000, 1000);
+        settings.fill = [&](std::int64_t frame, FrameContent& content) -> Result<void> {
+            ++filled;
+            FillBox(frame, 1000, content);
+            for (int i = 0; frame >= 12 && i < 300; ++i)
+            {
+                const boxreel::Vec2 center{-8.0f + 0.05f * float(i), -4.0f + 0.02f * float(i)};
+                content.list.AddSolidCircle(
+                    center, 0.3f, {1, 0}, {std::uint8_t(i % 256), std::uint8_t(255 - i % 256), 99});
+            }
+            return {};
+        };
+        VideoWriter writer = OpenWriter(m_folder / "film.gif");
+        const Result<void> recorded = Record(settings, *m_renderer, writer);
+        ASSERT_FALSE(recorded);
+        EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
+        EXPECT_THAT(recorded.GetError().message,
+                    testing::HasSubstr("frame 12 has more than 256 colours"));
+    }
+    EXPECT_LT(filled, 30) << "the loop runs on after the encoder has failed";
+    EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
+}
+
+TEST_F(RecordFixture, AStopIsNoErrorAndLeavesNothing)
+{
+    {
+        RecordingSettings settings = Settings(100000, 100000);
+        settings.progress = [](const RecordingProgress& progress) {
+            return progress.framesDone < 10;
+        };
+        VideoWriter writer = OpenWriter(m_folder / "film.mkv");
+        EXPECT_TRUE(Record(settings, *m_renderer, writer));
+        EXPECT_THAT(m_folder.Names(), testing::ElementsAre("film.part.mkv"));
+    }
+    EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
+}
+
+TEST_F(RecordFixture, RefusesAFilmWithoutFrames)
+{
+    VideoWriter writer = OpenWriter(m_folder / "film.mkv");
+    const Result<void> recorded = Record(Settings(0, 0), *m_renderer, writer);
+    ASSERT_FALSE(recorded);
+    EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
+}
+
+} // namespace
