@@ -5,8 +5,6 @@
 
 /// Distance and overlap from the relative transform alone; see Manifolds.h for why. The contacts of
 /// Dynamics and the time of impact call these.
-class b2Shape;
-
 namespace box2d
 {
 /// b2Distance in A's frame: bInA is B's frame as seen from A's, and both points of the output are

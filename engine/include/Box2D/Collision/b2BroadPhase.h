@@ -77,7 +77,7 @@ private:
     void CollectPairs();
 
     b2DynamicTree m_tree;
-    box2d::Array<int32> m_moved; ///< may hold a proxy twice; e_nullProxy where one was destroyed
+    box2d::Array<int32> m_moved; ///< may hold a proxy twice, and some that are gone
     box2d::Array<b2Pair> m_pairs;
 };
 

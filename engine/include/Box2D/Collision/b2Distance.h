@@ -29,7 +29,7 @@ struct b2DistanceProxy
         return m_vertices[index];
     }
 
-    b2Vec2 m_buffer[2]; ///< the vertices of a chain's closing edge, which are not side by side
+    b2Vec2 m_buffer[2]; ///< the vertices of an edge
     const b2Vec2* m_vertices = nullptr;
     int32 m_count = 0;
     float32 m_radius = 0.0f;

@@ -44,6 +44,12 @@ public:
     int32 GetUserIndex(int32 proxyId) const { return GetLeaf(proxyId).link.userIndex; }
     const b2AABB& GetFatAABB(int32 proxyId) const { return GetLeaf(proxyId).aabb; }
 
+    /// Is this the number of a proxy that has been created and not destroyed?
+    bool IsProxy(int32 proxyId) const
+    {
+        return 0 <= proxyId && proxyId < m_nodeCapacity && m_nodes[proxyId].height == 0;
+    }
+
     int32 GetProxyCount() const { return m_proxyCount; }
 
     /// Calls `bool callback->QueryCallback(int32 proxyId)` for every proxy whose box overlaps the
@@ -61,8 +67,11 @@ public:
     template <typename T>
     void RayCast(T* callback, const b2RayCastInput& input) const;
 
-    /// Checks the whole structure; for tests. Needs asserts on.
+    /// Checks the whole structure, with asserts on.
     void Validate() const;
+
+    /// What is wrong with the structure, as a sentence; null when nothing is.
+    const char* WhyInvalid() const;
 
     /// 0 for a tree of one proxy or none.
     int32 GetHeight() const;
@@ -73,7 +82,7 @@ public:
     /// The perimeters of all nodes over that of the root: what a query pays on average.
     float32 GetAreaRatio() const;
 
-    /// Builds the tree anew from its leaves, better than insertion does. Slow: O(n^2).
+    /// Builds the tree anew from all its leaves, better than insertion does. Takes O(n log^2 n).
     void RebuildBottomUp();
 
     /// Subtracts the new origin, given in old coordinates, from every box.
@@ -99,7 +108,7 @@ private:
 
     const Node& GetLeaf(int32 proxyId) const
     {
-        b2Assert(0 <= proxyId && proxyId < m_nodeCapacity && m_nodes[proxyId].height == 0);
+        b2Assert(IsProxy(proxyId));
         return m_nodes[proxyId];
     }
 
@@ -110,11 +119,12 @@ private:
     void RemoveLeaf(int32 leaf);
     int32 FindSibling(const b2AABB& aabb) const;
     void ReplaceChild(int32 parent, int32 oldChild, int32 newChild);
-    void RefitFrom(int32 node);
+    void RepairFrom(int32 node);
     void Refit(int32 node);
     void Rotate(int32 node);
-    void SwapGrandchild(int32 node, int32 side, int32 grandSide);
-    void ValidateNode(int32 node) const;
+    void SwapWithNephew(int32 node, int32 side, int32 nephewSide);
+    int32 HeightLimit() const;
+    const char* WhyInvalid(int32 node, int32 parent, int32* proxies) const;
 
     Node* m_nodes = nullptr;
     int32 m_root = b2_nullNode;

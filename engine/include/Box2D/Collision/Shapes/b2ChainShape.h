@@ -53,7 +53,7 @@ public:
     bool m_hasNextVertex = false;
 
 private:
-    /// The vertices that are far enough apart, with room for one more. Null and a message when
+    /// Copies the vertices that are finite and far enough apart, with room for one more; none when
     /// fewer than `least` remain.
-    void TakeVertices(const b2Vec2* vertices, int32 count, int32 least);
+    void TakeVertices(const b2Vec2* vertices, int32 count, int32 least, bool isLoop);
 };

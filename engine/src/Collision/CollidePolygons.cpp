@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "FaceClip.h"
+#include "Manifolds.h"
+
+namespace box2d
+{
+namespace
+{
+// How much deeper A's best face may be and still be taken [m]. Parallel sides of resting boxes
+// differ by rounding only; without this the choice would flicker and the impulses be lost.
+constexpr float32 kPreferA = 0.1f * b2_linearSlop;
+
+// One polygon as seen from the other's frame.
+struct Seen
+{
+    b2Vec2 vertices[b2_maxPolygonVertices];
+    int32 count;
+};
+
+Seen See(const b2PolygonShape& polygon, const b2Transform& xf)
+{
+    Seen seen;
+    seen.count = polygon.m_count;
+    for (int32 i = 0; i < seen.count; ++i)
+    {
+        seen.vertices[i] = b2Mul(xf, polygon.m_vertices[i]);
+    }
+    return seen;
+}
+
+// The face from which the other polygon is furthest: the axis of least overlap among the normals.
+int32 FindFace(const b2PolygonShape& polygon, const Seen& other, float32* separation)
+{
+    int32 face = 0;
+    *separation = -b2_maxFloat;
+    for (int32 i = 0; i < polygon.m_count; ++i)
+    {
+        const b2Vec2 normal = polygon.m_normals[i];
+        float32 deepest = b2_maxFloat;
+        for (int32 j = 0; j < other.count; ++j)
+        {
+            deepest = b2Min(deepest, b2Dot(normal, other.vertices[j] - polygon.m_vertices[i]));
+        }
+        if (deepest > *separation)
+        {
+            *separation = deepest;
+            face = i;
+        }
+    }
+    return face;
+}
+
+void ClipPolygon(b2Manifold* manifold, const b2PolygonShape& reference, int32 face,
+                 const b2PolygonShape& incident, const Seen& seen,
+                 const b2Transform& incidentInReference, float32 radius)
+{
+    // The incident side is the one that looks most against the face.
+    const b2Vec2 normal = b2MulT(incidentInReference.q, reference.m_normals[face]);
+    int32 side = 0;
+    float32 least = b2_maxFloat;
+    for (int32 i = 0; i < incident.m_count; ++i)
+    {
+        const float32 facing = b2Dot(normal, incident.m_normals[i]);
+        if (facing < least)
+        {
+            least = facing;
+            side = i;
+        }
+    }
+    const int32 faceEnd = face + 1 < reference.m_count ? face + 1 : 0;
+    const int32 sideEnd = side + 1 < incident.m_count ? side + 1 : 0;
+    const ReferenceFace referenceFace = {reference.m_vertices[face], reference.m_vertices[faceEnd],
+                                         reference.m_normals[face],  static_cast<uint8>(face),
+                                         static_cast<uint8>(face),   static_cast<uint8>(faceEnd)};
+    const IncidentSide incidentSide = {seen.vertices[side],        seen.vertices[sideEnd],
+                                       incident.m_vertices[side],  incident.m_vertices[sideEnd],
+                                       static_cast<uint8>(side),   static_cast<uint8>(side),
+                                       static_cast<uint8>(sideEnd)};
+    // The skins reach round the corners, so the side may stick out by as much.
+    ClipToFace(manifold, referenceFace, incidentSide, radius, radius);
+}
+} // namespace
+
+// Convex polygons are apart when a face of one has all of the other in front (separating axis).
+// Else the face with the least overlap gives the normal, and the other polygon's opposite side,
+// cut to the face's width, the points (Catto, "Contact Manifolds", GDC 2007).
+void CollidePolygons(b2Manifold* manifold, const b2PolygonShape& polygonA,
+                     const b2PolygonShape& polygonB, const b2Transform& bInA)
+{
+    manifold->pointCount = 0;
+    const float32 radius = polygonA.m_radius + polygonB.m_radius;
+    const Seen seenB = See(polygonB, bInA);
+    float32 separationA;
+    const int32 faceA = FindFace(polygonA, seenB, &separationA);
+    if (separationA > radius)
+    {
+        return;
+    }
+    const b2Transform aInB(b2MulT(bInA.q, -bInA.p), b2MulT(bInA.q, b2Rot()));
+    const Seen seenA = See(polygonA, aInB);
+    float32 separationB;
+    const int32 faceB = FindFace(polygonB, seenA, &separationB);
+    if (separationB > radius)
+    {
+        return;
+    }
+
+    if (separationB > separationA + kPreferA)
+    {
+        manifold->type = b2Manifold::e_faceB;
+        ClipPolygon(manifold, polygonB, faceB, polygonA, seenA, aInB, radius);
+    }
+    else
+    {
+        manifold->type = b2Manifold::e_faceA;
+        ClipPolygon(manifold, polygonA, faceA, polygonB, seenB, bInA, radius);
+    }
+}
+} // namespace box2d
+
+void b2CollidePolygons(b2Manifold* manifold, const b2PolygonShape* polygonA, const b2Transform& xfA,
+                       const b2PolygonShape* polygonB, const b2Transform& xfB)
+{
+    box2d::CollidePolygons(manifold, *polygonA, *polygonB, b2MulT(xfA, xfB));
+}

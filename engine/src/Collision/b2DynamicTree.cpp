@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: MIT
+//
+// A box costs a query in proportion to its perimeter (the surface area heuristic of Goldsmith and
+// Salmon 1987, in two dimensions), so insertion and rotation keep the sum of perimeters small
+// (Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019; the rotations are Kensler's, 2008). A
+// large box among small ones may make the tree lean; only when it is far too high for the number of
+// its proxies does height come before perimeter.
+#include <Box2D/Collision/b2DynamicTree.h>
+
+#include <bit>
+#include <cstring>
+
+namespace
+{
+constexpr int32 kFirstCapacity = 16;
+constexpr int32 kFreeHeight = -1;
+
+float32 HalfPerimeter(const b2AABB& box)
+{
+    return (box.upperBound.x - box.lowerBound.x) + (box.upperBound.y - box.lowerBound.y);
+}
+
+b2AABB Union(const b2AABB& a, const b2AABB& b)
+{
+    b2AABB box;
+    box.Combine(a, b);
+    return box;
+}
+
+bool IsSame(const b2AABB& a, const b2AABB& b)
+{
+    return a.lowerBound == b.lowerBound && a.upperBound == b.upperBound;
+}
+
+b2AABB Fatten(const b2AABB& aabb)
+{
+    constexpr b2Vec2 margin(b2_aabbExtension, b2_aabbExtension);
+    b2AABB fat;
+    fat.lowerBound = aabb.lowerBound - margin;
+    fat.upperBound = aabb.upperBound + margin;
+    return fat;
+}
+} // namespace
+
+b2DynamicTree::~b2DynamicTree()
+{
+    if (m_nodes != nullptr)
+    {
+        b2Free(m_nodes);
+    }
+}
+
+int32 b2DynamicTree::AllocateNode()
+{
+    if (m_freeList == b2_nullNode)
+    {
+        const int32 capacity = m_nodeCapacity > 0 ? 2 * m_nodeCapacity : kFirstCapacity;
+        Node* nodes = static_cast<Node*>(b2Alloc(capacity * static_cast<int32>(sizeof(Node))));
+        if (m_nodes != nullptr)
+        {
+            std::memcpy(static_cast<void*>(nodes), m_nodes,
+                        static_cast<std::size_t>(m_nodeCapacity) * sizeof(Node));
+            b2Free(m_nodes);
+        }
+        m_nodes = nodes;
+        for (int32 i = capacity - 1; i >= m_nodeCapacity; --i)
+        {
+            m_nodes[i].height = kFreeHeight;
+            m_nodes[i].parent = m_freeList;
+            m_freeList = i;
+        }
+        m_nodeCapacity = capacity;
+    }
+    const int32 node = m_freeList;
+    m_freeList = m_nodes[node].parent;
+    m_nodes[node].parent = b2_nullNode;
+    m_nodes[node].height = 0;
+    ++m_nodeCount;
+    return node;
+}
+
+void b2DynamicTree::FreeNode(int32 node)
+{
+    m_nodes[node].height = kFreeHeight;
+    m_nodes[node].parent = m_freeList;
+    m_freeList = node;
+    --m_nodeCount;
+}
+
+int32 b2DynamicTree::AllocateLeaf(const b2AABB& aabb)
+{
+    B2_REQUIRE(aabb.IsValid(), "A proxy's box must be finite, its lower bound below the upper.");
+    const int32 leaf = AllocateNode();
+    m_nodes[leaf].aabb = aabb;
+    ++m_proxyCount;
+    InsertLeaf(leaf);
+    return leaf;
+}
+
+int32 b2DynamicTree::CreateProxy(const b2AABB& aabb, void* userData)
+{
+    return CreateProxyExact(Fatten(aabb), userData);
+}
+
+int32 b2DynamicTree::CreateProxyExact(const b2AABB& fatAABB, void* userData)
+{
+    const int32 leaf = AllocateLeaf(fatAABB);
+    m_nodes[leaf].link.userData = userData;
+    return leaf;
+}
+
+int32 b2DynamicTree::CreateProxyExact(const b2AABB& fatAABB, int32 userIndex)
+{
+    const int32 leaf = AllocateLeaf(fatAABB);
+    m_nodes[leaf].link.userIndex = userIndex;
+    return leaf;
+}
+
+void b2DynamicTree::DestroyProxy(int32 proxyId)
+{
+    if (!B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree::DestroyProxy got a number of no proxy."))
+    {
+        return;
+    }
+    RemoveLeaf(proxyId);
+    FreeNode(proxyId);
+    --m_proxyCount;
+}
+
+bool b2DynamicTree::MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& displacement)
+{
+    if (GetFatAABB(proxyId).Contains(aabb))
+    {
+        return false;
+    }
+    b2AABB fat = Fatten(aabb);
+    const b2Vec2 ahead = b2_aabbMultiplier * displacement;
+    fat.lowerBound += b2Min(ahead, b2Vec2_zero);
+    fat.upperBound += b2Max(ahead, b2Vec2_zero);
+    SetProxyAABB(proxyId, fat);
+    return true;
+}
+
+void b2DynamicTree::SetProxyAABB(int32 proxyId, const b2AABB& fatAABB)
+{
+    if (!B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree was asked to move a number of no proxy.") ||
+        !B2_REQUIRE(fatAABB.IsValid(),
+                    "A proxy's box must be finite, its lower bound below the upper."))
+    {
+        return;
+    }
+    RemoveLeaf(proxyId);
+    m_nodes[proxyId].aabb = fatAABB;
+    InsertLeaf(proxyId);
+}
+
+void b2DynamicTree::EnlargeProxy(int32 proxyId, const b2AABB& fatAABB)
+{
+    if (!B2_REQUIRE(IsProxy(proxyId) && fatAABB.Contains(m_nodes[proxyId].aabb),
+                    "EnlargeProxy takes a proxy and a box that contains its present one."))
+    {
+        return;
+    }
+    m_nodes[proxyId].aabb = fatAABB;
+    for (int32 i = m_nodes[proxyId].parent; i != b2_nullNode; i = m_nodes[i].parent)
+    {
+        if (m_nodes[i].aabb.Contains(fatAABB))
+        {
+            return;
+        }
+        m_nodes[i].aabb.Combine(fatAABB);
+    }
+}
+
+// Walks down to where the new leaf adds the least perimeter. At each node the leaf could become
+// its sibling, for the perimeter of both together; or it goes on to a child, which costs at least
+// what the child grows by. What the nodes above grow by is the same for all choices.
+int32 b2DynamicTree::FindSibling(const b2AABB& aabb) const
+{
+    int32 node = m_root;
+    while (!m_nodes[node].IsLeaf())
+    {
+        const float32 together = HalfPerimeter(Union(m_nodes[node].aabb, aabb));
+        const float32 growth = together - HalfPerimeter(m_nodes[node].aabb);
+        float32 cost[2];
+        for (int32 i = 0; i < 2; ++i)
+        {
+            const Node& child = m_nodes[m_nodes[node].link.child[i]];
+            const float32 grown = HalfPerimeter(Union(child.aabb, aabb));
+            cost[i] = growth + (child.IsLeaf() ? grown : grown - HalfPerimeter(child.aabb));
+        }
+        const int32* child = m_nodes[node].link.child;
+        // Of equal children the lower one, so that many boxes in one place make no list.
+        const bool isEqual = cost[0] == cost[1];
+        const bool isSecond =
+            isEqual ? m_nodes[child[1]].height < m_nodes[child[0]].height : cost[1] < cost[0];
+        if (together < cost[isSecond ? 1 : 0])
+        {
+            break;
+        }
+        node = child[isSecond ? 1 : 0];
+    }
+    return node;
+}
+
+void b2DynamicTree::InsertLeaf(int32 leaf)
+{
+    if (m_root == b2_nullNode)
+    {
+        m_root = leaf;
+        m_nodes[leaf].parent = b2_nullNode;
+        return;
+    }
+    const int32 sibling = FindSibling(m_nodes[leaf].aabb);
+    const int32 oldParent = m_nodes[sibling].parent;
+    const int32 newParent = AllocateNode();
+    m_nodes[newParent].parent = oldParent;
+    m_nodes[newParent].link.child[0] = sibling;
+    m_nodes[newParent].link.child[1] = leaf;
+    ReplaceChild(oldParent, sibling, newParent);
+    m_nodes[sibling].parent = newParent;
+    m_nodes[leaf].parent = newParent;
+    Refit(newParent);
+    RepairFrom(oldParent);
+}
+
+void b2DynamicTree::RemoveLeaf(int32 leaf)
+{
+    const int32 parent = m_nodes[leaf].parent;
+    if (parent == b2_nullNode)
+    {
+        m_root = b2_nullNode;
+        return;
+    }
+    const int32* child = m_nodes[parent].link.child;
+    const int32 sibling = child[child[0] == leaf ? 1 : 0];
+    const int32 grandparent = m_nodes[parent].parent;
+    ReplaceChild(grandparent, parent, sibling);
+    m_nodes[sibling].parent = grandparent;
+    FreeNode(parent);
+    RepairFrom(grandparent);
+}
+
+void b2DynamicTree::ReplaceChild(int32 parent, int32 oldChild, int32 newChild)
+{
+    if (parent == b2_nullNode)
+    {
+        m_root = newChild;
+        return;
+    }
+    int32* child = m_nodes[parent].link.child;
+    child[child[0] == oldChild ? 0 : 1] = newChild;
+}
+
+void b2DynamicTree::Refit(int32 node)
+{
+    const Node& a = m_nodes[m_nodes[node].link.child[0]];
+    const Node& b = m_nodes[m_nodes[node].link.child[1]];
+    m_nodes[node].aabb = Union(a.aabb, b.aabb);
+    m_nodes[node].height = 1 + b2Max(a.height, b.height);
+}
+
+// Makes boxes and heights right from the node up, until nothing changes for those above.
+void b2DynamicTree::RepairFrom(int32 node)
+{
+    while (node != b2_nullNode)
+    {
+        const b2AABB box = m_nodes[node].aabb;
+        const int32 height = m_nodes[node].height;
+        Refit(node);
+        Rotate(node);
+        if (m_nodes[node].height == height && IsSame(m_nodes[node].aabb, box))
+        {
+            return;
+        }
+        node = m_nodes[node].parent;
+    }
+}
+
+// Twice the height of a perfect tree, and a little more for the small ones.
+int32 b2DynamicTree::HeightLimit() const
+{
+    return 2 * std::bit_width(static_cast<uint32>(m_proxyCount)) + 2;
+}
+
+// A child may change places with a nephew, a child of its sibling. The node keeps its box; the
+// sibling's becomes smaller if the change is good. Above the limit the tree must become lower.
+void b2DynamicTree::Rotate(int32 node)
+{
+    const int32 limit = HeightLimit();
+    const bool isTooHigh = m_nodes[node].height > limit;
+    int32 bestHeight = isTooHigh ? m_nodes[node].height : limit + 1;
+    float32 bestChange = 0.0f;
+    int32 bestSide = -1;
+    int32 bestNephewSide = -1;
+    for (int32 side = 0; side < 2; ++side)
+    {
+        const Node& child = m_nodes[m_nodes[node].link.child[side]];
+        const Node& sibling = m_nodes[m_nodes[node].link.child[1 - side]];
+        for (int32 nephewSide = 0; nephewSide < 2 && !sibling.IsLeaf(); ++nephewSide)
+        {
+            const Node& nephew = m_nodes[sibling.link.child[nephewSide]];
+            const Node& staying = m_nodes[sibling.link.child[1 - nephewSide]];
+            const float32 change =
+                HalfPerimeter(Union(child.aabb, staying.aabb)) - HalfPerimeter(sibling.aabb);
+            const int32 height = 1 + b2Max(nephew.height, 1 + b2Max(child.height, staying.height));
+            const bool isBetter =
+                isTooHigh ? height < bestHeight ||
+                                (bestSide >= 0 && height == bestHeight && change < bestChange)
+                          : change < bestChange && height <= limit;
+            if (isBetter)
+            {
+                bestHeight = height;
+                bestChange = change;
+                bestSide = side;
+                bestNephewSide = nephewSide;
+            }
+        }
+    }
+    if (bestSide >= 0)
+    {
+        SwapWithNephew(node, bestSide, bestNephewSide);
+    }
+}
+
+void b2DynamicTree::SwapWithNephew(int32 node, int32 side, int32 nephewSide)
+{
+    const int32 child = m_nodes[node].link.child[side];
+    const int32 sibling = m_nodes[node].link.child[1 - side];
+    const int32 nephew = m_nodes[sibling].link.child[nephewSide];
+    m_nodes[node].link.child[side] = nephew;
+    m_nodes[nephew].parent = node;
+    m_nodes[sibling].link.child[nephewSide] = child;
+    m_nodes[child].parent = sibling;
+    Refit(sibling);
+    m_nodes[node].height = 1 + b2Max(m_nodes[nephew].height, m_nodes[sibling].height);
+}
+
+int32 b2DynamicTree::GetHeight() const
+{
+    return m_root == b2_nullNode ? 0 : m_nodes[m_root].height;
+}
+
+int32 b2DynamicTree::GetMaxBalance() const
+{
+    int32 most = 0;
+    for (int32 i = 0; i < m_nodeCapacity; ++i)
+    {
+        if (m_nodes[i].height > 0)
+        {
+            const int32* child = m_nodes[i].link.child;
+            most = b2Max(most, b2Abs(m_nodes[child[0]].height - m_nodes[child[1]].height));
+        }
+    }
+    return most;
+}
+
+float32 b2DynamicTree::GetAreaRatio() const
+{
+    if (m_root == b2_nullNode)
+    {
+        return 0.0f;
+    }
+    double sum = 0.0;
+    for (int32 i = 0; i < m_nodeCapacity; ++i)
+    {
+        sum += m_nodes[i].height >= 0 ? HalfPerimeter(m_nodes[i].aabb) : 0.0f;
+    }
+    const double root = HalfPerimeter(m_nodes[m_root].aabb);
+    return root > 0.0 ? static_cast<float32>(sum / root) : 1.0f;
+}
+
+void b2DynamicTree::ShiftOrigin(const b2Vec2& newOrigin)
+{
+    for (int32 i = 0; i < m_nodeCapacity; ++i)
+    {
+        if (m_nodes[i].height >= 0)
+        {
+            m_nodes[i].aabb.lowerBound -= newOrigin;
+            m_nodes[i].aabb.upperBound -= newOrigin;
+        }
+    }
+}
+
+void b2DynamicTree::Validate() const
+{
+    const char* why = WhyInvalid();
+    B2_REQUIRE(why == nullptr, why);
+}
+
+const char* b2DynamicTree::WhyInvalid() const
+{
+    int32 proxies = 0;
+    if (m_root != b2_nullNode)
+    {
+        if (const char* why = WhyInvalid(m_root, b2_nullNode, &proxies))
+        {
+            return why;
+        }
+    }
+    if (proxies != m_proxyCount)
+    {
+        return "The tree does not reach all of its proxies.";
+    }
+    int32 freeNodes = 0;
+    for (int32 i = m_freeList; i != b2_nullNode; i = m_nodes[i].parent)
+    {
+        ++freeNodes;
+    }
+    const int32 expected = m_proxyCount > 0 ? 2 * m_proxyCount - 1 : 0;
+    return m_nodeCount != expected || m_nodeCount + freeNodes != m_nodeCapacity
+               ? "The tree has lost or leaked a node."
+               : nullptr;
+}
+
+const char* b2DynamicTree::WhyInvalid(int32 node, int32 parent, int32* proxies) const
+{
+    const Node& n = m_nodes[node];
+    if (n.parent != parent)
+    {
+        return "A node of the tree does not know its parent.";
+    }
+    if (n.IsLeaf())
+    {
+        ++*proxies;
+        return nullptr;
+    }
+    const Node& a = m_nodes[n.link.child[0]];
+    const Node& b = m_nodes[n.link.child[1]];
+    if (n.height != 1 + b2Max(a.height, b.height))
+    {
+        return "A node of the tree has the wrong height.";
+    }
+    if (!n.aabb.Contains(a.aabb) || !n.aabb.Contains(b.aabb))
+    {
+        return "A node of the tree does not contain its children.";
+    }
+    const char* why = WhyInvalid(n.link.child[0], node, proxies);
+    return why != nullptr ? why : WhyInvalid(n.link.child[1], node, proxies);
+}

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+//
+// Time of impact by conservative advancement (Mirtich 1996; Catto, "Continuous Collision", GDC
+// 2013): at each time the closest features give an axis, and the shapes may safely move on for as
+// long as a lower bound of their separation along that axis stays above the target.
+//
+// The bound is of second order. Along a fixed axis n a vertex with the offset r from its centre is
+//   x(t + h) = x(t) + x'(t) h + e,   x' = n.v + w n.(r turned left),   |e| <= w^2 |r| h^2 / 2
+// so that the separation along n is at least
+//   s(h) = min over B of (b + b' h) - max over A of (a + a' h) - k h^2 / 2,   k = the sum of w^2
+//   |r|
+// which is concave: it has one root and all before it is safe. Without rotation the bound is exact,
+// and a shape cast cannot miss; with rotation it never steps over a contact either.
+#include <Box2D/Collision/b2TimeOfImpact.h>
+
+#include "Distance.h"
+
+namespace
+{
+// A search that takes more steps than this creeps along something that it almost touches; it ends
+// with what is safe.
+constexpr int32 kMaxSteps = 200;
+
+struct Vector
+{
+    double x;
+    double y;
+};
+
+double Dot(const Vector& a, const Vector& b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+struct Rotation
+{
+    double s;
+    double c;
+};
+
+// A sweep in double precision, seen from where A starts, so that its place in the world is lost.
+class Motion
+{
+public:
+    Motion(const b2Sweep& sweep, const b2Vec2& origin, const b2DistanceProxy& proxy)
+        : m_proxy(proxy), m_localCenter(sweep.localCenter)
+    {
+        m_start = {static_cast<double>(sweep.c0.x) - origin.x,
+                   static_cast<double>(sweep.c0.y) - origin.y};
+        m_velocity = {static_cast<double>(sweep.c.x) - sweep.c0.x,
+                      static_cast<double>(sweep.c.y) - sweep.c0.y};
+        m_startAngle = sweep.a0;
+        m_spin = static_cast<double>(sweep.a) - sweep.a0;
+        for (int32 i = 0; i < proxy.m_count; ++i)
+        {
+            const b2Vec2 r = proxy.m_vertices[i] - m_localCenter;
+            m_reach = b2Max(m_reach, static_cast<double>(r.Length()));
+        }
+    }
+
+    void MoveTo(double t)
+    {
+        m_center = {m_start.x + t * m_velocity.x, m_start.y + t * m_velocity.y};
+        box2d::SinCos(m_startAngle + t * m_spin, &m_q.s, &m_q.c);
+    }
+
+    // The offset of vertex i from the centre, in the world's directions.
+    Vector Offset(int32 i) const
+    {
+        const double x = static_cast<double>(m_proxy.m_vertices[i].x) - m_localCenter.x;
+        const double y = static_cast<double>(m_proxy.m_vertices[i].y) - m_localCenter.y;
+        return {m_q.c * x - m_q.s * y, m_q.s * x + m_q.c * y};
+    }
+
+    // The origin of the body's frame.
+    Vector Origin() const
+    {
+        const double x = m_localCenter.x;
+        const double y = m_localCenter.y;
+        return {m_center.x - (m_q.c * x - m_q.s * y), m_center.y - (m_q.s * x + m_q.c * y)};
+    }
+
+    const Rotation& Q() const { return m_q; }
+    const Vector& Center() const { return m_center; }
+    const Vector& Velocity() const { return m_velocity; }
+    double Spin() const { return m_spin; }
+    double Curvature() const { return m_spin * m_spin * m_reach; }
+    double RimSpeed() const { return std::fabs(m_spin) * m_reach; }
+
+private:
+    const b2DistanceProxy& m_proxy;
+    b2Vec2 m_localCenter;
+    Vector m_start;
+    Vector m_velocity; ///< over the whole sweep
+    double m_startAngle;
+    double m_spin; ///< over the whole sweep
+    double m_reach = 0.0;
+    Vector m_center = {0.0, 0.0};
+    Rotation m_q = {0.0, 1.0};
+};
+
+b2Transform Relative(const Motion& a, const Motion& b)
+{
+    const Rotation& qA = a.Q();
+    const Rotation& qB = b.Q();
+    const Vector oA = a.Origin();
+    const Vector oB = b.Origin();
+    const Vector d = {oB.x - oA.x, oB.y - oA.y};
+    b2Transform bInA;
+    bInA.p.Set(static_cast<float32>(qA.c * d.x + qA.s * d.y),
+               static_cast<float32>(qA.c * d.y - qA.s * d.x));
+    bInA.q.s = static_cast<float32>(qA.c * qB.s - qA.s * qB.c);
+    bInA.q.c = static_cast<float32>(qA.c * qB.c + qA.s * qB.s);
+    return bInA;
+}
+
+// Across the closest side of A or B when one is known, for a side does not lose precision when the
+// shapes are close; else from the closest point of A to that of B. In A's frame, a unit vector.
+b2Vec2 ClosestAxis(const b2SimplexCache& cache, const b2DistanceOutput& output,
+                   const b2DistanceProxy& a, const b2DistanceProxy& b, const b2Transform& bInA)
+{
+    const b2Vec2 between = output.pointB - output.pointA;
+    if (cache.count == 2)
+    {
+        const bool isSideOfA = cache.indexA[0] != cache.indexA[1];
+        b2Vec2 axis =
+            isSideOfA ? a.GetVertex(cache.indexA[1]) - a.GetVertex(cache.indexA[0])
+                      : b2Mul(bInA.q, b.GetVertex(cache.indexB[1]) - b.GetVertex(cache.indexB[0]));
+        axis = axis.Skew();
+        if (axis.Normalize() > 0.0f)
+        {
+            return b2Dot(axis, between) < 0.0f ? -axis : axis;
+        }
+    }
+    b2Vec2 axis = between;
+    axis.Normalize();
+    return axis;
+}
+
+Vector ToWorld(const Motion& a, const b2Vec2& v)
+{
+    const Rotation& q = a.Q();
+    const Vector world = {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
+    const double length = std::sqrt(Dot(world, world));
+    return {world.x / length, world.y / length};
+}
+
+// One vertex along the axis: where it is and how fast it moves.
+struct Mark
+{
+    double x;
+    double speed;
+
+    double At(double h) const { return x + speed * h; }
+};
+
+struct Marks
+{
+    Mark marks[b2_maxPolygonVertices];
+    int32 count = 0;
+
+    void Fill(const Motion& motion, const b2DistanceProxy& proxy, const Vector& n)
+    {
+        count = b2Min(proxy.m_count, b2_maxPolygonVertices);
+        const double x = Dot(n, motion.Center());
+        const double speed = Dot(n, motion.Velocity());
+        for (int32 i = 0; i < count; ++i)
+        {
+            const Vector r = motion.Offset(i);
+            marks[i] = {x + Dot(n, r), speed + motion.Spin() * (n.y * r.x - n.x * r.y)};
+        }
+    }
+
+    int32 Lowest(double h, double sign) const
+    {
+        int32 lowest = 0;
+        for (int32 i = 1; i < count; ++i)
+        {
+            lowest = sign * marks[i].At(h) < sign * marks[lowest].At(h) ? i : lowest;
+        }
+        return lowest;
+    }
+};
+
+// How far the shapes may move on along the axis before the bound comes down to the target; `most`
+// when it does not. Negative when they are closer than the target already. The root of the pair
+// that is closest at h lies at or after that of the whole bound, so h only ever shrinks to it.
+double SafeStep(const Marks& a, const Marks& b, double curvature, double target, double most)
+{
+    double h = most;
+    int32 lastA = -1;
+    int32 lastB = -1;
+    while (true)
+    {
+        const int32 i = a.Lowest(h, -1.0);
+        const int32 j = b.Lowest(h, 1.0);
+        const double gap = b.marks[j].x - a.marks[i].x - target;
+        const double speed = b.marks[j].speed - a.marks[i].speed;
+        const bool isSafe = gap + speed * h - 0.5 * curvature * h * h >= 0.0;
+        if (isSafe || (i == lastA && j == lastB))
+        {
+            return h;
+        }
+        if (gap <= 0.0)
+        {
+            return -1.0;
+        }
+        const double root = 2.0 * gap / (std::sqrt(speed * speed + 2.0 * curvature * gap) - speed);
+        if (!(root < h))
+        {
+            return h;
+        }
+        h = root;
+        lastA = i;
+        lastB = j;
+    }
+}
+
+class Search
+{
+public:
+    explicit Search(const b2TOIInput& input)
+        : m_input(input), m_a(input.sweepA, input.sweepA.c0, input.proxyA),
+          m_b(input.sweepB, input.sweepA.c0, input.proxyB)
+    {
+        const float32 radius = input.proxyA.m_radius + input.proxyB.m_radius;
+        m_target = b2Max(b2_linearSlop, radius - 3.0f * b2_linearSlop);
+        const double x = m_b.Velocity().x - m_a.Velocity().x;
+        const double y = m_b.Velocity().y - m_a.Velocity().y;
+        m_fastest = std::sqrt(x * x + y * y) + m_a.RimSpeed() + m_b.RimSpeed();
+    }
+
+    b2TOIOutput Run()
+    {
+        constexpr float32 tolerance = 0.25f * b2_linearSlop;
+        double t = 0.0;
+        for (int32 step = 0; step < kMaxSteps; ++step)
+        {
+            m_a.MoveTo(t);
+            m_b.MoveTo(t);
+            const b2Transform bInA = Relative(m_a, m_b);
+            b2DistanceOutput closest;
+            box2d::ShapeDistance(&closest, &m_cache, m_input.proxyA, m_input.proxyB, bInA, false);
+            if (closest.distance <= 0.0f)
+            {
+                return {b2TOIOutput::e_overlapped, static_cast<float32>(t)};
+            }
+            if (closest.distance < m_target + tolerance)
+            {
+                return {b2TOIOutput::e_touching, static_cast<float32>(t)};
+            }
+            const double remaining = m_input.tMax - t;
+            const double h = Step(closest, bInA, remaining);
+            if (h >= remaining)
+            {
+                return {b2TOIOutput::e_separated, m_input.tMax};
+            }
+            t += h;
+        }
+        return {b2TOIOutput::e_failed, static_cast<float32>(t)};
+    }
+
+private:
+    double Step(const b2DistanceOutput& closest, const b2Transform& bInA, double remaining) const
+    {
+        const b2Vec2 axis = ClosestAxis(m_cache, closest, m_input.proxyA, m_input.proxyB, bInA);
+        const Vector n = ToWorld(m_a, axis);
+        Marks a;
+        Marks b;
+        a.Fill(m_a, m_input.proxyA, n);
+        b.Fill(m_b, m_input.proxyB, n);
+        const double h = SafeStep(a, b, m_a.Curvature() + m_b.Curvature(), m_target, remaining);
+        if (h > 0.0)
+        {
+            return h;
+        }
+        // The axis is not exact enough for shapes that are large and close: no point moves faster
+        // than this.
+        const double gap = static_cast<double>(closest.distance) - m_target;
+        return gap < m_fastest * remaining ? gap / m_fastest : remaining;
+    }
+
+    const b2TOIInput& m_input;
+    Motion m_a;
+    Motion m_b;
+    float32 m_target;
+    double m_fastest; ///< of any point of one shape as seen from the other
+    b2SimplexCache m_cache;
+};
+} // namespace
+
+void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input)
+{
+    output->state = b2TOIOutput::e_failed;
+    output->t = 0.0f;
+    const bool isUsable =
+        B2_REQUIRE(input->proxyA.m_count > 0 && input->proxyB.m_count > 0,
+                   "b2TimeOfImpact needs shapes with vertices; call b2DistanceProxy::Set first.");
+    if (isUsable)
+    {
+        *output = Search(*input).Run();
+    }
+}
