@@ -203,9 +203,9 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
     std::string text = result.equal ? "equal: " : "different: ";
     if (result.differentPixels == 0)
     {
-        text += "no bit differs";
+        return text + "no bit differs (" + Limits(settings) + ")";
     }
-    else if (result.overTolerance == 0)
+    if (result.overTolerance == 0)
     {
         text += Pixels(result.differentPixels) + " by no more than the tolerance";
     }

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+#include <golden/Compare.h>
+
+#include "TestPictures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace boxreel;
+using namespace boxreel::test;
+using testing::HasSubstr;
+
+namespace
+{
+
+// The debug drawing's outline colours, the colour-blind-safe theme's, and the corners of the cube.
+const std::vector<Color>& Palette()
+{
+    static const std::vector<Color> colors{
+        {230, 179, 179}, {128, 230, 128}, {128, 128, 230}, {153, 153, 153}, {128, 128, 77},
+        {128, 204, 204}, {230, 77, 230},  {77, 230, 230},  {230, 159, 0},   {86, 180, 233},
+        {0, 158, 115},   {240, 228, 66},  {0, 114, 178},   {213, 94, 0},    {204, 121, 167},
+        {0, 0, 0},       {255, 0, 0},     {0, 255, 0},     {0, 0, 255},     {0, 255, 255},
+        {255, 0, 255},   {255, 255, 0},   {255, 255, 255}, {6, 255, 255}};
+    return colors;
+}
+
+Color FillOver(Color outline, Color ground)
+{
+    const auto mix = [](int over, int under) {
+        return static_cast<std::uint8_t>(over / 4 + under / 2);
+    };
+    return {mix(outline.r, ground.r), mix(outline.g, ground.g), mix(outline.b, ground.b), 255};
+}
+
+// Off by four away from the nearer end of the range.
+std::uint8_t OffByFour(std::uint8_t value)
+{
+    return static_cast<std::uint8_t>(value < 128 ? value + 4 : value - 4);
+}
+
+Color OffByFour(Color color, int channels)
+{
+    return {channels & 1 ? OffByFour(color.r) : color.r,
+            channels & 2 ? OffByFour(color.g) : color.g,
+            channels & 4 ? OffByFour(color.b) : color.b, color.a};
+}
+
+Frame ShiftedRight(const Frame& frame)
+{
+    Frame shifted = frame;
+    for (int y = 0; y < frame.height; ++y)
+    {
+        std::memmove(shifted.Pixel(1, y), frame.Pixel(0, y), std::size_t(frame.width - 1) * 4);
+    }
+    return shifted;
+}
+
+// OKLab as its author writes it down, with the C library's functions.
+double PlainDistance(Color p, Color q)
+{
+    const auto lab = [](Color c) {
+        const auto linear = [](double v) {
+            v /= 255.0;
+            return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        };
+        const double r = linear(c.r), g = linear(c.g), b = linear(c.b);
+        const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+        const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+        const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+        return std::array<double, 3>{0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+                                     1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+                                     0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
+    };
+    const auto a = lab(p), b = lab(q);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+double DistanceOf(Color p, Color q)
+{
+    return Compare(Filled(1, 1, p), Filled(1, 1, q)).largestDistance;
+}
+
+} // namespace
+
+TEST(CompareDistance, IsOneFromBlackToWhite)
+{
+    EXPECT_NEAR(DistanceOf({0, 0, 0}, {255, 255, 255}), 1.0, 1e-6);
+}
+
+TEST(CompareDistance, IsThatOfOkLab)
+{
+    std::mt19937 random(7);
+    const auto byte = [&] { return static_cast<std::uint8_t>(random() & 255u); };
+    for (int i = 0; i < 2000; ++i)
+    {
+        const Color p{byte(), byte(), byte()};
+        const Color q{byte(), byte(), byte()};
+        EXPECT_NEAR(DistanceOf(p, q), PlainDistance(p, q), 1e-9);
+    }
+}
+
+// Bits, not values: any compiler and optimisation has to give these.
+TEST(CompareDistance, HasTheSameBitsEverywhere)
+{
+    std::mt19937 random(11);
+    const auto byte = [&] { return static_cast<std::uint8_t>(random() & 255u); };
+    std::uint64_t hash = 14695981039346656037u;
+    for (int i = 0; i < 5000; ++i)
+    {
+        const Color p{byte(), byte(), byte()};
+        const Color q{byte(), byte(), byte()};
+        const double distance = DistanceOf(p, q);
+        std::uint64_t bits;
+        std::memcpy(&bits, &distance, sizeof bits);
+        hash = (hash ^ bits) * 1099511628211u;
+    }
+    EXPECT_EQ(hash, 11746704345878083431u);
+}
+
+TEST(CompareDistance, SeesAChangeOfOpacityAlone)
+{
+    const Color hidden{0, 0, 0, 0};
+    const Color black{0, 0, 0, 255};
+    EXPECT_NEAR(DistanceOf(hidden, black), 1.0, 1e-6) << "on white one is white, the other black";
+    EXPECT_FALSE(
+        Compare(Filled(40, 40, {60, 60, 60, 128}), Filled(40, 40, {60, 60, 60, 132})).equal);
+}
+
+TEST(CompareSameMachine, PassesAnEqualPicture)
+{
+    const Comparison result = Compare(Paint(SmallScene()), Paint(SmallScene()));
+    EXPECT_TRUE(result.equal);
+    EXPECT_EQ(result.differentPixels, 0);
+    EXPECT_EQ(result.firstX, -1);
+    EXPECT_THAT(result.verdict, HasSubstr("equal: no bit differs"));
+}
+
+TEST(CompareSameMachine, FailsAPictureShiftedByOnePixel)
+{
+    for (const Color ground : {kDark, kLight})
+    {
+        const Frame picture = Paint(SmallScene(), {.ground = ground});
+        EXPECT_FALSE(Compare(picture, ShiftedRight(picture)).equal);
+    }
+}
+
+TEST(CompareSameMachine, FailsASingleDotThatMovedByOnePixel)
+{
+    Frame picture = Filled(64, 64, kDark);
+    *picture.Pixel(30, 30) = 230;
+    EXPECT_FALSE(Compare(picture, ShiftedRight(picture)).equal);
+}
+
+TEST(CompareSameMachine, FailsAPatchOffByFourInOneOrAllChannelsOnAnyGround)
+{
+    std::vector<Color> colors = Palette();
+    for (const Color color : Palette())
+    {
+        for (const Color ground : {kDark, kLight, Color{0, 0, 0}, Color{255, 255, 255}})
+        {
+            colors.push_back(FillOver(color, ground));
+        }
+    }
+    colors.insert(colors.end(), {kDark, kLight});
+    for (const Color color : colors)
+    {
+        for (const int channels : {1, 2, 4, 7})
+        {
+            const Frame expected = Filled(64, 64, color);
+            Frame actual = expected;
+            FillRect(actual, 10, 12, 50, 52, OffByFour(color, channels));
+            const Comparison result = Compare(expected, actual);
+            EXPECT_FALSE(result.equal) << int(color.r) << "," << int(color.g) << "," << int(color.b)
+                                       << " channels " << channels << ": " << result.verdict;
+            EXPECT_EQ(result.overTolerance, 1600);
+            EXPECT_EQ(result.worstWindow, 256);
+            EXPECT_EQ(result.firstX, 10);
+            EXPECT_EQ(result.firstY, 12);
+        }
+    }
+}
+
+TEST(CompareSameMachine, ToleranceLiesBelowAnyChannelOffByFour)
+{
+    const double tolerance = CompareSettings::SameMachine().tolerance;
+    const auto level = [](int i) { return static_cast<std::uint8_t>(std::min(i * 9, 251)); };
+    for (int i = 0; i < 29 * 29 * 29; ++i)
+    {
+        const Color p{level(i % 29), level(i / 29 % 29), level(i / 841)};
+        for (const Color q :
+             {Color{std::uint8_t(p.r + 4), p.g, p.b}, Color{p.r, std::uint8_t(p.g + 4), p.b},
+              Color{p.r, p.g, std::uint8_t(p.b + 4)}})
+        {
+            ASSERT_GT(DistanceOf(p, q), tolerance)
+                << int(p.r) << "," << int(p.g) << "," << int(p.b);
+        }
+    }
+}
+
+TEST(CompareSameMachine, PassesASingleStrayPixelOfAnyColour)
+{
+    const Frame expected = Paint(SmallScene());
+    for (const Color color : Palette())
+    {
+        for (const auto& [x, y] : {std::pair{0, 0}, {319, 179}, {160, 60}})
+        {
+            Frame actual = expected;
+            FillRect(actual, x, y, x + 1, y + 1, color);
+            EXPECT_TRUE(Compare(expected, actual).equal);
+        }
+    }
+}
+
+TEST(CompareSameMachine, PassesFourScatteredPixelsButNotFive)
+{
+    const Frame expected = Filled(200, 100, kDark);
+    Frame actual = expected;
+    for (const int x : {10, 60, 110, 160})
+    {
+        FillRect(actual, x, 50, x + 1, 51, kAwake);
+    }
+    EXPECT_TRUE(Compare(expected, actual).equal);
+    FillRect(actual, 199, 99, 200, 100, kAwake);
+    EXPECT_FALSE(Compare(expected, actual).equal);
+}
+
+TEST(CompareSameMachine, FailsTwoPixelsInOneWindowWhereverItLies)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    for (int x = 0; x < 48; ++x)
+    {
+        Frame actual = expected;
+        FillRect(actual, x, 20, x + 1, 21, kAwake);
+        FillRect(actual, x + 15, 35, x + 16, 36, kAwake);
+        const Comparison near = Compare(expected, actual);
+        EXPECT_EQ(near.worstWindow, 2) << "x " << x << ", windows need not be aligned";
+        EXPECT_FALSE(near.equal);
+
+        actual = expected;
+        FillRect(actual, x, 20, x + 1, 21, kAwake);
+        FillRect(actual, x + 16, 20, x + 17, 21, kAwake);
+        EXPECT_EQ(Compare(expected, actual).worstWindow, 1) << "x " << x << ", one pixel too far";
+    }
+}
+
+TEST(CompareWindows, CountAsATrivialLoopDoes)
+{
+    std::mt19937 random(3);
+    for (int round = 0; round < 20; ++round)
+    {
+        const int width = 1 + static_cast<int>(random() % 40),
+                  height = 1 + static_cast<int>(random() % 40);
+        const int size = 1 + static_cast<int>(random() % 20);
+        const Frame expected = Filled(width, height, kDark);
+        Frame actual = expected;
+        for (int i = 0; i < 30; ++i)
+        {
+            const int x = static_cast<int>(random() % unsigned(width)),
+                      y = static_cast<int>(random() % unsigned(height));
+            FillRect(actual, x, y, x + 1, y + 1, kAwake);
+        }
+        int worst = 0;
+        for (int y0 = 0; y0 < height; ++y0)
+        {
+            for (int x0 = 0; x0 < width; ++x0)
+            {
+                int count = 0;
+                for (int y = y0; y < std::min(y0 + size, height); ++y)
+                {
+                    for (int x = x0; x < std::min(x0 + size, width); ++x)
+                    {
+                        count += *actual.Pixel(x, y) != *expected.Pixel(x, y);
+                    }
+                }
+                worst = std::max(worst, count);
+            }
+        }
+        EXPECT_EQ(Compare(expected, actual, {.densityWindow = size}).worstWindow, worst);
+    }
+}
+
+TEST(CompareExact, FailsASingleBit)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    for (const std::size_t byte : {std::size_t(0), std::size_t(3), expected.rgba.size() - 1})
+    {
+        Frame actual = expected;
+        actual.rgba[byte] = static_cast<std::uint8_t>(actual.rgba[byte] ^ 1);
+        EXPECT_FALSE(Compare(expected, actual, CompareSettings::Exact()).equal);
+        EXPECT_TRUE(Compare(expected, actual).equal) << "a single stray pixel";
+    }
+    EXPECT_TRUE(Compare(expected, expected, CompareSettings::Exact()).equal);
+}
+
+TEST(Compare, FailsOtherSizes)
+{
+    const Frame picture = Filled(40, 30, kDark);
+    for (const Frame& other :
+         {Filled(41, 30, kDark), Filled(40, 29, kDark), Filled(30, 40, kDark), Frame()})
+    {
+        const Comparison result = Compare(picture, other);
+        EXPECT_FALSE(result.equal);
+        EXPECT_FALSE(result.sameSize);
+        EXPECT_THAT(result.verdict, HasSubstr("40x30"));
+        EXPECT_THAT(result.verdict,
+                    HasSubstr(std::to_string(other.width) + "x" + std::to_string(other.height)));
+        EXPECT_EQ(Compare(other, picture).sameSize, false);
+    }
+}
+
+TEST(Compare, FailsOtherSizesEvenWhenEveryLimitAllowsIt)
+{
+    CompareSettings loose;
+    loose.maxPixels = loose.maxInWindow = 1000000;
+    EXPECT_FALSE(Compare(Filled(40, 30, kDark), Filled(40, 31, kDark), loose).equal);
+}
+
+TEST(Compare, PassesTwoEmptyPictures)
+{
+    EXPECT_TRUE(Compare(Frame(), Frame()).equal);
+}
+
+TEST(Compare, CountsWhatIsWithinTheToleranceApart)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    Frame actual = expected;
+    FillRect(actual, 0, 0, 10, 1, {27, 27, 27});
+    FillRect(actual, 40, 40, 41, 41, {255, 255, 255});
+    CompareSettings settings;
+    settings.tolerance = 0.01;
+    const Comparison result = Compare(expected, actual, settings);
+    EXPECT_EQ(result.differentPixels, 11);
+    EXPECT_EQ(result.overTolerance, 1);
+    EXPECT_EQ(result.firstX, 40);
+    EXPECT_EQ(result.firstY, 40);
+    EXPECT_TRUE(result.equal);
+}
+
+TEST(CompareVerdict, NamesTheLimitsAndWhereTheyCameFrom)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    Frame actual = expected;
+    FillRect(actual, 7, 5, 9, 6, kAwake);
+    EXPECT_EQ(
+        Compare(expected, actual).verdict,
+        "different: 2 pixels over the tolerance, first at 7,5, up to 2 in a window, largest "
+        "distance 0.598 (same-machine allows 4 pixels over a distance of 0.00025, 1 in any 16x16)");
+    EXPECT_THAT(Compare(expected, actual, CompareSettings::Exact()).verdict,
+                HasSubstr("(exact allows 0 pixels over a distance of 0, 0 in any 16x16)"));
+    CompareSettings own;
+    own.preset = "exact, with --max-pixels 7";
+    own.maxPixels = own.maxInWindow = 7;
+    EXPECT_THAT(Compare(expected, actual, own).verdict,
+                HasSubstr("equal: 2 pixels over the tolerance, first at 7,5, up to 2 in a window"));
+    EXPECT_THAT(Compare(expected, actual, own).verdict,
+                HasSubstr("(exact, with --max-pixels 7 allows 7 pixels"));
+}
+
+TEST(ComparePreset, IsFoundByName)
+{
+    const Result<CompareSettings> exact = CompareSettings::Preset("exact");
+    ASSERT_TRUE(exact);
+    EXPECT_EQ(exact->tolerance, 0.0);
+    EXPECT_EQ(exact->maxPixels, 0);
+    const Result<CompareSettings> sameMachine = CompareSettings::Preset("same-machine");
+    ASSERT_TRUE(sameMachine);
+    EXPECT_EQ(sameMachine->tolerance, CompareSettings().tolerance);
+}
+
+TEST(ComparePreset, ThatIsUnknownIsAnErrorThatListsTheOthers)
+{
+    const Result<CompareSettings> result = CompareSettings::Preset("fuzzy");
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.GetError().kind, ErrorKind::Unusable);
+    EXPECT_THAT(result.GetError().message, HasSubstr("fuzzy"));
+    EXPECT_THAT(result.GetError().message, HasSubstr("exact or same-machine"));
+}

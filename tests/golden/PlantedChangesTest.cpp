@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <golden/ReferenceStore.h>
+
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestPictures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace boxreel;
+using namespace boxreel::test;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace
+{
+
+constexpr std::size_t kOverlapped = 1; // the item that the next one covers in part
+constexpr std::size_t kJointLine = 4;
+constexpr std::size_t kLabel = 5;
+
+// A small scene that was approved, and changes of the kind that slip through a review.
+class PlantedChange : public testing::TestWithParam<Color>
+{
+protected:
+    void SetUp() override
+    {
+        m_style.ground = GetParam();
+        ASSERT_TRUE(m_store.Accept(Candidate("scene/3s", SmallScene(), m_style)));
+    }
+
+    GoldenVerdict Verify(const DrawList& list, const Style& style)
+    {
+        Result<GoldenVerdict> verdict = m_store.Verify(Candidate("scene/3s", list, style));
+        EXPECT_TRUE(verdict) << verdict.GetError().message;
+        return *std::move(verdict);
+    }
+
+    // Of the pixels alone, as a project without draw lists compares them.
+    Comparison Pixels(const DrawList& list, const Style& style)
+    {
+        return Compare(Paint(SmallScene(), m_style), Paint(list, style));
+    }
+
+    TemporaryFolder m_folder;
+    ReferenceStore m_store{m_folder / "references", m_folder / "output"};
+    Style m_style;
+};
+
+} // namespace
+
+TEST_P(PlantedChange, NoneIsNoFalseAlarm)
+{
+    for (int i = 0; i < 3; ++i)
+    {
+        EXPECT_EQ(Verify(SmallScene(), m_style).status, GoldenStatus::Same);
+    }
+}
+
+TEST_P(PlantedChange, BodyMovedByOneCentimetreIsFoundInTheDrawListThoughNoPixelShowsIt)
+{
+    DrawList moved = SmallScene();
+    const DrawItem& body = moved.items[3];
+    for (std::size_t i = 0; i < body.count; ++i)
+    {
+        moved.points[body.first + i].x += 0.01f;
+    }
+    const GoldenVerdict verdict = Verify(moved, m_style);
+    EXPECT_TRUE(verdict.pixels.equal) << "a seventh of a pixel";
+    EXPECT_EQ(verdict.status, GoldenStatus::DrawList);
+    EXPECT_THAT(verdict.message, HasSubstr("line 4 is"));
+    EXPECT_THAT(verdict.message, HasSubstr("4.01"));
+}
+
+TEST_P(PlantedChange, MissingJointLineIsFoundInThePixelsToo)
+{
+    const DrawList changed = WithoutItem(SmallScene(), kJointLine);
+    EXPECT_EQ(Verify(changed, m_style).status, GoldenStatus::DrawList);
+    EXPECT_FALSE(Pixels(changed, m_style).equal);
+}
+
+TEST_P(PlantedChange, FillOffByFourIsFound)
+{
+    for (const int shift : {4, -4})
+    {
+        Style style = m_style;
+        style.fillShift = shift;
+        const GoldenVerdict verdict = Verify(SmallScene(), style);
+        EXPECT_EQ(verdict.status, GoldenStatus::Pixels);
+        EXPECT_THAT(verdict.message, HasSubstr("same geometry, other pixels"));
+    }
+}
+
+TEST_P(PlantedChange, MisspeltLabelIsFoundInThePixelsToo)
+{
+    for (const char* wrong : {"cramk", "Crank", "crnak"})
+    {
+        DrawList changed = SmallScene();
+        changed.texts[changed.items[kLabel].text] = wrong;
+        const GoldenVerdict verdict = Verify(changed, m_style);
+        EXPECT_EQ(verdict.status, GoldenStatus::DrawList);
+        EXPECT_THAT(verdict.message, AllOf(HasSubstr(wrong), HasSubstr("crank")));
+        EXPECT_FALSE(Pixels(changed, m_style).equal);
+    }
+}
+
+TEST_P(PlantedChange, OutlineOnePixelThickerIsFound)
+{
+    Style style = m_style;
+    style.outline = 2;
+    EXPECT_EQ(Verify(SmallScene(), style).status, GoldenStatus::Pixels);
+}
+
+TEST_P(PlantedChange, SwappedDrawOrderIsFoundInThePixelsToo)
+{
+    const DrawList changed = WithSwappedOrder(SmallScene(), kOverlapped);
+    EXPECT_EQ(Verify(changed, m_style).status, GoldenStatus::DrawList);
+    EXPECT_FALSE(Pixels(changed, m_style).equal);
+}
+
+TEST_P(PlantedChange, PictureShiftedByAPixelIsFound)
+{
+    Style style = m_style;
+    DrawList changed = SmallScene();
+    for (Vec2& point : changed.points)
+    {
+        point.x += static_cast<float>(1.0 / style.pixelsPerMeter);
+    }
+    EXPECT_FALSE(Pixels(changed, style).equal);
+}
+
+INSTANTIATE_TEST_SUITE_P(On, PlantedChange, testing::Values(kDark, kLight), [](const auto& which) {
+    return which.param == kDark ? "DarkGround" : "LightGround";
+});

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include <golden/ReferenceStore.h>
+
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestPictures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+using namespace boxreel;
+using namespace boxreel::test;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// What the world outside does to a store: names, links, damaged files, folders without permission.
+class ReferenceFiles : public testing::Test
+{
+protected:
+    ReferenceFiles()
+    {
+        fs::create_directories(m_references);
+        fs::create_directories(m_output);
+    }
+
+    Error VerifyError(const GoldenCandidate& candidate)
+    {
+        const Result<GoldenVerdict> verdict = m_store.Verify(candidate);
+        EXPECT_FALSE(verdict) << "verified " << candidate.name << ": " << verdict->message;
+        return verdict ? Error{} : verdict.GetError();
+    }
+
+    Error AcceptError(const GoldenCandidate& candidate)
+    {
+        const Result<void> accepted = m_store.Accept(candidate);
+        EXPECT_FALSE(accepted) << "accepted " << candidate.name;
+        return accepted ? Error{} : accepted.GetError();
+    }
+
+    TemporaryFolder m_folder;
+    fs::path m_references = m_folder / "references";
+    fs::path m_output = m_folder / "output";
+    ReferenceStore m_store{m_references, m_output};
+};
+
+DrawList LongList()
+{
+    DrawList list;
+    for (int i = 0; i < 3000; ++i)
+    {
+        list.AddSegment({0.1f * static_cast<float>(i), 0.3f}, {0.7f, 0.2f}, kJoint);
+    }
+    return list;
+}
+
+} // namespace
+
+TEST_F(ReferenceFiles, NamesThatCouldLeaveTheFolderAreRefused)
+{
+    const std::string tooLong(201, 'a');
+    for (const std::string& name : {std::string(),
+                                    std::string("../escape"),
+                                    std::string("a/../../escape"),
+                                    std::string("a/.."),
+                                    std::string(".."),
+                                    std::string("."),
+                                    std::string("a/./b"),
+                                    std::string("/absolute"),
+                                    std::string("a//b"),
+                                    std::string("a/"),
+                                    std::string("/"),
+                                    std::string(".hidden"),
+                                    std::string("a/.hidden"),
+                                    std::string("Upper"),
+                                    std::string("a b"),
+                                    std::string("a\\b"),
+                                    std::string("a\nb"),
+                                    std::string("a\0b", 3),
+                                    std::string("caf\xc3\xa9"),
+                                    std::string("a*"),
+                                    std::string("~root"),
+                                    std::string("c:file"),
+                                    std::string("a.part"),
+                                    tooLong})
+    {
+        const GoldenCandidate candidate = Candidate(name);
+        EXPECT_EQ(VerifyError(candidate).kind, ErrorKind::Unusable);
+        const Error error = AcceptError(candidate);
+        EXPECT_EQ(error.kind, ErrorKind::Unusable);
+        EXPECT_THAT(error.message, HasSubstr("cannot name a reference"));
+    }
+    EXPECT_THAT(m_folder.Names(), UnorderedElementsAre("references", "output"));
+    EXPECT_TRUE(fs::is_empty(m_references));
+    EXPECT_TRUE(fs::is_empty(m_output));
+}
+
+TEST_F(ReferenceFiles, OrdinaryNamesAreFine)
+{
+    const std::string longest(200, 'a');
+    for (const std::string& name :
+         {std::string("pyramid/3s"), std::string("newtons-cradle/0.5s"), std::string("a"),
+          std::string("a_b/c-d/e.f"), std::string("0"), std::string("a..b"), longest})
+    {
+        EXPECT_TRUE(m_store.Accept(Candidate(name))) << name;
+        EXPECT_TRUE(m_store.Verify(Candidate(name))) << name;
+    }
+}
+
+TEST_F(ReferenceFiles, LinksThatLeadOutOfTheFolderAreRefused)
+{
+    fs::create_directories(m_folder / "outside");
+    fs::create_directories(m_references / "frames");
+    fs::create_directory_symlink(m_folder / "outside", m_references / "frames/pyramid");
+    for (const Error& error :
+         {VerifyError(Candidate("pyramid/3s")), AcceptError(Candidate("pyramid/3s"))})
+    {
+        EXPECT_EQ(error.kind, ErrorKind::Unusable);
+        EXPECT_THAT(error.message, AllOf(HasSubstr("frames/pyramid"), HasSubstr("remove it")));
+    }
+    EXPECT_TRUE(fs::is_empty(m_folder / "outside"));
+    EXPECT_FALSE(fs::exists(m_references / "state")) << "nothing half accepted";
+}
+
+TEST_F(ReferenceFiles, AFileThatIsALinkOutOrNowhereIsRefused)
+{
+    WriteBytes(m_folder / "secret", "0123456789abcdef\n");
+    fs::create_directories(m_references / "state");
+    for (const char* target : {"secret", "nowhere"})
+    {
+        fs::create_symlink(m_folder / target, m_references / "state/scene.txt");
+        EXPECT_EQ(VerifyError(Candidate("scene")).kind, ErrorKind::Unusable);
+        EXPECT_EQ(AcceptError(Candidate("scene")).kind, ErrorKind::Unusable);
+        fs::remove(m_references / "state/scene.txt");
+    }
+    EXPECT_EQ(ReadBytes(m_folder / "secret"), "0123456789abcdef\n");
+    EXPECT_FALSE(fs::exists(m_folder / "nowhere"));
+}
+
+TEST_F(ReferenceFiles, LinksOutOfTheOutputFolderAreRefusedToo)
+{
+    fs::create_directories(m_folder / "outside");
+    fs::create_directory_symlink(m_folder / "outside", m_output / "pyramid");
+    WriteBytes(m_folder / "outside/3s.actual.png", "of someone else");
+    EXPECT_EQ(VerifyError(Candidate("pyramid/3s")).kind, ErrorKind::Unusable);
+    EXPECT_EQ(ReadBytes(m_folder / "outside/3s.actual.png"), "of someone else");
+}
+
+TEST_F(ReferenceFiles, LinksThatStayInsideAreFollowed)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("old/3s")));
+    for (const char* depth : {"state", "drawlist", "frames"})
+    {
+        fs::create_directory_symlink("old", m_references / depth / "new");
+    }
+    const Result<GoldenVerdict> verdict = m_store.Verify(Candidate("new/3s"));
+    ASSERT_TRUE(verdict) << verdict.GetError().message;
+    EXPECT_EQ(verdict->status, GoldenStatus::Same);
+}
+
+TEST_F(ReferenceFiles, ATruncatedPictureIsAnErrorThatNamesIt)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+    const fs::path png = m_references / "frames/scene.png";
+    const std::string whole = ReadBytes(png);
+    for (const std::size_t size :
+         {std::size_t(0), std::size_t(20), whole.size() / 2, whole.size() - 12})
+    {
+        WriteBytes(png, whole.substr(0, size));
+        EXPECT_THAT(VerifyError(Candidate("scene")).message, HasSubstr(png.string()))
+            << size << " bytes";
+    }
+}
+
+TEST_F(ReferenceFiles, ADamagedPackedListIsAnErrorThatNamesIt)
+{
+    const GoldenCandidate candidate{"scene", "", LongList(), Frame()};
+    ASSERT_TRUE(m_store.Accept(candidate));
+    const fs::path packed = m_references / "drawlist/scene.txt.gz";
+    const std::string whole = ReadBytes(packed);
+    std::string flipped = whole;
+    flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 0x10);
+    for (const std::string& bytes :
+         {std::string(), whole.substr(0, 9), whole.substr(0, whole.size() - 1), whole + "x",
+          flipped, std::string("plain text\n")})
+    {
+        WriteBytes(packed, bytes);
+        const Error error = VerifyError(candidate);
+        EXPECT_EQ(error.kind, ErrorKind::Unusable);
+        EXPECT_THAT(error.message, AllOf(HasSubstr(packed.string()), HasSubstr("gzip"),
+                                         HasSubstr("accept it again")));
+    }
+}
+
+TEST_F(ReferenceFiles, ADamagedStateIsAnErrorThatNamesIt)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+    const fs::path state = m_references / "state/scene.txt";
+    for (const std::string bytes :
+         {"", "0123456789abcdef", "0123456789abcde\n", "0123456789ABCDEF\n", "<<<<<<< HEAD\n...."})
+    {
+        WriteBytes(state, bytes);
+        const Error error = VerifyError(Candidate("scene"));
+        EXPECT_EQ(error.kind, ErrorKind::Unusable);
+        EXPECT_THAT(error.message, AllOf(HasSubstr(state.string()), HasSubstr("16 hex digits")));
+    }
+}
+
+TEST_F(ReferenceFiles, ADrawListCutAtItsEndIsADifference)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+    const fs::path list = m_references / "drawlist/scene.txt";
+    std::string text = ReadBytes(list);
+    text.pop_back();
+    WriteBytes(list, text);
+    const Result<GoldenVerdict> verdict = m_store.Verify(Candidate("scene"));
+    ASSERT_TRUE(verdict);
+    EXPECT_EQ(verdict->status, GoldenStatus::DrawList);
+    EXPECT_THAT(verdict->message, HasSubstr("only the newline at the end differs"));
+}
+
+// A folder in a file's place stops everyone, root included.
+TEST_F(ReferenceFiles, AcceptingThatFailsAtOneFileLeavesTheOthersAsTheyWere)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+    const std::string list = ReadBytes(m_references / "drawlist/scene.txt");
+    fs::remove(m_references / "frames/scene.png");
+    fs::create_directories(m_references / "frames/scene.png");
+    GoldenCandidate changed = Candidate("scene", WithoutItem(SmallScene(), 4));
+    changed.stateHash = "ffffffffffffffff";
+    EXPECT_THAT(AcceptError(changed).message, HasSubstr("frames/scene.png"));
+    EXPECT_THAT(VerifyError(changed).message, HasSubstr("frames/scene.png"));
+    EXPECT_EQ(ReadBytes(m_references / "state/scene.txt"), "0123456789abcdef\n");
+    EXPECT_EQ(ReadBytes(m_references / "drawlist/scene.txt"), list);
+}
+
+// A file where a folder should be stops everyone, root included.
+TEST_F(ReferenceFiles, AnOutputThatCannotBeWrittenIsAnErrorThatStillTellsTheDifference)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+    WriteBytes(m_folder / "file", "not a folder");
+    const ReferenceStore store(m_references, m_folder / "file");
+    const Result<GoldenVerdict> same = store.Verify(Candidate("scene"));
+    ASSERT_TRUE(same) << same.GetError().message;
+    EXPECT_EQ(same->status, GoldenStatus::Same) << "nothing needs to be written";
+
+    const Result<GoldenVerdict> different =
+        store.Verify(Candidate("scene", SmallScene(), {.outline = 2}));
+    ASSERT_FALSE(different);
+    EXPECT_THAT(different.GetError().message,
+                AllOf(HasSubstr("other pixels"), HasSubstr((m_folder / "file").string())));
+
+    const Result<GoldenVerdict> missing = store.Verify(Candidate("unknown"));
+    ASSERT_FALSE(missing);
+    EXPECT_THAT(missing.GetError().message, HasSubstr("no reference"));
+}
+
+TEST_F(ReferenceFiles, NoUnfinishedFileIsLeft)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+    EXPECT_TRUE(m_store.Verify(Candidate("scene", SmallScene(), {.outline = 2})));
+    for (const auto& entry : fs::recursive_directory_iterator(m_folder / ""))
+    {
+        EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr(".part")));
+    }
+}

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+#include <golden/ReferenceStore.h>
+
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestPictures.h"
+
+#include <debugdraw/DrawListText.h>
+#include <render/Png.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace boxreel;
+using namespace boxreel::test;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::UnorderedElementsAre;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+class ReferenceStoreTest : public testing::Test
+{
+protected:
+    GoldenVerdict Verify(const GoldenCandidate& candidate, const CompareSettings& settings = {})
+    {
+        Result<GoldenVerdict> verdict = m_store.Verify(candidate, settings);
+        EXPECT_TRUE(verdict) << (verdict ? "" : verdict.GetError().message);
+        return verdict ? *std::move(verdict) : GoldenVerdict{};
+    }
+
+    Error VerifyError(const GoldenCandidate& candidate)
+    {
+        const Result<GoldenVerdict> verdict = m_store.Verify(candidate);
+        EXPECT_FALSE(verdict);
+        return verdict ? Error{} : verdict.GetError();
+    }
+
+    void Accept(const GoldenCandidate& candidate)
+    {
+        const Result<void> accepted = m_store.Accept(candidate);
+        ASSERT_TRUE(accepted) << accepted.GetError().message;
+    }
+
+    // Every file below a folder, by its path from there.
+    static std::vector<std::string> Files(const fs::path& folder)
+    {
+        std::vector<std::string> files;
+        std::error_code ignored;
+        for (const auto& entry : fs::recursive_directory_iterator(folder, ignored))
+        {
+            if (!entry.is_directory())
+            {
+                files.push_back(entry.path().lexically_relative(folder).string());
+            }
+        }
+        return files;
+    }
+
+    GoldenCandidate Moved() const
+    {
+        GoldenCandidate candidate = Candidate("pyramid/3s");
+        candidate.list.points[0].x += 0.125f;
+        return candidate;
+    }
+
+    TemporaryFolder m_folder;
+    fs::path m_references = m_folder / "references";
+    fs::path m_output = m_folder / "output";
+    ReferenceStore m_store{m_references, m_output};
+    const GoldenCandidate m_candidate = Candidate("pyramid/3s");
+};
+
+DrawList LongList()
+{
+    DrawList list;
+    for (int i = 0; i < 3000; ++i)
+    {
+        list.AddSegment({0.1f * static_cast<float>(i), 0.3f}, {0.7f, 0.1f * static_cast<float>(i)},
+                        kJoint);
+    }
+    return list;
+}
+
+} // namespace
+
+TEST_F(ReferenceStoreTest, AcceptsAtThreeDepthsAndVerifiesTheSame)
+{
+    Accept(m_candidate);
+    EXPECT_THAT(Files(m_references),
+                UnorderedElementsAre("state/pyramid/3s.txt", "drawlist/pyramid/3s.txt",
+                                     "frames/pyramid/3s.png"));
+    EXPECT_EQ(ReadBytes(m_references / "state/pyramid/3s.txt"), "0123456789abcdef\n");
+    EXPECT_EQ(ReadBytes(m_references / "drawlist/pyramid/3s.txt"), ToText(m_candidate.list));
+    const GoldenVerdict verdict = Verify(m_candidate);
+    EXPECT_EQ(verdict.status, GoldenStatus::Same);
+    EXPECT_EQ(verdict.name, "pyramid/3s");
+    EXPECT_THAT(verdict.message, HasSubstr("same-machine allows"));
+    EXPECT_THAT(Files(m_output), IsEmpty());
+}
+
+TEST_F(ReferenceStoreTest, FailsWithoutAReferenceWritesTheCandidateAndSaysHowToAccept)
+{
+    const GoldenVerdict verdict = Verify(m_candidate);
+    EXPECT_EQ(verdict.status, GoldenStatus::Missing);
+    EXPECT_THAT(verdict.message,
+                AllOf(HasSubstr("frames/pyramid/3s.png"), HasSubstr(m_references.string()),
+                      HasSubstr((m_output / "pyramid/3s.actual.png").string()),
+                      HasSubstr("boxreel golden accept pyramid/3s")));
+    EXPECT_THAT(Files(m_output),
+                UnorderedElementsAre("pyramid/3s.actual.png", "pyramid/3s.actual.txt"));
+    const Result<Frame> written = ReadPng(m_output / "pyramid/3s.actual.png");
+    ASSERT_TRUE(written);
+    EXPECT_EQ(*written, m_candidate.frame);
+    EXPECT_FALSE(fs::exists(m_references)) << "nothing approves itself";
+}
+
+TEST_F(ReferenceStoreTest, FailsWhenOneDepthHasNoReference)
+{
+    for (const char* file :
+         {"state/pyramid/3s.txt", "drawlist/pyramid/3s.txt", "frames/pyramid/3s.png"})
+    {
+        Accept(m_candidate);
+        fs::remove(m_references / file);
+        const GoldenVerdict verdict = Verify(m_candidate);
+        EXPECT_EQ(verdict.status, GoldenStatus::Missing);
+        EXPECT_THAT(verdict.message, HasSubstr(file));
+    }
+}
+
+TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestIsTheSame)
+{
+    Accept(m_candidate);
+    GoldenCandidate changed = m_candidate;
+    changed.stateHash = "0123456789abcdee";
+    const GoldenVerdict verdict = Verify(changed);
+    EXPECT_EQ(verdict.status, GoldenStatus::State);
+    EXPECT_THAT(
+        verdict.message,
+        HasSubstr("the worlds differ (state 0123456789abcdee instead of 0123456789abcdef)"));
+    EXPECT_THAT(verdict.message,
+                AllOf(HasSubstr("the draw list is the same"), HasSubstr("pixels equal")));
+}
+
+TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestDiffersToo)
+{
+    Accept(m_candidate);
+    DrawList list = WithoutItem(SmallScene(), 4);
+    GoldenCandidate changed = Candidate("pyramid/3s", list);
+    changed.stateHash = "ffffffffffffffff";
+    const GoldenVerdict verdict = Verify(changed);
+    EXPECT_EQ(verdict.status, GoldenStatus::State);
+    EXPECT_THAT(verdict.message,
+                AllOf(HasSubstr("the draw list differs (line 5"), HasSubstr("pixels different")));
+}
+
+TEST_F(ReferenceStoreTest, NamesTheFirstLineOfTheDrawListThatDiffers)
+{
+    Accept(m_candidate);
+    GoldenCandidate changed = Moved();
+    const GoldenVerdict verdict = Verify(changed);
+    EXPECT_EQ(verdict.status, GoldenStatus::DrawList);
+    const auto firstLine = [](const DrawList& list) {
+        const std::string text = ToText(list);
+        return "\"" + text.substr(0, text.find('\n')) + "\"";
+    };
+    EXPECT_THAT(verdict.message,
+                HasSubstr("same world, other geometry: the draw list differs (line 1 is " +
+                          firstLine(changed.list) + " instead of " + firstLine(m_candidate.list) +
+                          ")"));
+    EXPECT_THAT(verdict.message, HasSubstr("pixels equal"));
+}
+
+TEST_F(ReferenceStoreTest, NamesALineThatIsMissingOrTooMany)
+{
+    Accept(m_candidate);
+    GoldenCandidate changed = m_candidate;
+    changed.list.items.pop_back();
+    EXPECT_THAT(Verify(changed).message, HasSubstr("line 6 is missing: \"body 4 labels text"));
+    changed = m_candidate;
+    changed.list.AddPoint({1.0f, 2.0f}, 3.0f, kJoint);
+    EXPECT_THAT(Verify(changed).message,
+                HasSubstr("line 7 is one too many: \"body 4 labels point"));
+}
+
+TEST_F(ReferenceStoreTest, BlamesTheRasteriserWhenOnlyPixelsDiffer)
+{
+    Accept(m_candidate);
+    const GoldenVerdict verdict = Verify(Candidate("pyramid/3s", SmallScene(), {.outline = 2}));
+    EXPECT_EQ(verdict.status, GoldenStatus::Pixels);
+    EXPECT_THAT(verdict.message, HasSubstr("same geometry, other pixels: pixels different"));
+}
+
+TEST_F(ReferenceStoreTest, UsesTheSettingsOfTheCaller)
+{
+    Accept(m_candidate);
+    GoldenCandidate changed = m_candidate;
+    changed.frame.rgba[0] = 99;
+    EXPECT_EQ(Verify(changed).status, GoldenStatus::Same) << "a single stray pixel";
+    EXPECT_EQ(Verify(changed, CompareSettings::Exact()).status, GoldenStatus::Pixels);
+}
+
+TEST_F(ReferenceStoreTest, LeavesEverythingNeededToJudgeAFailure)
+{
+    Accept(m_candidate);
+    const GoldenCandidate changed = Candidate("pyramid/3s", WithoutItem(SmallScene(), 4));
+    const GoldenVerdict verdict = Verify(changed);
+    EXPECT_THAT(Files(m_output),
+                UnorderedElementsAre("pyramid/3s.expected.png", "pyramid/3s.actual.png",
+                                     "pyramid/3s.difference.png", "pyramid/3s.side-by-side.png",
+                                     "pyramid/3s.expected.txt", "pyramid/3s.actual.txt"));
+    EXPECT_THAT(verdict.message, HasSubstr((m_output / "pyramid/3s.side-by-side.png").string()));
+    const auto picture = [&](const char* suffix) {
+        return ReadPng(m_output / (std::string("pyramid/3s") + suffix));
+    };
+    EXPECT_EQ(*picture(".expected.png"), m_candidate.frame);
+    EXPECT_EQ(*picture(".actual.png"), changed.frame);
+    EXPECT_EQ(*picture(".difference.png"), verdict.pixels.difference);
+    EXPECT_EQ(*picture(".side-by-side.png"),
+              SideBySide(m_candidate.frame, changed.frame, verdict.pixels.difference));
+    EXPECT_EQ(ReadBytes(m_output / "pyramid/3s.expected.txt"), ToText(m_candidate.list));
+    EXPECT_EQ(ReadBytes(m_output / "pyramid/3s.actual.txt"), ToText(changed.list));
+}
+
+TEST_F(ReferenceStoreTest, RemovesWhatAnEarlierFailureLeftOnceTheNamePasses)
+{
+    Accept(m_candidate);
+    Verify(Moved());
+    WriteBytes(m_output / "pyramid/3s.txt", "of someone else");
+    EXPECT_EQ(Verify(m_candidate).status, GoldenStatus::Same);
+    EXPECT_THAT(Files(m_output), ElementsAre("pyramid/3s.txt"));
+}
+
+TEST_F(ReferenceStoreTest, RemovesTheOldExpectedPictureWhenTheReferenceIsGone)
+{
+    Accept(m_candidate);
+    Verify(Moved());
+    fs::remove_all(m_references);
+    Verify(m_candidate);
+    EXPECT_THAT(Files(m_output),
+                UnorderedElementsAre("pyramid/3s.actual.png", "pyramid/3s.actual.txt"));
+}
+
+TEST_F(ReferenceStoreTest, AcceptReplacesTheReference)
+{
+    Accept(m_candidate);
+    const GoldenCandidate changed = Candidate("pyramid/3s", WithoutItem(SmallScene(), 4));
+    Accept(changed);
+    EXPECT_EQ(Verify(changed).status, GoldenStatus::Same);
+    EXPECT_EQ(Verify(m_candidate).status, GoldenStatus::DrawList);
+}
+
+TEST_F(ReferenceStoreTest, LeavesOutTheDepthsThatACandidateDoesNotHave)
+{
+    GoldenCandidate pixelsOnly;
+    pixelsOnly.name = "photo";
+    pixelsOnly.frame = Filled(20, 20, kAwake);
+    Accept(pixelsOnly);
+    EXPECT_THAT(Files(m_references), ElementsAre("frames/photo.png"));
+    EXPECT_EQ(Verify(pixelsOnly).status, GoldenStatus::Same);
+    pixelsOnly.frame = Filled(20, 20, kStatic);
+    const GoldenVerdict verdict = Verify(pixelsOnly);
+    EXPECT_EQ(verdict.status, GoldenStatus::Pixels);
+    EXPECT_THAT(verdict.message, Not(HasSubstr("geometry"))) << "nobody looked at it";
+
+    GoldenCandidate stateOnly;
+    stateOnly.name = "state-only";
+    stateOnly.stateHash = "0000000000000001";
+    Accept(stateOnly);
+    EXPECT_EQ(Verify(stateOnly).status, GoldenStatus::Same);
+    stateOnly.stateHash = "0000000000000002";
+    EXPECT_EQ(Verify(stateOnly).status, GoldenStatus::State);
+}
+
+TEST_F(ReferenceStoreTest, FailsASceneThatStoppedDrawing)
+{
+    Accept(m_candidate);
+    GoldenCandidate blank = m_candidate;
+    blank.list.Clear();
+    EXPECT_EQ(Verify(blank).status, GoldenStatus::DrawList);
+    blank = m_candidate;
+    blank.frame = Frame();
+    const GoldenVerdict verdict = Verify(blank);
+    EXPECT_EQ(verdict.status, GoldenStatus::Pixels);
+    EXPECT_THAT(verdict.message, HasSubstr("0x0"));
+}
+
+TEST_F(ReferenceStoreTest, AcceptRemovesDepthsThatTheCandidateDoesNotHave)
+{
+    Accept(m_candidate);
+    GoldenCandidate pixelsOnly;
+    pixelsOnly.name = m_candidate.name;
+    pixelsOnly.frame = m_candidate.frame;
+    Accept(pixelsOnly);
+    EXPECT_THAT(Files(m_references), ElementsAre("frames/pyramid/3s.png"));
+}
+
+TEST_F(ReferenceStoreTest, HasNothingToAcceptInAnEmptyCandidate)
+{
+    GoldenCandidate empty;
+    empty.name = "empty";
+    EXPECT_FALSE(m_store.Accept(empty));
+    EXPECT_EQ(Verify(empty).status, GoldenStatus::Missing);
+}
+
+TEST_F(ReferenceStoreTest, PacksALongDrawListAndReadsItBack)
+{
+    const GoldenCandidate candidate{"long", "", LongList(), Filled(8, 8, kDark)};
+    Accept(candidate);
+    EXPECT_THAT(Files(m_references),
+                UnorderedElementsAre("drawlist/long.txt.gz", "frames/long.png"));
+    EXPECT_LT(fs::file_size(m_references / "drawlist/long.txt.gz"),
+              ToText(candidate.list).size() / 4);
+    EXPECT_EQ(ReadBytes(m_references / "drawlist/long.txt.gz").substr(0, 2), "\x1f\x8b");
+    EXPECT_EQ(Verify(candidate).status, GoldenStatus::Same);
+    GoldenCandidate changed = candidate;
+    changed.list.points[4001].y += 0.5f;
+    EXPECT_THAT(Verify(changed).message, HasSubstr("line 2001 is"));
+    EXPECT_EQ(ReadBytes(m_output / "long.expected.txt"), ToText(candidate.list))
+        << "unpacked, for a person";
+}
+
+TEST_F(ReferenceStoreTest, PacksTheSameListToTheSameBytes)
+{
+    const GoldenCandidate candidate{"long", "", LongList(), Frame()};
+    Accept(candidate);
+    const std::string first = ReadBytes(m_references / "drawlist/long.txt.gz");
+    Accept(candidate);
+    EXPECT_EQ(ReadBytes(m_references / "drawlist/long.txt.gz"), first);
+    EXPECT_EQ(first.substr(4, 4), std::string(4, '\0')) << "no time in the header";
+}
+
+TEST_F(ReferenceStoreTest, ReplacesAPackedListByAPlainOneAndBack)
+{
+    const GoldenCandidate longOne{"scene", "", LongList(), Frame()};
+    const GoldenCandidate shortOne{"scene", "", SmallScene(), Frame()};
+    Accept(longOne);
+    Accept(shortOne);
+    EXPECT_THAT(Files(m_references), ElementsAre("drawlist/scene.txt"));
+    Accept(longOne);
+    EXPECT_THAT(Files(m_references), ElementsAre("drawlist/scene.txt.gz"));
+    EXPECT_EQ(Verify(longOne).status, GoldenStatus::Same);
+}
+
+TEST_F(ReferenceStoreTest, DoesNotGuessBetweenAPlainAndAPackedList)
+{
+    const GoldenCandidate candidate{"scene", "", LongList(), Frame()};
+    Accept(candidate);
+    WriteBytes(m_references / "drawlist/scene.txt", "something else\n");
+    EXPECT_THAT(VerifyError(candidate).message,
+                AllOf(HasSubstr("scene.txt"), HasSubstr("remove the other")));
+}
+
+TEST_F(ReferenceStoreTest, ListsItsNamesSortedAndOnce)
+{
+    EXPECT_THAT(m_store.Names(), IsEmpty());
+    Accept(Candidate("pyramid/3s"));
+    Accept(Candidate("bridge/1s"));
+    Accept({"long", "", LongList(), Frame()});
+    Accept({"only-state", "0000000000000000", DrawList(), Frame()});
+    WriteBytes(m_references / "README.md", "how to");
+    WriteBytes(m_references / "frames/pyramid/4s.part.png", "unfinished");
+    WriteBytes(m_references / "frames/.hidden.png", "not ours");
+    WriteBytes(m_references / "frames/Thumbs.db", "not ours");
+    EXPECT_THAT(m_store.Names(), ElementsAre("bridge/1s", "long", "only-state", "pyramid/3s"));
+}
