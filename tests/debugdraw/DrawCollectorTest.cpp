@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/DrawCollector.h>
+#include <debugdraw/DrawListText.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace boxreel;
+
+namespace
+{
+
+struct Collected : testing::Test
+{
+    DrawList list;
+    DrawCollector collector{list};
+
+    Color Of(const b2Color& color)
+    {
+        list.Clear();
+        collector.DrawCircle({0.0f, 0.0f}, 1.0f, color);
+        return list.items.at(0).color;
+    }
+};
+
+const b2Vec2 kOctagonAndMore[9] = {{3.0f, 0.0f},  {2.0f, 2.0f},   {0.0f, 3.0f},
+                                   {-2.0f, 2.0f}, {-3.0f, 0.0f},  {-2.0f, -2.0f},
+                                   {0.0f, -3.0f}, {1.0f, -2.75f}, {2.0f, -2.0f}};
+
+} // namespace
+
+TEST_F(Collected, ItemsAreWhatTheEngineAskedFor)
+{
+    const b2Vec2 triangle[3] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}};
+    b2Transform xf;
+    xf.Set(b2Vec2(4.0f, 5.0f), 0.0f);
+    collector.BeginLayer(b2Draw::e_shapeBit);
+    collector.BeginBody(2);
+    collector.DrawSolidPolygon(triangle, 3, b2Color(0.9f, 0.7f, 0.7f));
+    collector.DrawSolidCircle({1.0f, 2.0f}, 0.5f, {0.0f, 1.0f}, b2Color(0.5f, 0.9f, 0.5f));
+    collector.DrawCircle({1.0f, 2.0f}, 0.5f, b2Color(0.5f, 0.5f, 0.9f));
+    collector.BeginBody(-1);
+    collector.BeginLayer(b2Draw::e_jointBit);
+    collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, b2Color(0.5f, 0.8f, 0.8f));
+    collector.BeginLayer(b2Draw::e_pairBit);
+    collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, b2Color(0.3f, 0.9f, 0.9f));
+    collector.BeginLayer(b2Draw::e_aabbBit);
+    collector.DrawPolygon(triangle, 3, b2Color(0.9f, 0.3f, 0.9f));
+    collector.BeginLayer(b2Draw::e_centerOfMassBit);
+    collector.BeginBody(0);
+    collector.DrawTransform(xf);
+    EXPECT_EQ(ToText(list), "body 2 shapes solid-polygon #e6b3b3 (0, 0) (1, 0) (0, 1)\n"
+                            "body 2 shapes solid-circle #80e680 (1, 2) (0, 1) radius 0.5\n"
+                            "body 2 shapes circle #8080e6 (1, 2) radius 0.5\n"
+                            "world joints segment #80cccc (0, 1) (2, 3)\n"
+                            "world pairs segment #4de6e6 (0, 1) (2, 3)\n"
+                            "world aabbs polygon #e64de6 (0, 0) (1, 0) (0, 1)\n"
+                            "body 0 centers-of-mass transform #ffffff (4, 5) (1, 0) axes 0.4\n");
+}
+
+TEST_F(Collected, ColoursAreRoundedToTheNearestAndCutToTheirRange)
+{
+    EXPECT_EQ(Of(b2Color(0.9f, 0.7f, 0.5f, 0.3f)), (Color{230, 179, 128, 77}));
+    EXPECT_EQ(Of(b2Color(0.0f, 1.0f, 1.0f)), (Color{0, 255, 255, 255}));
+    EXPECT_EQ(Of(b2Color(-1.0f, 2.0f, 1e30f, -1e30f)), (Color{0, 255, 255, 0}));
+    EXPECT_EQ(Of(b2Color(std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f)),
+              (Color{0, 0, 0, 255}));
+    for (int step = 0; step < 256; ++step)
+    {
+        EXPECT_EQ(Of(b2Color(static_cast<float>(step) / 255.0f, 0.0f, 0.0f)).r, step);
+    }
+}
+
+TEST_F(Collected, SolidPolygonsOfUpToEightCornersAreFilledAndLargerOnesOutlined)
+{
+    collector.DrawSolidPolygon(kOctagonAndMore, 8, b2Color(1.0f, 1.0f, 1.0f));
+    collector.DrawSolidPolygon(kOctagonAndMore, 9, b2Color(1.0f, 1.0f, 1.0f));
+    ASSERT_EQ(list.items.size(), 2u);
+    EXPECT_EQ(list.items[0].kind, DrawKind::SolidPolygon);
+    EXPECT_EQ(list.items[0].count, 8u);
+    EXPECT_EQ(list.items[1].kind, DrawKind::Polygon);
+    EXPECT_EQ(list.items[1].count, 9u);
+    EXPECT_EQ(list.points.back(), (Vec2{2.0f, -2.0f}));
+}
+
+TEST_F(Collected, DegeneratePolygonsAreSegmentsOrNothing)
+{
+    collector.DrawPolygon(kOctagonAndMore, 0, b2Color(1.0f, 1.0f, 1.0f));
+    collector.DrawSolidPolygon(kOctagonAndMore, 0, b2Color(1.0f, 1.0f, 1.0f));
+    EXPECT_TRUE(list.items.empty());
+    collector.DrawSolidPolygon(kOctagonAndMore, 1, b2Color(1.0f, 1.0f, 1.0f));
+    collector.DrawPolygon(kOctagonAndMore, 2, b2Color(1.0f, 1.0f, 1.0f));
+    EXPECT_EQ(ToText(list), "world shapes segment #ffffff (3, 0) (3, 0)\n"
+                            "world shapes segment #ffffff (3, 0) (2, 2)\n");
+}
