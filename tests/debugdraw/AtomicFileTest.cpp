@@ -122,6 +122,8 @@ TEST(AtomicFile, KeepsAnExistingFileUnlessToldToOverwrite)
     const TemporaryFolder folder;
     WriteBytes(folder / "film.mp4", "precious");
     ExpectRefused(WriteWhole(folder / "film.mp4", "new", false), ErrorKind::Unusable, "film.mp4");
+    EXPECT_FALSE(AtomicFile::Create(folder / "film.mp4", false))
+        << "said before the work, not after";
     EXPECT_EQ(ReadBytes(folder / "film.mp4"), "precious");
     EXPECT_TRUE(WriteWhole(folder / "film.mp4", "new", true));
     EXPECT_EQ(ReadBytes(folder / "film.mp4"), "new");
