@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/b2Fixture.h>
+#include <Box2D/Internal/ContactData.h>
+
+namespace box2d
+{
+ContactData& Data(b2Contact& contact);
+} // namespace box2d
+
+/// Two fixtures whose broad-phase boxes overlap. Created and destroyed by the world; they touch only
+/// when IsTouching says so.
+class b2Contact
+{
+public:
+    /// In the frames of the bodies; see b2WorldManifold.
+    b2Manifold* GetManifold() { return &m_data.manifold; }
+    const b2Manifold* GetManifold() const { return &m_data.manifold; }
+    void GetWorldManifold(b2WorldManifold* worldManifold) const;
+
+    bool IsTouching() const { return m_data.IsTouching(); }
+    /// Inside b2ContactListener::PreSolve: false switches the contact off for this step.
+    void SetEnabled(bool flag);
+    bool IsEnabled() const { return m_data.IsEnabled(); }
+
+    b2Contact* GetNext() { return m_data.next; }
+    const b2Contact* GetNext() const { return m_data.next; }
+    b2Fixture* GetFixtureA() { return m_data.fixtureA; }
+    const b2Fixture* GetFixtureA() const { return m_data.fixtureA; }
+    b2Fixture* GetFixtureB() { return m_data.fixtureB; }
+    const b2Fixture* GetFixtureB() const { return m_data.fixtureB; }
+    int32 GetChildIndexA() const { return m_data.childA; }
+    int32 GetChildIndexB() const { return m_data.childB; }
+
+    /// Overrides the mixed friction until reset.
+    void SetFriction(float32 friction) { m_data.friction = friction; }
+    float32 GetFriction() const { return m_data.friction; }
+    void ResetFriction();
+    /// Overrides the mixed restitution until reset.
+    void SetRestitution(float32 restitution) { m_data.restitution = restitution; }
+    float32 GetRestitution() const { return m_data.restitution; }
+    void ResetRestitution();
+    /// The surface speed of a conveyor belt [m/s].
+    void SetTangentSpeed(float32 speed) { m_data.tangentSpeed = speed; }
+    float32 GetTangentSpeed() const { return m_data.tangentSpeed; }
+
+    /// The manifold of the two shapes at the given transforms.
+    void Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB);
+
+private:
+    friend box2d::ContactData& box2d::Data(b2Contact& contact);
+    box2d::ContactData m_data;
+};
+
+namespace box2d
+{
+inline ContactData& Data(b2Contact& contact)
+{
+    return contact.m_data;
+}
+} // namespace box2d

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Keeps two points at a distance, rigidly or like a spring.
+struct b2DistanceJointDef : public b2JointDef
+{
+    b2DistanceJointDef() { type = e_distanceJoint; }
+    /// From world points at the bodies' present transforms; the length is theirs.
+    void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchorA, const b2Vec2& anchorB);
+
+    b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    float32 length = 1.0f;                    ///< [m]; not shorter than the slop
+    float32 frequencyHz = 0.0f;               ///< of the spring; 0: rigid. Less than half the step rate
+    float32 dampingRatio = 0.0f;              ///< 0: none, 1: critical
+};
+
+class b2DistanceJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    void SetLength(float32 length) { m_length = length; }
+    float32 GetLength() const { return m_length; }
+    void SetFrequency(float32 hz) { m_frequencyHz = hz; }
+    float32 GetFrequency() const { return m_frequencyHz; }
+    void SetDampingRatio(float32 ratio) { m_dampingRatio = ratio; }
+    float32 GetDampingRatio() const { return m_dampingRatio; }
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2DistanceJoint(const b2DistanceJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    float32 m_length;
+    float32 m_frequencyHz;
+    float32 m_dampingRatio;
+    float32 m_impulse = 0.0f; ///< along the joint, of the last step [N s]
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+    b2Vec2 m_offset;        ///< from centre of mass A to B at the start of the step
+    b2Vec2 m_axis;          ///< unit vector from anchor A to anchor B
+    float32 m_mass = 0.0f;  ///< effective, along the axis
+    float32 m_gamma = 0.0f; ///< softness
+    float32 m_bias = 0.0f;  ///< [m/s]
+};

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Math.h>
+
+class b2Body;
+class b2Joint;
+
+namespace box2d
+{
+struct JointAccess;
+struct SolverContext;
+} // namespace box2d
+
+enum b2JointType
+{
+    e_unknownJoint,
+    e_revoluteJoint,
+    e_prismaticJoint,
+    e_distanceJoint,
+    e_pulleyJoint,
+    e_mouseJoint,
+    e_gearJoint,
+    e_wheelJoint,
+    e_weldJoint,
+    e_frictionJoint,
+    e_ropeJoint,
+    e_motorJoint,
+};
+
+enum b2LimitState
+{
+    e_inactiveLimit,
+    e_atLowerLimit,
+    e_atUpperLimit,
+    e_equalLimits,
+};
+
+/// Connects bodies and joints: a node of each body's list of joints.
+struct b2JointEdge
+{
+    b2Body* other = nullptr; ///< the other body
+    b2Joint* joint = nullptr;
+    b2JointEdge* prev = nullptr;
+    b2JointEdge* next = nullptr;
+};
+
+/// The base of every joint's definition.
+struct b2JointDef
+{
+    b2JointType type = e_unknownJoint; ///< set by the derived definition
+    void* userData = nullptr;
+    b2Body* bodyA = nullptr;
+    b2Body* bodyB = nullptr;
+    bool collideConnected = false; ///< whether the two bodies still collide with each other
+};
+
+/// Constrains two bodies to each other. Created by b2World::CreateJoint, destroyed by
+/// b2World::DestroyJoint or with one of its bodies.
+class b2Joint
+{
+public:
+    b2JointType GetType() const { return m_type; }
+    b2Body* GetBodyA() { return m_bodyA; }
+    const b2Body* GetBodyA() const { return m_bodyA; }
+    b2Body* GetBodyB() { return m_bodyB; }
+    const b2Body* GetBodyB() const { return m_bodyB; }
+    virtual b2Vec2 GetAnchorA() const = 0; ///< world point
+    virtual b2Vec2 GetAnchorB() const = 0; ///< world point
+
+    /// On body B at its anchor [N]; `inv_dt` is one over the time step.
+    virtual b2Vec2 GetReactionForce(float32 inv_dt) const = 0;
+    /// On body B [N m].
+    virtual float32 GetReactionTorque(float32 inv_dt) const = 0;
+    /// For the length of the last step.
+    b2Vec2 GetReactionForce() const;
+    float32 GetReactionTorque() const;
+
+    b2Joint* GetNext() { return m_next; }
+    const b2Joint* GetNext() const { return m_next; }
+    void* GetUserData() const { return m_userData; }
+    void SetUserData(void* data) { m_userData = data; }
+    /// Both bodies take part in the simulation?
+    bool IsActive() const;
+    bool GetCollideConnected() const { return m_collideConnected; }
+
+    /// Writes the joint as code to the log.
+    virtual void Dump();
+    /// Moves points that the joint keeps in world coordinates.
+    virtual void ShiftOrigin(const b2Vec2& newOrigin) { (void)newOrigin; }
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2Joint(const b2JointDef* def);
+    virtual ~b2Joint() = default;
+
+    // The solver's side. Prepare computes what stays the same during a step and applies the impulses of
+    // the last one; SolvePosition returns true when the error is below the tolerance.
+    virtual void Prepare(const box2d::SolverContext& context) = 0;
+    virtual void SolveVelocity(const box2d::SolverContext& context) = 0;
+    virtual bool SolvePosition(const box2d::SolverContext& context) = 0;
+
+    /// One over the length of the last step, 0 before the first.
+    float32 LastInverseStep() const;
+
+    b2JointType m_type;
+    b2Joint* m_prev = nullptr;
+    b2Joint* m_next = nullptr;
+    b2JointEdge m_edgeA;
+    b2JointEdge m_edgeB;
+    b2Body* m_bodyA;
+    b2Body* m_bodyB;
+    int32 m_number = 0; ///< in order of creation
+    int32 m_color = -1; ///< of the constraint graph, -1 when not solved
+    int32 m_colorIndex = -1;
+    bool m_linked = false; ///< joins its bodies' islands
+    bool m_collideConnected;
+    void* m_userData;
+};

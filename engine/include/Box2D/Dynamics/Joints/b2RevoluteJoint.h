@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// A hinge: two bodies share a point and turn about it, with an optional limit and motor.
+struct b2RevoluteJointDef : public b2JointDef
+{
+    b2RevoluteJointDef() { type = e_revoluteJoint; }
+    /// From a world point at the bodies' present transforms; the joint angle is zero there.
+    void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor);
+
+    b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    float32 referenceAngle = 0.0f; ///< body B's angle minus body A's where the joint angle is zero [rad]
+    bool enableLimit = false;
+    float32 lowerAngle = 0.0f; ///< [rad]
+    float32 upperAngle = 0.0f; ///< [rad], >= lowerAngle
+    bool enableMotor = false;
+    float32 motorSpeed = 0.0f;     ///< [rad/s]
+    float32 maxMotorTorque = 0.0f; ///< [N m]
+};
+
+class b2RevoluteJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    float32 GetReferenceAngle() const { return m_referenceAngle; }
+    float32 GetJointAngle() const; ///< [rad], positive when B turns counter-clockwise
+    float32 GetJointSpeed() const; ///< [rad/s]
+
+    bool IsLimitEnabled() const { return m_enableLimit; }
+    void EnableLimit(bool flag);
+    float32 GetLowerLimit() const { return m_lowerAngle; }
+    float32 GetUpperLimit() const { return m_upperAngle; }
+    void SetLimits(float32 lower, float32 upper);
+
+    bool IsMotorEnabled() const { return m_enableMotor; }
+    void EnableMotor(bool flag);
+    void SetMotorSpeed(float32 speed);
+    float32 GetMotorSpeed() const { return m_motorSpeed; }
+    void SetMaxMotorTorque(float32 torque);
+    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
+    float32 GetMotorTorque(float32 inv_dt) const; ///< [N m]
+    float32 GetMotorTorque() const;               ///< for the length of the last step
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2RevoluteJoint(const b2RevoluteJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    float32 m_referenceAngle;
+    bool m_enableLimit;
+    float32 m_lowerAngle;
+    float32 m_upperAngle;
+    bool m_enableMotor;
+    float32 m_motorSpeed;
+    float32 m_maxMotorTorque;
+
+    // Impulses of the last step: of the point [N s]; of the motor and the limits [N m s].
+    b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f);
+    float32 m_motorImpulse = 0.0f;
+    float32 m_lowerImpulse = 0.0f;
+    float32 m_upperImpulse = 0.0f;
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+    b2Vec2 m_offset;            ///< from centre of mass A to B at the start of the step
+    float32 m_angle = 0.0f;     ///< joint angle at the start of the step
+    float32 m_axialMass = 0.0f; ///< effective, about the hinge; 0 when neither body can turn
+};

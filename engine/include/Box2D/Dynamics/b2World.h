@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Math.h>
+#include <Box2D/Dynamics/b2TimeStep.h>
+#include <Box2D/Dynamics/b2WorldCallbacks.h>
+
+#include <memory>
+
+struct b2AABB;
+struct b2BodyDef;
+struct b2JointDef;
+class b2Body;
+class b2Contact;
+class b2Draw;
+class b2Joint;
+
+namespace box2d
+{
+class World;
+}
+
+/// The hub: owns bodies, joints and contacts, steps them, answers queries. One thread at a time.
+class b2World
+{
+public:
+    explicit b2World(const b2Vec2& gravity, bool doSleep = true);
+    ~b2World();
+    b2World(const b2World&) = delete;
+    b2World& operator=(const b2World&) = delete;
+
+    /// Each listener must outlive the world or be replaced by nullptr.
+    void SetDestructionListener(b2DestructionListener* listener);
+    void SetListener(b2DestructionListener* listener) { SetDestructionListener(listener); }
+    void SetContactFilter(b2ContactFilter* filter);
+    void SetContactListener(b2ContactListener* listener);
+    void SetDebugDraw(b2Draw* debugDraw);
+
+    /// nullptr while the world is locked. The definition is copied.
+    b2Body* CreateBody(const b2BodyDef* def);
+    /// With its fixtures, joints and contacts.
+    void DestroyBody(b2Body* body);
+    b2Joint* CreateJoint(const b2JointDef* def);
+    void DestroyJoint(b2Joint* joint);
+
+    /// Moves time on. `timeStep` in seconds, should not vary; 8 and 3 are good iteration counts.
+    void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);
+    /// Only needed when automatic clearing is off.
+    void ClearForces();
+    /// Calls the registered b2Draw for what its flags ask for.
+    void DrawDebugData();
+
+    /// Every fixture whose broad-phase box overlaps `aabb`, in no particular order.
+    void QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const;
+    void Query(b2QueryCallback* callback, const b2AABB& aabb) const { QueryAABB(callback, aabb); }
+    void RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b2Vec2& point2) const;
+
+    /// Newest first.
+    b2Body* GetBodyList();
+    const b2Body* GetBodyList() const;
+    b2Joint* GetJointList();
+    const b2Joint* GetJointList() const;
+    b2Contact* GetContactList();
+    const b2Contact* GetContactList() const;
+
+    void SetAllowSleeping(bool flag);
+    bool GetAllowSleeping() const;
+    void SetWarmStarting(bool flag);
+    bool GetWarmStarting() const;
+    void SetContinuousPhysics(bool flag);
+    bool GetContinuousPhysics() const;
+    /// One time of impact a step, for watching them.
+    void SetSubStepping(bool flag);
+    bool GetSubStepping() const;
+
+    int32 GetProxyCount() const;
+    int32 GetBodyCount() const;
+    int32 GetJointCount() const;
+    int32 GetContactCount() const;
+    int32 GetTreeHeight() const;
+    int32 GetTreeBalance() const;
+    float32 GetTreeQuality() const;
+
+    void SetGravity(const b2Vec2& gravity);
+    b2Vec2 GetGravity() const;
+    /// True inside a step: nothing may be created or destroyed then.
+    bool IsLocked() const;
+    void SetAutoClearForces(bool flag);
+    bool GetAutoClearForces() const;
+    /// Moves the origin of the whole world; what was at `newOrigin` is at zero afterwards.
+    void ShiftOrigin(const b2Vec2& newOrigin);
+    const b2Profile& GetProfile() const;
+    /// Writes the world as code to the log.
+    void Dump();
+
+private:
+    std::unique_ptr<box2d::World> m_world;
+};

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Collision/b2Collision.h>
+
+#include <cstdint>
+
+class b2Body;
+class b2Contact;
+class b2Fixture;
+
+/// Connects bodies and contacts: a node of each body's list of contacts.
+struct b2ContactEdge
+{
+    b2Body* other = nullptr; ///< the other body
+    b2Contact* contact = nullptr;
+    b2ContactEdge* prev = nullptr;
+    b2ContactEdge* next = nullptr;
+};
+
+/// What the engine keeps of a contact. b2Contact is the public face of it. Not for programs that use
+/// the engine.
+namespace box2d
+{
+
+enum ContactFlag : std::uint32_t
+{
+    kContactTouching = 1u << 0,
+    kContactEnabled = 1u << 1,
+    kContactSensor = 1u << 2,  ///< one of the fixtures is a sensor
+    kContactFilter = 1u << 3,  ///< the filters have changed: look again whether they collide
+    kContactLinked = 1u << 4,  ///< joins its bodies' islands
+};
+
+struct ContactData
+{
+    b2Fixture* fixtureA = nullptr;
+    b2Fixture* fixtureB = nullptr;
+    b2Body* bodyA = nullptr;
+    b2Body* bodyB = nullptr;
+    std::int32_t childA = 0;
+    std::int32_t childB = 0;
+    std::uint32_t flags = 0;
+    float32 friction = 0.0f;
+    float32 restitution = 0.0f;
+    float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
+    b2Manifold manifold;
+
+    std::int32_t awakeIndex = -1; ///< place among the contacts updated each step, -1 when both bodies rest
+    std::int32_t color = -1;      ///< of the constraint graph, -1 when not solved
+    std::int32_t colorIndex = -1;
+    std::int32_t toiCount = 0; ///< times of impact handled in this step
+    std::int32_t poolIndex = 0;
+
+    b2ContactEdge edgeA; ///< in the list of body A
+    b2ContactEdge edgeB; ///< in the list of body B
+    b2Contact* prev = nullptr;
+    b2Contact* next = nullptr;
+
+    bool IsTouching() const { return (flags & kContactTouching) != 0; }
+    bool IsEnabled() const { return (flags & kContactEnabled) != 0; }
+    bool IsSensor() const { return (flags & kContactSensor) != 0; }
+};
+
+} // namespace box2d
