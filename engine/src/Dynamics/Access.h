@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <new>
+
+/// The engine's door to what fixtures and joints keep private. Plain references, no logic.
+namespace box2d
+{
+
+struct FixtureAccess
+{
+    static b2Fixture* Construct(void* memory) { return new (memory) b2Fixture(); }
+    static void Destruct(b2Fixture& f) { f.~b2Fixture(); }
+    static float32& Density(b2Fixture& f) { return f.m_density; }
+    static float32& Friction(b2Fixture& f) { return f.m_friction; }
+    static float32& Restitution(b2Fixture& f) { return f.m_restitution; }
+    static b2Filter& Filter(b2Fixture& f) { return f.m_filter; }
+    static b2Fixture*& Next(b2Fixture& f) { return f.m_next; }
+    static b2Body*& Body(b2Fixture& f) { return f.m_body; }
+    static b2Shape*& Shape(b2Fixture& f) { return f.m_shape; }
+    static b2FixtureProxy*& Proxies(b2Fixture& f) { return f.m_proxies; }
+    static int32& ProxyCount(b2Fixture& f) { return f.m_proxyCount; }
+    static bool& IsSensor(b2Fixture& f) { return f.m_isSensor; }
+};
+
+struct JointAccess
+{
+    template <class Joint, class Definition>
+    static b2Joint* Construct(void* memory, const b2JointDef* def)
+    {
+        return new (memory) Joint(static_cast<const Definition*>(def));
+    }
+    static void Destruct(b2Joint& j) { j.~b2Joint(); }
+    static void Prepare(b2Joint& j, const SolverContext& context) { j.Prepare(context); }
+    static void SolveVelocity(b2Joint& j, const SolverContext& context) { j.SolveVelocity(context); }
+    static bool SolvePosition(b2Joint& j, const SolverContext& context) { return j.SolvePosition(context); }
+    static b2Joint*& Prev(b2Joint& j) { return j.m_prev; }
+    static b2Joint*& Next(b2Joint& j) { return j.m_next; }
+    static b2JointEdge& EdgeA(b2Joint& j) { return j.m_edgeA; }
+    static b2JointEdge& EdgeB(b2Joint& j) { return j.m_edgeB; }
+    static int32& Number(b2Joint& j) { return j.m_number; }
+    static int32& Color(b2Joint& j) { return j.m_color; }
+    static int32& ColorIndex(b2Joint& j) { return j.m_colorIndex; }
+    static bool& Linked(b2Joint& j) { return j.m_linked; }
+};
+
+} // namespace box2d

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/Array.h>
+#include <Box2D/Internal/BodyData.h>
+
+class b2Body;
+
+/// Which dynamic bodies hang together through touching contacts and joints, so that they fall asleep and
+/// wake together. Islands live from step to step: a new link merges two of them at once, a lost link is only
+/// counted, and the island is taken apart when it is about to sleep. Static and kinematic bodies belong to none.
+namespace box2d
+{
+
+class Islands
+{
+public:
+    struct Island
+    {
+        b2Body* first = nullptr; // nullptr: free
+        b2Body* last = nullptr;
+        int32 count = 0;
+        int32 lostLinks = 0;        // since it was last taken apart
+        float32 minSleepTime = 0.0f; // of its bodies, in the present step
+        bool seen = false;           // a body of it was looked at in the present step
+    };
+
+    void Add(b2Body& body);    // as an island of its own
+    void Remove(b2Body& body); // counts as lost links of the rest
+    void Link(b2Body& a, b2Body& b);
+    void Unlink(b2Body& a, b2Body& b);
+
+    /// Once per awake body and step.
+    void ReportSleepTime(const BodyData& body);
+    /// Ends the step's reports: the islands that have been slow for `timeToSleep`, each hanging together, in
+    /// an order that depends on nothing but the calls made so far. Valid until the next call.
+    const Array<int32>& FindSleepy(float32 timeToSleep);
+
+    const Island& At(int32 island) const { return m_islands[std::size_t(island)]; }
+
+private:
+    int32 Create();
+    void Append(int32 island, b2Body& body);
+    void Split(int32 island);
+    void Gather(b2Body& seed, int32 island);
+
+    Array<Island> m_islands;
+    Array<int32> m_free;
+    Array<int32> m_seen;
+    Array<int32> m_sleepy;
+    Array<b2Body*> m_members; // scratch of Split
+    Array<b2Body*> m_stack;   // scratch of Gather
+};
+
+} // namespace box2d

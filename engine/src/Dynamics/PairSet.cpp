@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "PairSet.h"
+
+#include <utility>
+
+namespace box2d
+{
+
+// Both halves are one more than the proxy, so that no pair is 0.
+std::uint64_t PairSet::Key(std::int32_t proxyA, std::int32_t proxyB)
+{
+    if (proxyA > proxyB)
+    {
+        std::swap(proxyA, proxyB);
+    }
+    return (std::uint64_t(std::uint32_t(proxyA) + 1u) << 32) | std::uint64_t(std::uint32_t(proxyB) + 1u);
+}
+
+// Fibonacci hashing (Knuth, TAOCP 3, 6.4) with a fold, so that both halves reach the low bits.
+std::size_t PairSet::Home(std::uint64_t key) const
+{
+    const std::uint64_t product = key * 0x9E3779B97F4A7C15ull;
+    return std::size_t(product ^ (product >> 32)) & (m_slots.size() - 1);
+}
+
+std::size_t PairSet::Find(std::uint64_t key) const
+{
+    std::size_t slot = Home(key);
+    while (m_slots[slot] != 0 && m_slots[slot] != key)
+    {
+        slot = (slot + 1) & (m_slots.size() - 1);
+    }
+    return slot;
+}
+
+bool PairSet::Contains(std::int32_t proxyA, std::int32_t proxyB) const
+{
+    return !m_slots.empty() && m_slots[Find(Key(proxyA, proxyB))] != 0;
+}
+
+bool PairSet::Insert(std::int32_t proxyA, std::int32_t proxyB)
+{
+    if (2 * (m_count + 1) > m_slots.size())
+    {
+        Grow();
+    }
+    const std::uint64_t key = Key(proxyA, proxyB);
+    const std::size_t slot = Find(key);
+    if (m_slots[slot] == key)
+    {
+        return false;
+    }
+    m_slots[slot] = key;
+    ++m_count;
+    return true;
+}
+
+void PairSet::Erase(std::int32_t proxyA, std::int32_t proxyB)
+{
+    if (m_slots.empty())
+    {
+        return;
+    }
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t hole = Find(Key(proxyA, proxyB));
+    if (m_slots[hole] == 0)
+    {
+        return;
+    }
+    --m_count;
+    // Close the gap: a later entry of the same run moves up unless its home lies behind the hole.
+    for (std::size_t slot = (hole + 1) & mask; m_slots[slot] != 0; slot = (slot + 1) & mask)
+    {
+        const std::size_t home = Home(m_slots[slot]);
+        if (((slot - home) & mask) >= ((slot - hole) & mask))
+        {
+            m_slots[hole] = m_slots[slot];
+            hole = slot;
+        }
+    }
+    m_slots[hole] = 0;
+}
+
+void PairSet::Grow()
+{
+    Array<std::uint64_t> old(m_slots.empty() ? 64 : 2 * m_slots.size(), 0);
+    old.swap(m_slots);
+    for (const std::uint64_t key : old)
+    {
+        if (key != 0)
+        {
+            m_slots[Find(key)] = key;
+        }
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/Array.h>
+
+#include <cstdint>
+
+/// The set of proxy pairs that have a contact, so that the broad phase reports each pair once. Open
+/// addressing with linear probing and backward-shift deletion (Knuth, TAOCP 3, 6.4). Only asked whether a
+/// pair is in it, never iterated: its order cannot reach the simulation.
+namespace box2d
+{
+
+class PairSet
+{
+public:
+    /// False when the pair was there already.
+    bool Insert(std::int32_t proxyA, std::int32_t proxyB);
+    void Erase(std::int32_t proxyA, std::int32_t proxyB);
+    bool Contains(std::int32_t proxyA, std::int32_t proxyB) const;
+
+private:
+    static std::uint64_t Key(std::int32_t proxyA, std::int32_t proxyB);
+    std::size_t Home(std::uint64_t key) const;
+    std::size_t Find(std::uint64_t key) const;
+    void Grow();
+
+    Array<std::uint64_t> m_slots; // 0: empty; the size is a power of two
+    std::size_t m_count = 0;
+};
+
+} // namespace box2d
