@@ -44,39 +44,15 @@ public:
     /// Calls report(b2FixtureProxy*) -> bool for every proxy whose box overlaps; false ends the query.
     template <class Report>
     void Query(const b2AABB& box, Report&& report) const;
+    /// Of one mobility only; returns whether the report let it run to the end.
     template <class Report>
-    void Query(const b2AABB& box, Mobility mobility, Report&& report) const;
+    bool Query(const b2AABB& box, Mobility mobility, Report&& report) const;
 
     const b2DynamicTree& TreeOf(Mobility mobility) const { return m_trees[int32(mobility)]; }
     void ShiftOrigin(const b2Vec2& newOrigin);
     int32 Count() const { return m_count; }
 
 private:
-    struct PairQuery
-    {
-        Proxies* proxies;
-        int32 tree;
-        Array<int32>* found;
-        bool QueryCallback(int32 node)
-        {
-            found->push_back((node << 2) | tree);
-            return true;
-        }
-    };
-
-    template <class Report>
-    struct ReportQuery
-    {
-        const b2DynamicTree* tree;
-        Report* report;
-        bool goOn = true;
-        bool QueryCallback(int32 node)
-        {
-            goOn = (*report)(static_cast<b2FixtureProxy*>(tree->GetUserData(node)));
-            return goOn;
-        }
-    };
-
     const b2DynamicTree& Tree(int32 proxyId) const { return m_trees[proxyId & 3]; }
     b2DynamicTree& Tree(int32 proxyId) { return m_trees[proxyId & 3]; }
     bool HasMoved(int32 proxyId) const;
@@ -91,7 +67,6 @@ private:
     b2DynamicTree m_trees[kTreeCount];
     Array<uint8> m_marks[kTreeCount]; // by node: one of the above
     Array<int32> m_moved;             // ids, in the order they moved; some may be destroyed since
-    Array<int32> m_found;             // scratch of FindPairs
     int32 m_count = 0;
 };
 
@@ -108,20 +83,18 @@ void Proxies::FindPairs(Report&& report)
         }
         mark = kLookedFor;
         const b2AABB box = FatBox(moved);
-        m_found.clear();
         const int32 firstTree = MobilityOf(moved) == Mobility::Dynamic ? 0 : int32(Mobility::Dynamic);
         for (int32 tree = firstTree; tree < kTreeCount; ++tree)
         {
-            PairQuery query{this, tree, &m_found};
-            m_trees[tree].Query(&query, box);
-        }
-        for (const int32 other : m_found)
-        {
-            // When both have moved, the pair is reported from the larger id only.
-            if (other != moved && !(other > moved && HasMoved(other)))
-            {
-                report(Get(moved), Get(other));
-            }
+            m_trees[tree].ForEachOverlap(box, [&](int32 node) {
+                const int32 other = (node << 2) | tree;
+                // When both have moved, the pair is reported from the larger id only.
+                if (other != moved && !(other > moved && HasMoved(other)))
+                {
+                    report(Get(moved), Get(other));
+                }
+                return true;
+            });
         }
     }
     for (const int32 moved : m_moved)
@@ -132,24 +105,22 @@ void Proxies::FindPairs(Report&& report)
 }
 
 template <class Report>
-void Proxies::Query(const b2AABB& box, Mobility mobility, Report&& report) const
+bool Proxies::Query(const b2AABB& box, Mobility mobility, Report&& report) const
 {
-    ReportQuery<Report> query{&TreeOf(mobility), &report};
-    query.tree->Query(&query, box);
+    const b2DynamicTree& tree = TreeOf(mobility);
+    bool goOn = true;
+    tree.ForEachOverlap(box, [&](int32 node) {
+        goOn = report(static_cast<b2FixtureProxy*>(tree.GetUserData(node)));
+        return goOn;
+    });
+    return goOn;
 }
 
 template <class Report>
 void Proxies::Query(const b2AABB& box, Report&& report) const
 {
-    for (const b2DynamicTree& tree : m_trees)
-    {
-        ReportQuery<Report> query{&tree, &report};
-        tree.Query(&query, box);
-        if (!query.goOn)
-        {
-            return;
-        }
-    }
+    Query(box, Mobility::Static, report) && Query(box, Mobility::Kinematic, report) &&
+        Query(box, Mobility::Dynamic, report);
 }
 
 } // namespace box2d

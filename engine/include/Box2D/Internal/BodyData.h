@@ -67,7 +67,10 @@ struct BodyData
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 
-    Pose previous; ///< pose at the start of the step, from which continuous collision sweeps
+    // The way of the last step, for continuous collision: from `previous` at `sweepStart` to `pose` at its end.
+    Pose previous;
+    float32 sweepStart = 0.0f;      ///< fraction of the step, 0 to 1
+    std::uint32_t sweepVersion = 0; ///< changes whenever the way does
     float32 minExtent = 0.0f; ///< radius of the thinnest fixture [m]: farther in one step is fast
     float32 maxExtent = 0.0f; ///< farthest point from the centre of mass [m]
 
@@ -94,6 +97,9 @@ struct BodyData
     bool IsDynamic() const { return mobility == Mobility::Dynamic; }
     /// Its place in the solver's array; 0 stands for everything that does not move.
     std::int32_t SolverIndex() const { return awakeIndex + 1; }
+    /// What does not take part in the step cannot be pushed, whatever its mass.
+    float32 SolverInvMass() const { return awakeIndex == -1 ? 0.0f : invMass; }
+    float32 SolverInvInertia() const { return awakeIndex == -1 ? 0.0f : invInertia; }
 };
 
 } // namespace box2d

@@ -102,6 +102,7 @@ protected:
 
     /// One over the length of the last step, 0 before the first.
     float32 LastInverseStep() const;
+    void WakeBodies();
 
     b2JointType m_type;
     b2Joint* m_prev = nullptr;

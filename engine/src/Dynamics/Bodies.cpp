@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#include "Access.h"
+#include "World.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <new>
+
+namespace box2d
+{
+
+void SynchronizePose(BodyData& body)
+{
+    double sine = 0.0;
+    double cosine = 1.0;
+    SinCos(body.pose.angle, &sine, &cosine);
+    body.rotation.s = float32(sine);
+    body.rotation.c = float32(cosine);
+    const double lx = body.localCenter.x;
+    const double ly = body.localCenter.y;
+    body.transform.q = body.rotation;
+    body.transform.p = b2Vec2(float32(body.pose.x - (cosine * lx - sine * ly)),
+                              float32(body.pose.y - (sine * lx + cosine * ly)));
+    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
+}
+
+b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
+{
+    return b2Vec2(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
+}
+
+b2Transform RelativeTransform(const BodyData& a, const BodyData& b)
+{
+    const b2Vec2 originOffset = CenterOffset(a, b) - b2Mul(b.rotation, b.localCenter);
+    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter, b2MulT(a.rotation, b.rotation));
+}
+
+namespace
+{
+
+std::uint32_t InitialFlags(const b2BodyDef& def)
+{
+    std::uint32_t flags = 0;
+    flags |= def.awake ? kBodyAwake : 0u;
+    flags |= def.allowSleep ? kBodyAutoSleep : 0u;
+    flags |= def.bullet ? kBodyBullet : 0u;
+    flags |= def.fixedRotation ? kBodyFixedRotation : 0u;
+    flags |= def.active ? kBodyActive : 0u;
+    return flags;
+}
+
+float32 Finite(float32 value, float32 otherwise)
+{
+    return b2IsValid(value) ? value : otherwise;
+}
+
+b2Vec2 Finite(const b2Vec2& value)
+{
+    return value.IsValid() ? value : b2Vec2(0.0f, 0.0f);
+}
+
+void Fill(BodyData& body, const b2BodyDef& def)
+{
+    body.mobility = static_cast<Mobility>(def.type);
+    body.flags = InitialFlags(def) & ~std::uint32_t(kBodyAwake);
+    const b2Vec2 position = Finite(def.position);
+    body.pose = Pose{position.x, position.y, Finite(def.angle, 0.0f)};
+    body.previous = body.pose;
+    if (def.type != b2_staticBody)
+    {
+        body.linearVelocity = Finite(def.linearVelocity);
+        body.angularVelocity = Finite(def.angularVelocity, 0.0f);
+    }
+    body.linearDamping = b2Max(0.0f, Finite(def.linearDamping, 0.0f));
+    body.angularDamping = b2Max(0.0f, Finite(def.angularDamping, 0.0f));
+    body.gravityScale = Finite(def.gravityScale, 1.0f);
+    body.userData = def.userData;
+    if (def.type == b2_dynamicBody)
+    {
+        body.mass = 1.0f;
+        body.invMass = 1.0f;
+    }
+    SynchronizePose(body);
+}
+
+bool IsSound(const b2BodyDef& def)
+{
+    return B2_REQUIRE(def.position.IsValid() && b2IsValid(def.angle),
+                      "A body's position and angle must be finite: check b2BodyDef::position and angle.") &&
+           B2_REQUIRE(def.linearVelocity.IsValid() && b2IsValid(def.angularVelocity),
+                      "A body's velocities must be finite: check b2BodyDef::linearVelocity and angularVelocity.") &&
+           B2_REQUIRE(b2IsValid(def.linearDamping) && def.linearDamping >= 0.0f &&
+                          b2IsValid(def.angularDamping) && def.angularDamping >= 0.0f,
+                      "A body's damping must be finite and not negative.") &&
+           B2_REQUIRE(b2IsValid(def.gravityScale), "A body's gravity scale must be finite.");
+}
+
+} // namespace
+
+b2Body* World::CreateBody(const b2BodyDef& def)
+{
+    (void)IsSound(def); // with asserts off, Fill replaces what is unsound
+    b2Body* body = new (allocator.Allocate(int32(sizeof(b2Body)))) b2Body();
+    BodyData& data = Data(*body);
+    data.world = this;
+    data.number = bodyNumber++;
+    Fill(data, def);
+    data.next = bodyList;
+    if (bodyList)
+    {
+        Data(*bodyList).prev = body;
+    }
+    bodyList = body;
+    ++bodyCount;
+    if (data.IsDynamic() && data.IsActive())
+    {
+        islands.Add(*body);
+    }
+    if (def.awake)
+    {
+        Wake(*body);
+    }
+    return body;
+}
+
+void World::DestroyBody(b2Body& body)
+{
+    BodyData& data = Data(body);
+    while (data.jointList)
+    {
+        b2Joint* joint = data.jointList->joint;
+        if (destructionListener)
+        {
+            destructionListener->SayGoodbye(joint);
+        }
+        DestroyJoint(*joint);
+    }
+    while (data.contactList)
+    {
+        DestroyContact(*data.contactList->contact);
+    }
+    while (data.fixtureList)
+    {
+        b2Fixture* fixture = data.fixtureList;
+        if (destructionListener)
+        {
+            destructionListener->SayGoodbye(fixture);
+        }
+        DestroyFixture(body, *fixture);
+    }
+    PutToSleep(body);
+    islands.Remove(body);
+    (data.prev ? Data(*data.prev).next : bodyList) = data.next;
+    if (data.next)
+    {
+        Data(*data.next).prev = data.prev;
+    }
+    --bodyCount;
+    body.~b2Body();
+    allocator.Free(&body, int32(sizeof(b2Body)));
+}
+
+void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
+{
+    BodyData& data = Data(body);
+    double sine = 0.0;
+    double cosine = 1.0;
+    SinCos(double(angle), &sine, &cosine);
+    const double lx = data.localCenter.x;
+    const double ly = data.localCenter.y;
+    data.pose = Pose{position.x + (cosine * lx - sine * ly), position.y + (sine * lx + cosine * ly), angle};
+    data.previous = data.pose;
+    SynchronizePose(data);
+    data.transform.p = position; // exactly what was asked for
+    ResetProxies(data);
+}
+
+namespace
+{
+
+// The centre of mass moves on the body; the origin stays, and so does the velocity of every point.
+void MoveCenter(BodyData& body, const b2Vec2& localCenter)
+{
+    const b2Vec2 shift = b2Mul(body.rotation, localCenter - body.localCenter);
+    body.localCenter = localCenter;
+    body.pose.x += shift.x;
+    body.pose.y += shift.y;
+    body.previous = body.pose;
+    const b2Vec2 position = body.transform.p;
+    SynchronizePose(body);
+    body.transform.p = position;
+    body.linearVelocity += b2Cross(body.angularVelocity, shift);
+}
+
+// How far the shape reaches from the centre of mass, and how thin it is.
+void MeasureExtents(BodyData& body)
+{
+    body.minExtent = b2_maxFloat;
+    body.maxExtent = 0.0f;
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        const int32 children = f->GetShape()->GetChildCount();
+        for (int32 child = 0; child < children; ++child)
+        {
+            b2AABB box;
+            f->GetShape()->ComputeAABB(&box, b2Transform(), child);
+            const b2Vec2 half = box.GetExtents();
+            body.minExtent = b2Min(body.minExtent, b2Min(half.x, half.y));
+            const b2Vec2 reach = b2Abs(box.GetCenter() - body.localCenter) + half;
+            body.maxExtent = b2Max(body.maxExtent, reach.Length());
+        }
+    }
+}
+
+void SetInertia(BodyData& body, float32 mass, float32 inertiaAboutCenter)
+{
+    body.mass = mass;
+    body.invMass = 1.0f / mass;
+    const bool turns = inertiaAboutCenter > 0.0f && (body.flags & kBodyFixedRotation) == 0;
+    body.inertia = turns ? inertiaAboutCenter : 0.0f;
+    body.invInertia = turns ? 1.0f / inertiaAboutCenter : 0.0f;
+}
+
+} // namespace
+
+void World::SetMassData(BodyData& body, const b2MassData& massData)
+{
+    if (!body.IsDynamic())
+    {
+        return;
+    }
+    const float32 mass = massData.mass > 0.0f ? massData.mass : 1.0f;
+    SetInertia(body, mass, massData.I - mass * massData.center.LengthSquared());
+    MoveCenter(body, massData.center);
+    MeasureExtents(body);
+}
+
+void World::ResetMassData(BodyData& body)
+{
+    b2MassData total;
+    total.mass = 0.0f;
+    total.I = 0.0f;
+    total.center = b2Vec2(0.0f, 0.0f);
+    if (body.IsDynamic())
+    {
+        for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+        {
+            if (f->GetDensity() > 0.0f)
+            {
+                b2MassData part;
+                f->GetMassData(&part);
+                total.mass += part.mass;
+                total.center += part.mass * part.center;
+                total.I += part.I;
+            }
+        }
+        const float32 mass = total.mass > 0.0f ? total.mass : 1.0f;
+        total.center *= 1.0f / mass;
+        SetInertia(body, mass, total.I - mass * total.center.LengthSquared());
+    }
+    else
+    {
+        body.mass = 0.0f;
+        body.invMass = 0.0f;
+        body.inertia = 0.0f;
+        body.invInertia = 0.0f;
+    }
+    MoveCenter(body, total.center);
+    MeasureExtents(body);
+}
+
+void World::SetMobility(b2Body& body, Mobility mobility)
+{
+    BodyData& data = Data(body);
+    // Everything that was built on the old mobility goes; contacts come back in the next step.
+    while (data.contactList)
+    {
+        DestroyContact(*data.contactList->contact);
+    }
+    const bool wasActive = data.IsActive();
+    SetActive(body, false);
+    PutToSleep(body);
+    data.mobility = mobility;
+    if (mobility == Mobility::Static)
+    {
+        data.linearVelocity.SetZero();
+        data.angularVelocity = 0.0f;
+        data.previous = data.pose;
+    }
+    data.force.SetZero();
+    data.torque = 0.0f;
+    ResetMassData(data);
+    SetActive(body, wasActive);
+    Wake(body);
+}
+
+void World::SetActive(b2Body& body, bool active)
+{
+    BodyData& data = Data(body);
+    if (active == data.IsActive())
+    {
+        return;
+    }
+    if (active)
+    {
+        data.flags |= kBodyActive;
+        for (b2Fixture* f = data.fixtureList; f; f = f->GetNext())
+        {
+            CreateProxies(*f);
+        }
+        if (data.IsDynamic())
+        {
+            islands.Add(body);
+        }
+    }
+    else
+    {
+        while (data.contactList)
+        {
+            DestroyContact(*data.contactList->contact);
+        }
+        for (b2Fixture* f = data.fixtureList; f; f = f->GetNext())
+        {
+            DestroyProxies(*f);
+        }
+        data.flags &= ~std::uint32_t(kBodyActive);
+        islands.Remove(body);
+    }
+    UpdateActivity(body);
+}
+
+} // namespace box2d

@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: MIT
+#include "Access.h"
+#include "Solver.h"
+#include "World.h"
+
+#include <Box2D/Collision/b2TimeOfImpact.h>
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// Continuous collision: impacts that the discrete step went through are found in the order of their times, the
+/// two bodies are taken back to the impact, solved there with what they touch, and moved on for what is left of the
+/// step (Catto, "Continuous Collision", GDC 2013). An event changes the ways of its own bodies only, so only
+/// their contacts are looked at again.
+namespace box2d
+{
+
+namespace
+{
+
+/// Corrections at an impact are gentle enough not to disturb: this many sweeps at most.
+constexpr int32 kImpactPositionIterations = 20;
+
+struct Event
+{
+    float32 time; // fraction of the step
+    int32 order;  // of discovery, to decide between equal times
+    b2Contact* contact;
+    uint32 versionA, versionB; // of the ways it was computed from
+};
+
+bool IsLater(const Event& a, const Event& b)
+{
+    return a.time != b.time ? a.time > b.time : a.order > b.order;
+}
+
+Pose Between(const Pose& from, const Pose& to, double share)
+{
+    return Pose{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
+                from.angle + share * (to.angle - from.angle)};
+}
+
+/// The body's pose at a fraction of the step that its way still covers.
+Pose PoseAt(const BodyData& body, float32 time)
+{
+    if (body.sweepStart >= 1.0f || time >= 1.0f)
+    {
+        return body.pose;
+    }
+    const double share = (double(time) - double(body.sweepStart)) / (1.0 - double(body.sweepStart));
+    return Between(body.previous, body.pose, share);
+}
+
+/// The rest of the way as a sweep from 0 to 1, seen from `origin`, with angles near zero.
+b2Sweep SweepFrom(const BodyData& body, float32 time, const Pose& origin)
+{
+    constexpr double turn = 2.0 * 3.14159265358979323846;
+    const Pose start = PoseAt(body, time);
+    const double wholeTurns = turn * std::floor(start.angle / turn);
+    b2Sweep sweep;
+    sweep.localCenter = body.localCenter;
+    sweep.c0 = b2Vec2(float32(start.x - origin.x), float32(start.y - origin.y));
+    sweep.c = b2Vec2(float32(body.pose.x - origin.x), float32(body.pose.y - origin.y));
+    sweep.a0 = float32(start.angle - wholeTurns);
+    sweep.a = float32(body.pose.angle - wholeTurns);
+    sweep.alpha0 = 0.0f;
+    return sweep;
+}
+
+b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep)
+{
+    b2Transform from;
+    b2Transform to;
+    sweep.GetTransform(&from, 0.0f);
+    sweep.GetTransform(&to, 1.0f);
+    b2AABB box;
+    b2AABB end;
+    shape.ComputeAABB(&box, from, child);
+    shape.ComputeAABB(&end, to, child);
+    box.Combine(end);
+    return box;
+}
+
+float32 Way(const BodyData& body)
+{
+    const float32 dx = float32(body.pose.x - body.previous.x);
+    const float32 dy = float32(body.pose.y - body.previous.y);
+    return b2Vec2(dx, dy).Length() + b2Abs(float32(body.pose.angle - body.previous.angle)) * body.maxExtent;
+}
+
+bool IsFast(const BodyData& body)
+{
+    return body.IsDynamic() && Way(body) > kFastShare * body.minExtent;
+}
+
+/// Bodies that continuous collision stops at: immovable ones, or anything when a bullet is involved.
+bool IsObstacle(const BodyData& body)
+{
+    return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
+}
+
+class ImpactSolver
+{
+public:
+    ImpactSolver(World& world, float32 timeStep, int32 velocityIterations)
+        : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep), m_velocityIterations(velocityIterations)
+    {
+    }
+
+    void Run();
+
+private:
+    void LookAt(b2Body& body);
+    void LookAt(b2Contact& contact);
+    bool IsCandidate(const ContactData& c) const;
+    bool IsValid(const Event& event) const;
+    bool Resolve(const Event& event);
+    void AddNeighbours(b2Body& body, float32 time);
+    void SolvePositions(b2Body& bodyA, b2Body& bodyB);
+    void SolveVelocities(float32 timeLeft);
+    void Advance(BodyData& body, float32 time);
+    void PrepareAll(bool warmStart);
+    void LoadBodies();
+
+    struct Backup
+    {
+        b2Body* body;
+        Pose pose, previous;
+        float32 sweepStart;
+    };
+    Backup Save(b2Body& body) const;
+    void Restore(const Backup& backup);
+
+    World& m_world;
+    SolverArrays& m_arrays;
+    float32 m_timeStep;
+    int32 m_velocityIterations;
+    SolverContext m_context;
+    Array<Event> m_events; // a heap, the earliest first
+    int32 m_order = 0;
+    Array<b2Body*> m_bodies;      // of the present event
+    Array<b2Contact*> m_contacts; // of the present event
+};
+
+void ImpactSolver::Run()
+{
+    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    {
+        b2Body& body = *m_world.awakeBodies[i];
+        if (Data(body).IsDynamic())
+        {
+            LookAt(body);
+        }
+    }
+    m_world.stepComplete = true;
+    while (!m_events.empty())
+    {
+        std::pop_heap(m_events.begin(), m_events.end(), IsLater);
+        const Event event = m_events.back();
+        m_events.pop_back();
+        if (IsValid(event) && Resolve(event) && m_world.subStepping)
+        {
+            m_world.stepComplete = false;
+            break;
+        }
+    }
+}
+
+void ImpactSolver::LookAt(b2Body& body)
+{
+    for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
+    {
+        LookAt(*edge->contact);
+    }
+}
+
+bool ImpactSolver::IsCandidate(const ContactData& c) const
+{
+    const BodyData& a = Data(*c.bodyA);
+    const BodyData& b = Data(*c.bodyB);
+    if (c.IsSensor() || !c.IsEnabled() || c.toiCount >= b2_maxSubSteps || !(IsObstacle(a) || IsObstacle(b)))
+    {
+        return false;
+    }
+    // What touched at the start of the step was solved there; only a fast body can get through it.
+    return !c.IsTouching() || IsFast(a) || IsFast(b);
+}
+
+void ImpactSolver::LookAt(b2Contact& contact)
+{
+    const ContactData& c = Data(contact);
+    if (!IsCandidate(c))
+    {
+        return;
+    }
+    const BodyData& a = Data(*c.bodyA);
+    const BodyData& b = Data(*c.bodyB);
+    const float32 start = b2Max(a.sweepStart, b.sweepStart);
+    if (start >= 1.0f)
+    {
+        return;
+    }
+    const Pose origin = PoseAt(a, start);
+    const b2Shape& shapeA = *c.fixtureA->GetShape();
+    const b2Shape& shapeB = *c.fixtureB->GetShape();
+    b2TOIInput input;
+    input.sweepA = SweepFrom(a, start, origin);
+    input.sweepB = SweepFrom(b, start, origin);
+    if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA), SweptBox(shapeB, c.childB, input.sweepB)))
+    {
+        return;
+    }
+    input.proxyA.Set(&shapeA, c.childA);
+    input.proxyB.Set(&shapeB, c.childB);
+    input.tMax = 1.0f;
+    b2TOIOutput output;
+    b2TimeOfImpact(&output, &input);
+    if (output.state != b2TOIOutput::e_touching)
+    {
+        return;
+    }
+    const float32 time = b2Min(start + (1.0f - start) * output.t, 1.0f);
+    if (time < 1.0f)
+    {
+        m_events.push_back(Event{time, m_order++, &contact, a.sweepVersion, b.sweepVersion});
+        std::push_heap(m_events.begin(), m_events.end(), IsLater);
+    }
+}
+
+bool ImpactSolver::IsValid(const Event& event) const
+{
+    const ContactData& c = Data(*event.contact);
+    return Data(*c.bodyA).sweepVersion == event.versionA && Data(*c.bodyB).sweepVersion == event.versionB &&
+           c.toiCount < b2_maxSubSteps;
+}
+
+ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const
+{
+    const BodyData& data = Data(body);
+    return Backup{&body, data.pose, data.previous, data.sweepStart};
+}
+
+void ImpactSolver::Restore(const Backup& backup)
+{
+    BodyData& data = Data(*backup.body);
+    data.pose = backup.pose;
+    data.previous = backup.previous;
+    data.sweepStart = backup.sweepStart;
+    SynchronizePose(data);
+}
+
+/// Stops the body where it is at that time.
+void ImpactSolver::Advance(BodyData& body, float32 time)
+{
+    if (body.mobility == Mobility::Static || body.sweepStart >= time)
+    {
+        return;
+    }
+    body.pose = PoseAt(body, time);
+    body.previous = body.pose;
+    body.sweepStart = time;
+    SynchronizePose(body);
+}
+
+/// False when it turned out that nothing touches, or that the contact was switched off.
+bool ImpactSolver::Resolve(const Event& event)
+{
+    ContactData& c = Data(*event.contact);
+    b2Body& bodyA = *c.bodyA;
+    b2Body& bodyB = *c.bodyB;
+    const Backup backupA = Save(bodyA);
+    const Backup backupB = Save(bodyB);
+    Advance(Data(bodyA), event.time);
+    Advance(Data(bodyB), event.time);
+    ++c.toiCount;
+    m_world.UpdateContact(*event.contact);
+    if (!c.IsEnabled() || !c.IsTouching())
+    {
+        c.flags &= ~std::uint32_t(kContactEnabled); // for the rest of the step
+        Restore(backupA);
+        Restore(backupB);
+        return false;
+    }
+    m_world.Wake(bodyA);
+    m_world.Wake(bodyB);
+
+    m_bodies.assign({&bodyA, &bodyB});
+    m_contacts.assign(1, event.contact);
+    AddNeighbours(bodyA, event.time);
+    AddNeighbours(bodyB, event.time);
+    SolvePositions(bodyA, bodyB);
+    SolveVelocities((1.0f - event.time) * m_timeStep);
+    for (b2Body* body : m_bodies)
+    {
+        BodyData& data = Data(*body);
+        if (data.IsDynamic()) // a kinematic body goes on as it did, so what was found about it still holds
+        {
+            ++data.sweepVersion;
+            m_world.UpdateProxies(data, true);
+        }
+    }
+    m_world.FindNewContacts();
+    for (b2Body* body : m_bodies)
+    {
+        if (Data(*body).IsDynamic())
+        {
+            LookAt(*body);
+        }
+    }
+    return true;
+}
+
+// What the body touches at the time of the impact takes part, except ordinary dynamic bodies: they are not
+// swept, and would get the impulse a second time.
+void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
+{
+    if (!Data(body).IsDynamic())
+    {
+        return;
+    }
+    for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
+    {
+        b2Contact* contact = edge->contact;
+        ContactData& c = Data(*contact);
+        b2Body& other = *edge->other;
+        if (m_contacts.size() >= std::size_t(b2_maxTOIContacts) || c.IsSensor() ||
+            !(IsObstacle(Data(body)) || IsObstacle(Data(other))) ||
+            std::find(m_contacts.begin(), m_contacts.end(), contact) != m_contacts.end())
+        {
+            continue;
+        }
+        const bool known = std::find(m_bodies.begin(), m_bodies.end(), &other) != m_bodies.end();
+        const Backup backup = Save(other);
+        if (!known)
+        {
+            Advance(Data(other), time);
+        }
+        m_world.UpdateContact(*contact);
+        if (!c.IsEnabled() || !c.IsTouching())
+        {
+            if (!known)
+            {
+                Restore(backup);
+            }
+            continue;
+        }
+        m_contacts.push_back(contact);
+        if (!known)
+        {
+            m_bodies.push_back(&other);
+        }
+    }
+}
+
+void ImpactSolver::LoadBodies()
+{
+    m_arrays.bodies.resize(m_world.awakeBodies.size() + 1);
+    m_context.bodies = m_arrays.bodies.data();
+    m_arrays.bodies[0] = SolverBody();
+    for (const b2Body* body : m_bodies)
+    {
+        const BodyData& data = Data(*body);
+        if (data.awakeIndex != -1)
+        {
+            SolverBody s;
+            s.v = data.linearVelocity;
+            s.w = data.angularVelocity;
+            m_arrays.bodies[std::size_t(data.SolverIndex())] = s;
+        }
+    }
+}
+
+void ImpactSolver::PrepareAll(bool warmStart)
+{
+    m_context.warmStarting = warmStart;
+    LoadBodies();
+    m_arrays.contacts.resize(m_contacts.size());
+    m_arrays.overlaps.resize(m_contacts.size());
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
+    {
+        PrepareContact(*m_contacts[i], m_context, m_arrays.contacts[i], m_arrays.overlaps[i]);
+    }
+}
+
+/// Only the two bodies of the impact may be moved.
+void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
+{
+    PrepareAll(false);
+    const int32 indexA = Data(bodyA).SolverIndex();
+    const int32 indexB = Data(bodyB).SolverIndex();
+    for (OverlapConstraint& o : m_arrays.overlaps)
+    {
+        if (o.bodyA != indexA && o.bodyA != indexB)
+        {
+            o.invMassA = o.invInertiaA = 0.0f;
+        }
+        if (o.bodyB != indexA && o.bodyB != indexB)
+        {
+            o.invMassB = o.invInertiaB = 0.0f;
+        }
+    }
+    for (int32 i = 0; i < kImpactPositionIterations; ++i)
+    {
+        if (SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_toiBaugarte) >= -1.5f * b2_linearSlop)
+        {
+            break;
+        }
+    }
+    for (b2Body* body : {&bodyA, &bodyB})
+    {
+        BodyData& data = Data(*body);
+        if (data.IsDynamic())
+        {
+            const SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
+            data.pose.x += double(s.d.x);
+            data.pose.y += double(s.d.y);
+            data.pose.angle += double(s.angle);
+            data.previous = data.pose;
+            SynchronizePose(data);
+        }
+    }
+}
+
+// Impulses are not kept: the contact is solved for the time that is left only.
+void ImpactSolver::SolveVelocities(float32 timeLeft)
+{
+    PrepareAll(false);
+    for (int32 i = 0; i < m_velocityIterations; ++i)
+    {
+        SolveContactVelocities(m_arrays.contacts, m_context.bodies);
+    }
+    for (b2Body* body : m_bodies)
+    {
+        BodyData& data = Data(*body);
+        if (data.mobility == Mobility::Static || data.awakeIndex == -1)
+        {
+            continue;
+        }
+        SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
+        MoveByVelocity(s, timeLeft);
+        data.linearVelocity = s.v;
+        data.angularVelocity = s.w;
+        data.pose.x += double(s.d.x);
+        data.pose.y += double(s.d.y);
+        data.pose.angle += double(s.angle);
+        SynchronizePose(data);
+    }
+    if (m_world.listener)
+    {
+        for (const ContactConstraint& c : m_arrays.contacts)
+        {
+            ReportImpulse(*m_world.listener, c);
+        }
+    }
+}
+
+} // namespace
+
+void World::SolveContinuous(float32 timeStep, int32 velocityIterations)
+{
+    if (stepComplete)
+    {
+        for (b2Contact* contact : awakeContacts)
+        {
+            Data(*contact).toiCount = 0;
+        }
+    }
+    ImpactSolver(*this, timeStep, velocityIterations).Run();
+}
+
+} // namespace box2d

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "Access.h"
+#include "World.h"
+
+#include <Box2D/Collision/Shapes/b2ChainShape.h>
+#include <Box2D/Collision/Shapes/b2CircleShape.h>
+#include <Box2D/Collision/Shapes/b2EdgeShape.h>
+#include <Box2D/Collision/Shapes/b2PolygonShape.h>
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <new>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// How far a box may move before the tree has to change [m]: the manual's margin for what is a few metres
+/// large, less for smaller shapes, whose margins would else touch all their neighbours'.
+float32 Margin(const b2AABB& box)
+{
+    const b2Vec2 half = box.GetExtents();
+    return b2Min(b2_aabbExtension, 0.25f * b2Max(half.x, half.y));
+}
+
+b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
+{
+    const float32 margin = Margin(box);
+    const b2Vec2 ahead = b2_aabbMultiplier * displacement;
+    b2AABB fat;
+    fat.lowerBound = box.lowerBound - b2Vec2(margin, margin) + b2Min(ahead, b2Vec2(0.0f, 0.0f));
+    fat.upperBound = box.upperBound + b2Vec2(margin, margin) + b2Max(ahead, b2Vec2(0.0f, 0.0f));
+    return fat;
+}
+
+float32 NotNegative(float32 value)
+{
+    return b2IsValid(value) && value > 0.0f ? value : 0.0f;
+}
+
+bool IsSound(const b2FixtureDef& def)
+{
+    return B2_REQUIRE(b2IsValid(def.density) && def.density >= 0.0f,
+                      "A fixture's density must be finite and not negative.") &&
+           B2_REQUIRE(b2IsValid(def.friction) && def.friction >= 0.0f,
+                      "A fixture's friction must be finite and not negative.") &&
+           B2_REQUIRE(b2IsValid(def.restitution) && def.restitution >= 0.0f,
+                      "A fixture's restitution must be finite and not negative.");
+}
+
+int32 ProxyBytes(b2Fixture& fixture)
+{
+    return fixture.GetShape()->GetChildCount() * int32(sizeof(b2FixtureProxy));
+}
+
+int32 SizeOf(const b2Shape& shape)
+{
+    switch (shape.GetType())
+    {
+    case b2Shape::e_circle:
+        return int32(sizeof(b2CircleShape));
+    case b2Shape::e_edge:
+        return int32(sizeof(b2EdgeShape));
+    case b2Shape::e_polygon:
+        return int32(sizeof(b2PolygonShape));
+    default:
+        return int32(sizeof(b2ChainShape));
+    }
+}
+
+} // namespace
+
+b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
+{
+    if (!B2_REQUIRE(def.shape != nullptr, "A fixture needs a shape: set b2FixtureDef::shape."))
+    {
+        return nullptr;
+    }
+    (void)IsSound(def); // with asserts off, what is unsound becomes zero
+    b2Fixture* fixture = FixtureAccess::Construct(allocator.Allocate(int32(sizeof(b2Fixture))));
+    FixtureAccess::Shape(*fixture) = def.shape->Clone(&allocator);
+    FixtureAccess::Body(*fixture) = &body;
+    FixtureAccess::Density(*fixture) = NotNegative(def.density);
+    FixtureAccess::Friction(*fixture) = NotNegative(def.friction);
+    FixtureAccess::Restitution(*fixture) = NotNegative(def.restitution);
+    FixtureAccess::Filter(*fixture) = def.filter;
+    FixtureAccess::IsSensor(*fixture) = def.isSensor;
+    fixture->SetUserData(def.userData);
+
+    auto* proxyArray = static_cast<b2FixtureProxy*>(allocator.Allocate(ProxyBytes(*fixture)));
+    for (int32 child = 0; child < fixture->GetShape()->GetChildCount(); ++child)
+    {
+        new (proxyArray + child) b2FixtureProxy();
+    }
+    FixtureAccess::Proxies(*fixture) = proxyArray;
+
+    BodyData& data = Data(body);
+    FixtureAccess::Next(*fixture) = data.fixtureList;
+    data.fixtureList = fixture;
+    ++data.fixtureCount;
+    if (data.IsActive())
+    {
+        CreateProxies(*fixture);
+    }
+    ResetMassData(data);
+    return fixture;
+}
+
+void World::DestroyFixture(b2Body& body, b2Fixture& fixture)
+{
+    BodyData& data = Data(body);
+    for (b2ContactEdge* edge = data.contactList; edge;)
+    {
+        b2Contact* contact = edge->contact;
+        edge = edge->next;
+        if (contact->GetFixtureA() == &fixture || contact->GetFixtureB() == &fixture)
+        {
+            DestroyContact(*contact);
+        }
+    }
+    DestroyProxies(fixture);
+
+    b2Fixture** link = &data.fixtureList;
+    while (*link != &fixture)
+    {
+        link = &FixtureAccess::Next(**link);
+    }
+    *link = fixture.GetNext();
+    --data.fixtureCount;
+
+    FreeFixture(fixture);
+    ResetMassData(data);
+}
+
+void World::FreeFixture(b2Fixture& fixture)
+{
+    allocator.Free(FixtureAccess::Proxies(fixture), ProxyBytes(fixture));
+    b2Shape* shape = fixture.GetShape();
+    const int32 bytes = SizeOf(*shape);
+    shape->~b2Shape();
+    allocator.Free(shape, bytes);
+    FixtureAccess::Destruct(fixture);
+    allocator.Free(&fixture, int32(sizeof(b2Fixture)));
+}
+
+void World::CreateProxies(b2Fixture& fixture)
+{
+    const BodyData& body = Data(*fixture.GetBody());
+    b2Shape* shape = fixture.GetShape();
+    for (int32 child = 0; child < shape->GetChildCount(); ++child)
+    {
+        b2FixtureProxy& proxy = FixtureAccess::Proxies(fixture)[child];
+        proxy.fixture = &fixture;
+        proxy.childIndex = child;
+        b2AABB box;
+        shape->ComputeAABB(&box, body.transform, child);
+        proxy.aabb = Fatten(box, b2Vec2(0.0f, 0.0f));
+        proxy.proxyId = proxies.Create(proxy.aabb, body.mobility, &proxy);
+    }
+    FixtureAccess::ProxyCount(fixture) = shape->GetChildCount();
+}
+
+void World::DestroyProxies(b2Fixture& fixture)
+{
+    for (int32 child = 0; child < FixtureAccess::ProxyCount(fixture); ++child)
+    {
+        b2FixtureProxy& proxy = FixtureAccess::Proxies(fixture)[child];
+        proxies.Destroy(proxy.proxyId);
+        proxy.proxyId = -1;
+    }
+    FixtureAccess::ProxyCount(fixture) = 0;
+}
+
+void World::UpdateProxies(BodyData& body, bool swept)
+{
+    b2Transform before = body.transform;
+    b2Vec2 displacement(0.0f, 0.0f);
+    displacement.x = float32(body.pose.x - body.previous.x);
+    displacement.y = float32(body.pose.y - body.previous.y);
+    if (swept)
+    {
+        BodyData start;
+        start.pose = body.previous;
+        start.localCenter = body.localCenter;
+        SynchronizePose(start);
+        before = start.transform;
+    }
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            b2AABB box;
+            f->GetShape()->ComputeAABB(&box, body.transform, child);
+            if (swept)
+            {
+                b2AABB boxBefore;
+                f->GetShape()->ComputeAABB(&boxBefore, before, child);
+                box.Combine(boxBefore);
+            }
+            if (!proxy.aabb.Contains(box))
+            {
+                proxy.aabb = Fatten(box, displacement);
+                proxies.Move(proxy.proxyId, proxy.aabb);
+            }
+        }
+    }
+}
+
+void World::ResetProxies(BodyData& body)
+{
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            b2AABB box;
+            f->GetShape()->ComputeAABB(&box, body.transform, child);
+            proxy.aabb = Fatten(box, b2Vec2(0.0f, 0.0f));
+            proxies.Move(proxy.proxyId, proxy.aabb);
+        }
+    }
+}
+
+void World::Refilter(b2Fixture& fixture)
+{
+    b2Body* body = fixture.GetBody();
+    for (b2ContactEdge* edge = body->GetContactList(); edge; edge = edge->next)
+    {
+        if (edge->contact->GetFixtureA() == &fixture || edge->contact->GetFixtureB() == &fixture)
+        {
+            Data(*edge->contact).flags |= kContactFilter;
+            filtersChanged = true;
+        }
+    }
+    for (int32 child = 0; child < FixtureAccess::ProxyCount(fixture); ++child)
+    {
+        proxies.Touch(FixtureAccess::Proxies(fixture)[child].proxyId);
+    }
+}
+
+void World::UpdateSensor(b2Fixture& fixture)
+{
+    for (b2ContactEdge* edge = fixture.GetBody()->GetContactList(); edge; edge = edge->next)
+    {
+        ContactData& c = Data(*edge->contact);
+        const bool sensor = c.fixtureA->IsSensor() || c.fixtureB->IsSensor();
+        if (sensor != c.IsSensor())
+        {
+            c.flags ^= kContactSensor;
+            UpdateActivity(*edge->contact);
+        }
+    }
+}
+
+} // namespace box2d

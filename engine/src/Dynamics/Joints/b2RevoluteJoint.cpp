@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
+
+#include "JointFrame.h"
+
+// The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in PointMatrix.
+// About the hinge: the motor drives wB - wA to its speed within its torque; a limit is an inequality on the
+// angle, which may close in on the limit at most as fast as it would reach it in this step.
+
+void b2RevoluteJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
+{
+    bodyA = a;
+    bodyB = b;
+    localAnchorA = a->GetLocalPoint(anchor);
+    localAnchorB = b->GetLocalPoint(anchor);
+    referenceAngle = b->GetAngle() - a->GetAngle();
+}
+
+b2RevoluteJoint::b2RevoluteJoint(const b2RevoluteJointDef* def)
+    : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
+      m_referenceAngle(def->referenceAngle), m_enableLimit(def->enableLimit), m_lowerAngle(def->lowerAngle),
+      m_upperAngle(def->upperAngle), m_enableMotor(def->enableMotor), m_motorSpeed(def->motorSpeed),
+      m_maxMotorTorque(def->maxMotorTorque)
+{
+}
+
+void b2RevoluteJoint::Prepare(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    m_armA = f.ArmA(m_localAnchorA);
+    m_armB = f.ArmB(m_localAnchorB);
+    m_offset = f.Offset();
+    m_angle = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
+    m_axialMass = f.iA + f.iB > 0.0f ? 1.0f / (f.iA + f.iB) : 0.0f;
+
+    const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
+    m_impulse *= share;
+    m_motorImpulse *= m_enableMotor ? share : 0.0f;
+    m_lowerImpulse *= m_enableLimit ? share : 0.0f;
+    m_upperImpulse *= m_enableLimit ? share : 0.0f;
+    f.ApplyImpulse(m_impulse, m_armA, m_armB);
+    f.ApplyAngularImpulse(m_motorImpulse + m_lowerImpulse - m_upperImpulse);
+}
+
+void b2RevoluteJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    if (m_enableMotor)
+    {
+        const float32 limit = context.timeStep * m_maxMotorTorque;
+        const float32 speed = f.b.w - f.a.w - m_motorSpeed;
+        const float32 total = b2Clamp(m_motorImpulse - m_axialMass * speed, -limit, limit);
+        f.ApplyAngularImpulse(total - m_motorImpulse);
+        m_motorImpulse = total;
+    }
+    if (m_enableLimit)
+    {
+        const float32 aboveLower = b2Max(m_angle - m_lowerAngle, 0.0f) * context.inverseStep;
+        const float32 lower = b2Max(m_lowerImpulse - m_axialMass * (f.b.w - f.a.w + aboveLower), 0.0f);
+        f.ApplyAngularImpulse(lower - m_lowerImpulse);
+        m_lowerImpulse = lower;
+
+        const float32 belowUpper = b2Max(m_upperAngle - m_angle, 0.0f) * context.inverseStep;
+        const float32 upper = b2Max(m_upperImpulse - m_axialMass * (f.a.w - f.b.w + belowUpper), 0.0f);
+        f.ApplyAngularImpulse(m_upperImpulse - upper);
+        m_upperImpulse = upper;
+    }
+    const b2Vec2 impulse =
+        box2d::PointMatrix(f, m_armA, m_armB).Solve(-f.PointSpeed(m_armA, m_armB));
+    m_impulse += impulse;
+    f.ApplyImpulse(impulse, m_armA, m_armB);
+}
+
+bool b2RevoluteJoint::SolvePosition(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    float32 angularError = 0.0f;
+    if (m_enableLimit)
+    {
+        const float32 angle = m_angle + f.b.angle - f.a.angle;
+        const float32 inside = b2Clamp(angle, m_lowerAngle, m_upperAngle);
+        angularError = b2Abs(angle - inside);
+        f.Turn(m_axialMass * b2Clamp(inside - angle, -b2_maxAngularCorrection, b2_maxAngularCorrection));
+    }
+    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
+    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
+    const b2Vec2 error = m_offset + f.b.d - f.a.d + armB - armA;
+    f.Move(box2d::PointMatrix(f, armA, armB).Solve(-error), armA, armB);
+    return error.Length() <= b2_linearSlop && angularError <= b2_angularSlop;
+}
+
+b2Vec2 b2RevoluteJoint::GetAnchorA() const
+{
+    return m_bodyA->GetWorldPoint(m_localAnchorA);
+}
+
+b2Vec2 b2RevoluteJoint::GetAnchorB() const
+{
+    return m_bodyB->GetWorldPoint(m_localAnchorB);
+}
+
+b2Vec2 b2RevoluteJoint::GetReactionForce(float32 inv_dt) const
+{
+    return inv_dt * m_impulse;
+}
+
+float32 b2RevoluteJoint::GetReactionTorque(float32 inv_dt) const
+{
+    return inv_dt * (m_motorImpulse + m_lowerImpulse - m_upperImpulse);
+}
+
+float32 b2RevoluteJoint::GetJointAngle() const
+{
+    const double angle = box2d::Data(*m_bodyB).pose.angle - box2d::Data(*m_bodyA).pose.angle;
+    return float32(angle - double(m_referenceAngle));
+}
+
+float32 b2RevoluteJoint::GetJointSpeed() const
+{
+    return m_bodyB->GetAngularVelocity() - m_bodyA->GetAngularVelocity();
+}
+
+float32 b2RevoluteJoint::GetMotorTorque(float32 inv_dt) const
+{
+    return inv_dt * m_motorImpulse;
+}
+
+float32 b2RevoluteJoint::GetMotorTorque() const
+{
+    return GetMotorTorque(LastInverseStep());
+}
+
+void b2RevoluteJoint::EnableLimit(bool flag)
+{
+    if (flag != m_enableLimit)
+    {
+        WakeBodies();
+        m_enableLimit = flag;
+        m_lowerImpulse = 0.0f;
+        m_upperImpulse = 0.0f;
+    }
+}
+
+void b2RevoluteJoint::SetLimits(float32 lower, float32 upper)
+{
+    if (!B2_REQUIRE(lower <= upper, "b2RevoluteJoint::SetLimits: the lower limit must not exceed the upper one."))
+    {
+        return;
+    }
+    if (lower != m_lowerAngle || upper != m_upperAngle)
+    {
+        WakeBodies();
+        m_lowerAngle = lower;
+        m_upperAngle = upper;
+        m_lowerImpulse = 0.0f;
+        m_upperImpulse = 0.0f;
+    }
+}
+
+void b2RevoluteJoint::EnableMotor(bool flag)
+{
+    WakeBodies();
+    m_enableMotor = flag;
+}
+
+void b2RevoluteJoint::SetMotorSpeed(float32 speed)
+{
+    WakeBodies();
+    m_motorSpeed = speed;
+}
+
+void b2RevoluteJoint::SetMaxMotorTorque(float32 torque)
+{
+    WakeBodies();
+    m_maxMotorTorque = torque;
+}
+
+void b2RevoluteJoint::Dump()
+{
+    b2Log("  b2RevoluteJointDef jd;\n");
+    b2Log("  jd.bodyA = bodies[%d];\n", box2d::Data(*m_bodyA).number);
+    b2Log("  jd.bodyB = bodies[%d];\n", box2d::Data(*m_bodyB).number);
+    b2Log("  jd.collideConnected = bool(%d);\n", m_collideConnected);
+    b2Log("  jd.localAnchorA.Set(%.9gf, %.9gf);\n", double(m_localAnchorA.x), double(m_localAnchorA.y));
+    b2Log("  jd.localAnchorB.Set(%.9gf, %.9gf);\n", double(m_localAnchorB.x), double(m_localAnchorB.y));
+    b2Log("  jd.referenceAngle = %.9gf;\n", double(m_referenceAngle));
+    b2Log("  jd.enableLimit = bool(%d);\n", m_enableLimit);
+    b2Log("  jd.lowerAngle = %.9gf;\n", double(m_lowerAngle));
+    b2Log("  jd.upperAngle = %.9gf;\n", double(m_upperAngle));
+    b2Log("  jd.enableMotor = bool(%d);\n", m_enableMotor);
+    b2Log("  jd.motorSpeed = %.9gf;\n", double(m_motorSpeed));
+    b2Log("  jd.maxMotorTorque = %.9gf;\n", double(m_maxMotorTorque));
+    b2Log("  joints[%d] = m_world->CreateJoint(&jd);\n", m_number);
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/Array.h>
+#include <Box2D/Common/b2Math.h>
+#include <Box2D/Internal/BodyData.h>
+
+class b2Contact;
+class b2ContactListener;
+
+/// What the solver works on: plain arrays of what moves and what constrains it, filled from the world at
+/// the start of a step and written back at its end. Positions are kept as changes since the start of the
+/// step, so that they stay exact far from the origin.
+namespace box2d
+{
+
+/// One awake body. 32 bytes, two to a cache line.
+struct SolverBody
+{
+    b2Vec2 v;        ///< velocity of the centre of mass [m/s]
+    float32 w = 0;   ///< angular velocity [rad/s]
+    float32 angle = 0; ///< turned since the start of the step [rad]
+    b2Vec2 d;        ///< moved since the start of the step [m]
+    b2Rot q;         ///< turned since the start of the step
+
+    /// Turns by a small angle: to first order, then back to unit length.
+    void Rotate(float32 delta)
+    {
+        const float32 s = q.s + delta * q.c;
+        const float32 c = q.c - delta * q.s;
+        const float32 inverseLength = b2InvSqrt(s * s + c * c);
+        q.s = s * inverseLength;
+        q.c = c * inverseLength;
+        angle += delta;
+    }
+};
+
+/// What joints and contacts need to know of the step.
+struct SolverContext
+{
+    SolverBody* bodies = nullptr; ///< by BodyData::SolverIndex; 0 never moves
+    float32 timeStep = 0.0f;      ///< [s]
+    float32 inverseStep = 0.0f;   ///< [1/s]
+    float32 stepRatio = 1.0f;     ///< this step's length over the last one's, for the impulses carried over
+    bool warmStarting = true;
+};
+
+struct ContactPoint
+{
+    b2Vec2 armA; ///< from the centre of mass to the point, in world axes [m]
+    b2Vec2 armB;
+    float32 normalImpulse;
+    float32 tangentImpulse;
+    float32 normalMass;  ///< effective
+    float32 tangentMass; ///< effective
+    float32 bias;        ///< approach speed that shall come back [m/s]
+};
+
+/// The velocity side of one touching contact.
+struct ContactConstraint
+{
+    ContactPoint points[2];
+    b2Vec2 normal; ///< from A to B
+    float32 friction;
+    float32 tangentSpeed;
+    float32 invMassA, invInertiaA, invMassB, invInertiaB;
+    int32 bodyA, bodyB; ///< solver index
+    int32 pointCount;
+    bool coupled;             ///< the two points are solved together, with k and its inverse
+    float32 k11, k12, k22;    ///< how an impulse at one point changes the normal speed at the other
+    float32 m11, m12, m22;    ///< inverse of k
+    b2Contact* contact;
+};
+
+/// Where a contact's overlap is measured.
+enum class OverlapKind : uint8
+{
+    Centers, ///< along the line between two points: circles
+    FaceA,   ///< points of B against a line on A
+    FaceB,   ///< points of A against a line on B
+};
+
+/// The position side of one touching contact, in world axes at the start of the step.
+struct OverlapConstraint
+{
+    b2Vec2 offset; ///< from centre of mass A to B [m]
+    b2Vec2 normal; ///< of the face, out of its body
+    b2Vec2 reference; ///< from its centre of mass to the face (or A's centre point)
+    b2Vec2 points[2]; ///< from the other body's centre of mass
+    float32 radius;   ///< sum of the two skins [m]
+    float32 invMassA, invInertiaA, invMassB, invInertiaB;
+    int32 bodyA, bodyB;
+    int32 pointCount;
+    OverlapKind kind;
+};
+
+struct SolverArrays
+{
+    Array<SolverBody> bodies;
+    Array<ContactConstraint> contacts;
+    Array<OverlapConstraint> overlaps; ///< parallel to contacts
+};
+
+/// A body whose way in a step is longer than this share of its thinnest half is fast: it could pass through
+/// something, so its way is swept. Larger lets thin bodies through, smaller sweeps more than need be.
+inline constexpr float32 kFastShare = 0.25f;
+
+// Step.cpp
+
+/// Moves and turns a body for `timeStep`, slowing it down to what a step allows.
+void MoveByVelocity(SolverBody& body, float32 timeStep);
+void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint);
+
+// ContactSolver.cpp
+
+/// Fills both sides of a touching contact from the present poses; velocities are read from the bodies' solver
+/// entries (for restitution).
+void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& constraint,
+                    OverlapConstraint& overlap);
+/// Applies the impulses carried over from the last step.
+void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context);
+/// One iteration: friction, then the normal impulses.
+void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies);
+/// Puts the impulses into the manifolds.
+void StoreImpulses(const Array<ContactConstraint>& contacts);
+/// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop. Returns the
+/// smallest separation that was met [m].
+float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate);
+
+} // namespace box2d

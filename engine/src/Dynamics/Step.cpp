@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+#include "Access.h"
+#include "Solver.h"
+#include "World.h"
+
+#include <Box2D/Common/b2Timer.h>
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+/// One step of the world: find and update contacts, solve velocities, move, solve positions, look for
+/// impacts that the discrete step would miss, and let rest what has come to rest.
+namespace box2d
+{
+
+namespace
+{
+
+/// Adds the time of a scope to an entry of the profile; costs nothing when nobody reads it.
+class ProfileScope
+{
+public:
+    ProfileScope(bool enabled, float32& entry) : m_entry(enabled ? &entry : nullptr)
+    {
+        if (m_entry)
+        {
+            m_timer.Reset();
+        }
+    }
+    ~ProfileScope()
+    {
+        if (m_entry)
+        {
+            *m_entry += m_timer.GetMilliseconds();
+        }
+    }
+    ProfileScope(const ProfileScope&) = delete;
+    ProfileScope& operator=(const ProfileScope&) = delete;
+
+private:
+    float32* m_entry;
+    b2Timer m_timer{};
+};
+
+/// The stages of solving one step, over arrays that the world lends.
+class StepSolver
+{
+public:
+    StepSolver(World& world, float32 timeStep) : m_world(world), m_arrays(*world.solver)
+    {
+        m_context.timeStep = timeStep;
+        m_context.inverseStep = 1.0f / timeStep;
+        m_context.stepRatio = world.inverseStep * timeStep;
+        m_context.warmStarting = world.warmStarting;
+    }
+
+    void WakeJointNeighbours();
+    void IntegrateVelocities();
+    void PrepareConstraints();
+    void SolveVelocities(int32 iterations);
+    void ReportImpulses();
+    void IntegratePositions();
+    void SolvePositions(int32 iterations);
+    void WriteBack();
+    void LetRest();
+
+private:
+    template <class Function>
+    void ForEachJoint(Function&& function);
+    float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
+
+    World& m_world;
+    SolverArrays& m_arrays;
+    SolverContext m_context;
+};
+
+template <class Function>
+void StepSolver::ForEachJoint(Function&& function)
+{
+    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    {
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        const Array<b2Joint*>& joints = m_world.graph.At(color).joints;
+        for (std::size_t j = 0; j < joints.size(); ++j)
+        {
+            function(*joints[j]);
+        }
+    }
+}
+
+void StepSolver::WakeJointNeighbours()
+{
+    ForEachJoint([this](b2Joint& joint) { m_world.WakeNeighbours(*joint.GetBodyA(), *joint.GetBodyB()); });
+}
+
+void StepSolver::IntegrateVelocities()
+{
+    const float32 h = m_context.timeStep;
+    m_arrays.bodies.resize(m_world.awakeBodies.size() + 1);
+    m_arrays.bodies[0] = SolverBody();
+    m_context.bodies = m_arrays.bodies.data();
+    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    {
+        const BodyData& body = Data(*m_world.awakeBodies[i]);
+        SolverBody s;
+        s.v = body.linearVelocity;
+        s.w = body.angularVelocity;
+        if (body.IsDynamic())
+        {
+            s.v += h * (body.gravityScale * m_world.gravity + body.invMass * body.force);
+            s.w += h * body.invInertia * body.torque;
+            // dv/dt = -c v, one implicit step: stable for any c.
+            s.v *= 1.0f / (1.0f + h * body.linearDamping);
+            s.w *= 1.0f / (1.0f + h * body.angularDamping);
+        }
+        m_arrays.bodies[i + 1] = s;
+    }
+}
+
+void StepSolver::PrepareConstraints()
+{
+    m_arrays.contacts.clear();
+    m_arrays.overlaps.clear();
+    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    {
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        for (b2Contact* contact : m_world.graph.At(color).contacts)
+        {
+            if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
+            {
+                PrepareContact(*contact, m_context, m_arrays.contacts.emplace_back(),
+                               m_arrays.overlaps.emplace_back());
+            }
+        }
+    }
+    WarmStart(m_arrays.contacts, m_context);
+    ForEachJoint([this](b2Joint& joint) { JointAccess::Prepare(joint, m_context); });
+}
+
+void StepSolver::SolveVelocities(int32 iterations)
+{
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        ForEachJoint([this](b2Joint& joint) { JointAccess::SolveVelocity(joint, m_context); });
+        SolveContactVelocities(m_arrays.contacts, m_context.bodies);
+    }
+    StoreImpulses(m_arrays.contacts);
+}
+
+void StepSolver::ReportImpulses()
+{
+    if (m_world.listener == nullptr)
+    {
+        return;
+    }
+    for (const ContactConstraint& c : m_arrays.contacts)
+    {
+        ReportImpulse(*m_world.listener, c);
+    }
+}
+
+void StepSolver::SolvePositions(int32 iterations)
+{
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        // The slop is what is aimed at; three of them is near enough.
+        const bool apart = SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_baumgarte) >= -3.0f * b2_linearSlop;
+        bool joined = true;
+        ForEachJoint([&](b2Joint& joint) { joined = JointAccess::SolvePosition(joint, m_context) && joined; });
+        if (apart && joined)
+        {
+            break;
+        }
+    }
+}
+
+void StepSolver::IntegratePositions()
+{
+    for (std::size_t i = 1; i < m_arrays.bodies.size(); ++i)
+    {
+        MoveByVelocity(m_arrays.bodies[i], m_context.timeStep);
+    }
+}
+
+// Slow means slow in both velocity and what position correction did: something that is still being pushed
+// out of an overlap does not sleep.
+float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
+{
+    const float32 h = m_context.timeStep;
+    const float32 linear = h * b2_linearSleepTolerance;
+    const float32 angular = h * b2_angularSleepTolerance;
+    const bool slow = moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
+                      b2Abs(moved.w) <= b2_angularSleepTolerance &&
+                      moved.d.LengthSquared() <= linear * linear && b2Abs(moved.angle) <= angular;
+    return slow && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
+}
+
+void StepSolver::WriteBack()
+{
+    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    {
+        BodyData& body = Data(*m_world.awakeBodies[i]);
+        const SolverBody& s = m_arrays.bodies[i + 1];
+        body.linearVelocity = s.v;
+        body.angularVelocity = s.w;
+        body.sleepTime = SleepTimeAfter(body, s);
+        body.previous = body.pose;
+        body.sweepStart = 0.0f;
+        ++body.sweepVersion;
+        if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f)
+        {
+            continue;
+        }
+        body.pose.x += double(s.d.x);
+        body.pose.y += double(s.d.y);
+        body.pose.angle += double(s.angle);
+        SynchronizePose(body);
+        const float32 way = s.d.Length() + b2Abs(s.angle) * body.maxExtent;
+        m_world.UpdateProxies(body, way > kFastShare * body.minExtent);
+    }
+}
+
+void StepSolver::LetRest()
+{
+    if (!m_world.allowSleep)
+    {
+        return;
+    }
+    for (std::size_t i = m_world.awakeBodies.size(); i-- > 0;)
+    {
+        b2Body* body = m_world.awakeBodies[i];
+        const BodyData& data = Data(*body);
+        m_world.islands.ReportSleepTime(data);
+        if (data.mobility == Mobility::Kinematic && data.sleepTime >= b2_timeToSleep)
+        {
+            m_world.PutToSleep(*body);
+        }
+    }
+    for (const int32 island : m_world.islands.FindSleepy(b2_timeToSleep))
+    {
+        m_world.PutToSleep(island);
+    }
+}
+
+} // namespace
+
+void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint)
+{
+    b2ContactImpulse impulse;
+    impulse.count = constraint.pointCount;
+    for (int32 i = 0; i < constraint.pointCount; ++i)
+    {
+        impulse.normalImpulses[i] = constraint.points[i].normalImpulse;
+        impulse.tangentImpulses[i] = constraint.points[i].tangentImpulse;
+    }
+    listener.PostSolve(constraint.contact, &impulse);
+}
+
+void MoveByVelocity(SolverBody& body, float32 timeStep)
+{
+    const b2Vec2 way = timeStep * body.v;
+    if (way.LengthSquared() > b2_maxTranslationSquared)
+    {
+        body.v *= b2_maxTranslation / way.Length();
+    }
+    const float32 turn = timeStep * body.w;
+    if (turn * turn > b2_maxRotationSquared)
+    {
+        body.w *= b2_maxRotation / b2Abs(turn);
+    }
+    body.d += timeStep * body.v;
+    const float32 delta = timeStep * body.w;
+    body.angle += delta;
+    body.q = b2Mul(body.q, b2Rot(delta));
+}
+
+void World::Step(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
+    if (!B2_REQUIRE(!locked, "b2World::Step must not be called from inside a callback.") ||
+        !B2_REQUIRE(b2IsValid(timeStep) && timeStep >= 0.0f, "The time step must be finite and not negative."))
+    {
+        return;
+    }
+    profile = b2Profile();
+    ProfileScope step(profiling, profile.step);
+    locked = true;
+    if (proxies.HasMoved())
+    {
+        ProfileScope broadphase(profiling, profile.broadphase);
+        FindNewContacts();
+    }
+    {
+        ProfileScope collide(profiling, profile.collide);
+        UpdateContacts();
+    }
+    if (timeStep > 0.0f)
+    {
+        if (stepComplete)
+        {
+            ProfileScope solve(profiling, profile.solve);
+            Solve(timeStep, velocityIterations, positionIterations);
+        }
+        if (continuousPhysics)
+        {
+            ProfileScope solveTOI(profiling, profile.solveTOI);
+            SolveContinuous(timeStep, velocityIterations);
+        }
+        inverseStep = 1.0f / timeStep;
+    }
+    if (autoClearForces)
+    {
+        ClearForces();
+    }
+    locked = false;
+}
+
+void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
+    StepSolver solve(*this, timeStep);
+    {
+        ProfileScope init(profiling, profile.solveInit);
+        solve.WakeJointNeighbours();
+        solve.IntegrateVelocities();
+        solve.PrepareConstraints();
+    }
+    {
+        ProfileScope velocity(profiling, profile.solveVelocity);
+        solve.SolveVelocities(velocityIterations);
+    }
+    solve.ReportImpulses();
+    {
+        ProfileScope position(profiling, profile.solvePosition);
+        solve.IntegratePositions();
+        solve.SolvePositions(positionIterations);
+    }
+    solve.WriteBack();
+    solve.LetRest();
+    ProfileScope broadphase(profiling, profile.broadphase);
+    FindNewContacts();
+}
+
+void World::ClearForces()
+{
+    for (b2Body* body : awakeBodies)
+    {
+        Data(*body).force.SetZero();
+        Data(*body).torque = 0.0f;
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ConstraintGraph.h"
+#include "Islands.h"
+#include "PairSet.h"
+#include "Proxies.h"
+
+#include <Box2D/Common/b2BlockAllocator.h>
+#include <Box2D/Dynamics/b2TimeStep.h>
+#include <Box2D/Dynamics/b2WorldCallbacks.h>
+
+#include <memory>
+
+struct b2BodyDef;
+struct b2FixtureDef;
+struct b2JointDef;
+struct b2MassData;
+class b2Body;
+class b2Contact;
+class b2Draw;
+class b2Joint;
+class b2World;
+
+/// Everything a world holds. b2World is the public face of it; the parts of the engine are functions on
+/// it, a file each: Bodies, Contacts, Joints, Step, Continuous, Queries, DebugDraw.
+namespace box2d
+{
+
+struct SolverArrays;
+
+class World
+{
+public:
+    World(b2World& owner, const b2Vec2& gravity, bool doSleep);
+    ~World();
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    // Bodies.cpp
+    b2Body* CreateBody(const b2BodyDef& def);
+    void DestroyBody(b2Body& body);
+    void SetTransform(b2Body& body, const b2Vec2& position, float32 angle);
+    void SetMassData(BodyData& body, const b2MassData& massData);
+    void ResetMassData(BodyData& body);
+    void SetMobility(b2Body& body, Mobility mobility);
+    void SetActive(b2Body& body, bool active);
+
+    // Fixtures.cpp
+    b2Fixture* CreateFixture(b2Body& body, const b2FixtureDef& def);
+    void DestroyFixture(b2Body& body, b2Fixture& fixture);
+    /// Gives its memory back; it must be out of every list.
+    void FreeFixture(b2Fixture& fixture);
+    void Refilter(b2Fixture& fixture);
+    /// After the fixture has become, or ceased to be, a sensor.
+    void UpdateSensor(b2Fixture& fixture);
+    void CreateProxies(b2Fixture& fixture);
+    void DestroyProxies(b2Fixture& fixture);
+    /// After its body has moved: new boxes where the shapes have left theirs. `swept` also covers the way
+    /// from the pose at the start of the step.
+    void UpdateProxies(BodyData& body, bool swept);
+    /// Boxes anew whether the shapes have left theirs or not.
+    void ResetProxies(BodyData& body);
+
+    // Joints.cpp
+    b2Joint* CreateJoint(const b2JointDef& def);
+    void DestroyJoint(b2Joint& joint);
+    void FlagJointContacts(b2Joint& joint);
+
+    // Contacts.cpp
+    void FindNewContacts();
+    void UpdateContacts();
+    void UpdateContact(b2Contact& contact);
+    void DestroyContact(b2Contact& contact);
+    /// The pair may have contacts as far as bodies, joints and the filter are concerned.
+    bool ShouldCollide(b2Fixture& fixtureA, b2Fixture& fixtureB) const;
+
+    // Sleep.cpp
+    void Wake(b2Body& body);       ///< and everything that hangs together with it
+    void PutToSleep(b2Body& body); ///< this one only
+    void PutToSleep(int32 island);
+    /// Puts it into the lists of what a step looks at, or takes it out, as follows from the state of its
+    /// body or bodies. To be called after any change of that.
+    void UpdateActivity(b2Body& body);
+    void UpdateActivity(b2Contact& contact);
+    void UpdateActivity(b2Joint& joint);
+    /// Wakes what is held by a contact or joint with something that moves.
+    void WakeNeighbours(b2Body& bodyA, b2Body& bodyB);
+
+    // Step.cpp
+    void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);
+    void Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations);
+    void ClearForces();
+    // Continuous.cpp
+    void SolveContinuous(float32 timeStep, int32 velocityIterations);
+    // DebugDraw.cpp
+    void Draw(b2Draw& draw) const;
+    // Queries.cpp
+    void Query(b2QueryCallback& callback, const b2AABB& box) const;
+    void RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2Vec2& point2) const;
+    void ShiftOrigin(const b2Vec2& newOrigin);
+
+    b2World& owner;
+    b2BlockAllocator allocator; ///< bodies, fixtures, shapes, joints, contacts
+    Proxies proxies;
+    PairSet pairs; ///< that have a contact
+    ConstraintGraph graph;
+    Islands islands;
+
+    Array<b2Body*> awakeBodies;       ///< kinematic and dynamic
+    Array<b2Contact*> awakeContacts;  ///< with a body that is awake and not static
+    std::unique_ptr<SolverArrays> solver; ///< scratch, reused from step to step
+
+    b2Body* bodyList = nullptr;
+    b2Joint* jointList = nullptr;
+    b2Contact* contactList = nullptr;
+    int32 bodyCount = 0;
+    int32 jointCount = 0;
+    int32 contactCount = 0;
+    int32 bodyNumber = 0;  ///< of the next body
+    int32 jointNumber = 0; ///< of the next joint
+
+    b2Vec2 gravity; ///< [m/s^2]
+    b2ContactFilter defaultFilter;
+    b2ContactFilter* filter = &defaultFilter; ///< never null
+    b2ContactListener* listener = nullptr;
+    b2DestructionListener* destructionListener = nullptr;
+    b2Draw* debugDraw = nullptr;
+
+    float32 inverseStep = 0.0f; ///< of the last step [1/s], 0 before the first
+    b2Profile profile;
+    bool profiling = false;
+    bool allowSleep = true;
+    bool warmStarting = true;
+    bool continuousPhysics = true;
+    bool subStepping = false;
+    bool stepComplete = true; ///< false between the sub-steps of SetSubStepping
+    bool autoClearForces = true;
+    bool locked = false;
+    bool filtersChanged = false; ///< some contact has kContactFilter set
+};
+
+/// Sine, cosine, transform and single-precision centre from the pose.
+void SynchronizePose(BodyData& body);
+/// From centre of mass A to centre of mass B [m], exact however far from the origin.
+b2Vec2 CenterOffset(const BodyData& a, const BodyData& b);
+/// Body B's frame as seen from body A's.
+b2Transform RelativeTransform(const BodyData& a, const BodyData& b);
+
+} // namespace box2d

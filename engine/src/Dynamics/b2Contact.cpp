@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+
+#include "Narrowphase.h"
+
+#include <Box2D/Dynamics/b2Body.h>
+
+void b2Contact::GetWorldManifold(b2WorldManifold* worldManifold) const
+{
+    worldManifold->Initialize(&m_data.manifold, m_data.bodyA->GetTransform(), m_data.fixtureA->GetShape()->m_radius,
+                              m_data.bodyB->GetTransform(), m_data.fixtureB->GetShape()->m_radius);
+}
+
+void b2Contact::SetEnabled(bool flag)
+{
+    m_data.flags = flag ? m_data.flags | box2d::kContactEnabled
+                        : m_data.flags & ~std::uint32_t(box2d::kContactEnabled);
+}
+
+void b2Contact::ResetFriction()
+{
+    m_data.friction = b2MixFriction(m_data.fixtureA->GetFriction(), m_data.fixtureB->GetFriction());
+}
+
+void b2Contact::ResetRestitution()
+{
+    m_data.restitution = b2MixRestitution(m_data.fixtureA->GetRestitution(), m_data.fixtureB->GetRestitution());
+}
+
+void b2Contact::Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB)
+{
+    box2d::Collide(manifold, *m_data.fixtureA->GetShape(), m_data.childA, *m_data.fixtureB->GetShape(),
+                   m_data.childB, b2MulT(xfA, xfB));
+}

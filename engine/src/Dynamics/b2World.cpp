@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/b2World.h>
+
+#include "Access.h"
+#include "World.h"
+
+#include <Box2D/Collision/b2Collision.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+/// The public face of box2d::World: checks what the caller may do, then passes it on.
+
+b2World::b2World(const b2Vec2& gravity, bool doSleep)
+    : m_world(std::make_unique<box2d::World>(*this, gravity, doSleep))
+{
+    (void)B2_REQUIRE(gravity.IsValid(), "A world's gravity must be finite.");
+}
+
+b2World::~b2World() = default;
+
+void b2World::SetDestructionListener(b2DestructionListener* listener)
+{
+    m_world->destructionListener = listener;
+}
+
+void b2World::SetContactFilter(b2ContactFilter* filter)
+{
+    m_world->filter = filter ? filter : &m_world->defaultFilter;
+}
+
+void b2World::SetContactListener(b2ContactListener* listener)
+{
+    m_world->listener = listener;
+}
+
+void b2World::SetDebugDraw(b2Draw* debugDraw)
+{
+    m_world->debugDraw = debugDraw;
+}
+
+b2Body* b2World::CreateBody(const b2BodyDef* def)
+{
+    if (!B2_REQUIRE(!IsLocked(), "b2World::CreateBody must not be called from inside a callback.") ||
+        !B2_REQUIRE(def != nullptr, "b2World::CreateBody needs a definition."))
+    {
+        return nullptr;
+    }
+    return m_world->CreateBody(*def);
+}
+
+void b2World::DestroyBody(b2Body* body)
+{
+    if (B2_REQUIRE(!IsLocked(), "b2World::DestroyBody must not be called from inside a callback.") &&
+        B2_REQUIRE(body != nullptr && body->GetWorld() == this, "b2World::DestroyBody needs a body of this world."))
+    {
+        m_world->DestroyBody(*body);
+    }
+}
+
+b2Joint* b2World::CreateJoint(const b2JointDef* def)
+{
+    if (!B2_REQUIRE(!IsLocked(), "b2World::CreateJoint must not be called from inside a callback.") ||
+        !B2_REQUIRE(def != nullptr, "b2World::CreateJoint needs a definition."))
+    {
+        return nullptr;
+    }
+    return m_world->CreateJoint(*def);
+}
+
+void b2World::DestroyJoint(b2Joint* joint)
+{
+    if (B2_REQUIRE(!IsLocked(), "b2World::DestroyJoint must not be called from inside a callback.") &&
+        B2_REQUIRE(joint != nullptr, "b2World::DestroyJoint needs a joint."))
+    {
+        m_world->DestroyJoint(*joint);
+    }
+}
+
+void b2World::Step(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
+    m_world->Step(timeStep, velocityIterations, positionIterations);
+}
+
+void b2World::ClearForces()
+{
+    m_world->ClearForces();
+}
+
+void b2World::DrawDebugData()
+{
+    if (m_world->debugDraw)
+    {
+        m_world->Draw(*m_world->debugDraw);
+    }
+}
+
+void b2World::QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const
+{
+    m_world->Query(*callback, aabb);
+}
+
+void b2World::RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b2Vec2& point2) const
+{
+    m_world->RayCast(*callback, point1, point2);
+}
+
+b2Body* b2World::GetBodyList()
+{
+    return m_world->bodyList;
+}
+
+const b2Body* b2World::GetBodyList() const
+{
+    return m_world->bodyList;
+}
+
+b2Joint* b2World::GetJointList()
+{
+    return m_world->jointList;
+}
+
+const b2Joint* b2World::GetJointList() const
+{
+    return m_world->jointList;
+}
+
+b2Contact* b2World::GetContactList()
+{
+    return m_world->contactList;
+}
+
+const b2Contact* b2World::GetContactList() const
+{
+    return m_world->contactList;
+}
+
+void b2World::SetAllowSleeping(bool flag)
+{
+    if (flag == m_world->allowSleep)
+    {
+        return;
+    }
+    m_world->allowSleep = flag;
+    if (!flag)
+    {
+        for (b2Body* body = GetBodyList(); body; body = body->GetNext())
+        {
+            body->SetAwake(true);
+        }
+    }
+}
+
+bool b2World::GetAllowSleeping() const
+{
+    return m_world->allowSleep;
+}
+
+void b2World::SetWarmStarting(bool flag)
+{
+    m_world->warmStarting = flag;
+}
+
+bool b2World::GetWarmStarting() const
+{
+    return m_world->warmStarting;
+}
+
+void b2World::SetContinuousPhysics(bool flag)
+{
+    m_world->continuousPhysics = flag;
+}
+
+bool b2World::GetContinuousPhysics() const
+{
+    return m_world->continuousPhysics;
+}
+
+void b2World::SetSubStepping(bool flag)
+{
+    m_world->subStepping = flag;
+}
+
+bool b2World::GetSubStepping() const
+{
+    return m_world->subStepping;
+}
+
+int32 b2World::GetProxyCount() const
+{
+    return m_world->proxies.Count();
+}
+
+int32 b2World::GetBodyCount() const
+{
+    return m_world->bodyCount;
+}
+
+int32 b2World::GetJointCount() const
+{
+    return m_world->jointCount;
+}
+
+int32 b2World::GetContactCount() const
+{
+    return m_world->contactCount;
+}
+
+// The world has a tree for each mobility; these speak of the worst of them.
+int32 b2World::GetTreeHeight() const
+{
+    int32 height = 0;
+    for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
+    {
+        height = b2Max(height, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetHeight());
+    }
+    return height;
+}
+
+int32 b2World::GetTreeBalance() const
+{
+    int32 balance = 0;
+    for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
+    {
+        balance = b2Max(balance, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetMaxBalance());
+    }
+    return balance;
+}
+
+float32 b2World::GetTreeQuality() const
+{
+    float32 quality = 0.0f;
+    for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
+    {
+        quality = b2Max(quality, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetAreaRatio());
+    }
+    return quality;
+}
+
+void b2World::SetGravity(const b2Vec2& gravity)
+{
+    if (B2_REQUIRE(gravity.IsValid(), "A world's gravity must be finite."))
+    {
+        m_world->gravity = gravity;
+    }
+}
+
+b2Vec2 b2World::GetGravity() const
+{
+    return m_world->gravity;
+}
+
+bool b2World::IsLocked() const
+{
+    return m_world->locked;
+}
+
+void b2World::SetAutoClearForces(bool flag)
+{
+    m_world->autoClearForces = flag;
+}
+
+bool b2World::GetAutoClearForces() const
+{
+    return m_world->autoClearForces;
+}
+
+void b2World::ShiftOrigin(const b2Vec2& newOrigin)
+{
+    if (B2_REQUIRE(!IsLocked(), "b2World::ShiftOrigin must not be called from inside a callback.") &&
+        B2_REQUIRE(newOrigin.IsValid(), "b2World::ShiftOrigin needs a finite point."))
+    {
+        m_world->ShiftOrigin(newOrigin);
+    }
+}
+
+const b2Profile& b2World::GetProfile() const
+{
+    m_world->profiling = true;
+    return m_world->profile;
+}
+
+void b2World::Dump()
+{
+    if (IsLocked())
+    {
+        return;
+    }
+    b2Log("b2World* m_world = new b2World(b2Vec2(%.9gf, %.9gf));\n", double(GetGravity().x), double(GetGravity().y));
+    b2Log("std::map<int, b2Body*> bodies;\n");
+    b2Log("std::map<int, b2Joint*> joints;\n");
+    for (b2Body* body = GetBodyList(); body; body = body->GetNext())
+    {
+        body->Dump();
+    }
+    for (b2Joint* joint = GetJointList(); joint; joint = joint->GetNext())
+    {
+        b2Log("{\n");
+        joint->Dump();
+        b2Log("}\n");
+    }
+}
