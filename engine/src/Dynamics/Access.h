@@ -35,8 +35,14 @@ struct JointAccess
     }
     static void Destruct(b2Joint& j) { j.~b2Joint(); }
     static void Prepare(b2Joint& j, const SolverContext& context) { j.Prepare(context); }
-    static void SolveVelocity(b2Joint& j, const SolverContext& context) { j.SolveVelocity(context); }
-    static bool SolvePosition(b2Joint& j, const SolverContext& context) { return j.SolvePosition(context); }
+    static void SolveVelocity(b2Joint& j, const SolverContext& context)
+    {
+        j.SolveVelocity(context);
+    }
+    static bool SolvePosition(b2Joint& j, const SolverContext& context)
+    {
+        return j.SolvePosition(context);
+    }
     static b2Joint*& Prev(b2Joint& j) { return j.m_prev; }
     static b2Joint*& Next(b2Joint& j) { return j.m_next; }
     static b2JointEdge& EdgeA(b2Joint& j) { return j.m_edgeA; }

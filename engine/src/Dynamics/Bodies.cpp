@@ -34,7 +34,8 @@ b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
 b2Transform RelativeTransform(const BodyData& a, const BodyData& b)
 {
     const b2Vec2 originOffset = CenterOffset(a, b) - b2Mul(b.rotation, b.localCenter);
-    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter, b2MulT(a.rotation, b.rotation));
+    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter,
+                       b2MulT(a.rotation, b.rotation));
 }
 
 namespace
@@ -88,9 +89,11 @@ void Fill(BodyData& body, const b2BodyDef& def)
 bool IsSound(const b2BodyDef& def)
 {
     return B2_REQUIRE(def.position.IsValid() && b2IsValid(def.angle),
-                      "A body's position and angle must be finite: check b2BodyDef::position and angle.") &&
+                      "A body's position and angle must be finite: check b2BodyDef::position and "
+                      "angle.") &&
            B2_REQUIRE(def.linearVelocity.IsValid() && b2IsValid(def.angularVelocity),
-                      "A body's velocities must be finite: check b2BodyDef::linearVelocity and angularVelocity.") &&
+                      "A body's velocities must be finite: check b2BodyDef::linearVelocity and "
+                      "angularVelocity.") &&
            B2_REQUIRE(b2IsValid(def.linearDamping) && def.linearDamping >= 0.0f &&
                           b2IsValid(def.angularDamping) && def.angularDamping >= 0.0f,
                       "A body's damping must be finite and not negative.") &&
@@ -170,7 +173,8 @@ void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
     SinCos(double(angle), &sine, &cosine);
     const double lx = data.localCenter.x;
     const double ly = data.localCenter.y;
-    data.pose = Pose{position.x + (cosine * lx - sine * ly), position.y + (sine * lx + cosine * ly), angle};
+    data.pose =
+        Pose{position.x + (cosine * lx - sine * ly), position.y + (sine * lx + cosine * ly), angle};
     data.previous = data.pose;
     SynchronizePose(data);
     data.transform.p = position; // exactly what was asked for

@@ -24,8 +24,8 @@ constexpr uint32 kAllColors = (1u << ConstraintGraph::kOverflow) - 1;
 
 } // namespace
 
-// Between two moving bodies the first colour that is free, against an immovable one the last: what rests
-// on the ground is solved last, so that the ground has the final word.
+// Between two moving bodies the first colour that is free, against an immovable one the last: what
+// rests on the ground is solved last, so that the ground has the final word.
 int32 ConstraintGraph::Claim(BodyData& a, BodyData& b)
 {
     const uint32 taken = (Yields(a) ? a.colorMask : 0u) | (Yields(b) ? b.colorMask : 0u);
@@ -34,7 +34,8 @@ int32 ConstraintGraph::Claim(BodyData& a, BodyData& b)
     {
         return kOverflow;
     }
-    const int32 color = Yields(a) && Yields(b) ? std::countr_zero(open) : 31 - std::countl_zero(open);
+    const int32 color =
+        Yields(a) && Yields(b) ? std::countr_zero(open) : 31 - std::countl_zero(open);
     for (BodyData* body : {&a, &b})
     {
         if (Yields(*body))

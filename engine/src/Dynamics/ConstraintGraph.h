@@ -7,10 +7,11 @@
 class b2Contact;
 class b2Joint;
 
-/// The awake constraints, coloured so that no two of one colour share a body that can move. Constraints
-/// of a colour can be solved in any order, side by side, with the same result. Colours are given greedily
-/// when a constraint becomes active and kept while it lasts (graph colouring for parallel solvers: Fratarcangeli
-/// and Pellacini, "Scalable Partitioning for Parallel Position Based Dynamics", 2015).
+/// The awake constraints, coloured so that no two of one colour share a body that can move.
+/// Constraints of a colour can be solved in any order, side by side, with the same result. Colours
+/// are given greedily when a constraint becomes active and kept while it lasts (graph colouring for
+/// parallel solvers: Fratarcangeli and Pellacini, "Scalable Partitioning for Parallel Position
+/// Based Dynamics", 2015).
 namespace box2d
 {
 

@@ -7,17 +7,17 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
-/// Contacts as constraints, by sequential impulses (Catto, "Iterative Dynamics with Temporal Coherence",
-/// GDC 2005, and "Fast and Simple Physics using Sequential Impulses", GDC 2006): accumulated, clamped
-/// impulses on velocities, then nonlinear projection of positions.
+/// Contacts as constraints, by sequential impulses (Catto, "Iterative Dynamics with Temporal
+/// Coherence", GDC 2005, and "Fast and Simple Physics using Sequential Impulses", GDC 2006):
+/// accumulated, clamped impulses on velocities, then nonlinear projection of positions.
 namespace box2d
 {
 
 namespace
 {
 
-/// Above this ratio of the coupled matrix's determinant the two points are nearly one: solving them together
-/// would divide by almost nothing.
+/// Above this ratio of the coupled matrix's determinant the two points are nearly one: solving them
+/// together would divide by almost nothing.
 constexpr float32 kMaxCondition = 1000.0f;
 
 /// A contact's geometry in world axes, as seen from the centres of mass.
@@ -97,17 +97,6 @@ void FillCoupling(ContactConstraint& c)
     c.k12 = mass + c.invInertiaA * a1 * a2 + c.invInertiaB * b1 * b2;
     const float32 determinant = c.k11 * c.k22 - c.k12 * c.k12;
     c.coupled = c.k11 * c.k11 < kMaxCondition * determinant;
-    if (c.coupled)
-    {
-        const float32 inverse = 1.0f / determinant;
-        c.m11 = inverse * c.k22;
-        c.m12 = -inverse * c.k12;
-        c.m22 = inverse * c.k11;
-    }
-    else
-    {
-        c.m11 = c.m12 = c.m22 = 0.0f;
-    }
 }
 
 float32 Inverse(float32 value)
@@ -115,8 +104,8 @@ float32 Inverse(float32 value)
     return value > 0.0f ? 1.0f / value : 0.0f;
 }
 
-void FillPoint(ContactConstraint& c, ContactPoint& p, const b2ManifoldPoint& from, float32 restitution,
-               const SolverContext& context)
+void FillPoint(ContactConstraint& c, ContactPoint& p, const b2ManifoldPoint& from,
+               float32 restitution, const SolverContext& context)
 {
     const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
     p.normalImpulse = share * from.normalImpulse;
@@ -131,7 +120,8 @@ void FillPoint(ContactConstraint& c, ContactPoint& p, const b2ManifoldPoint& fro
     p.tangentMass = Inverse(mass + c.invInertiaA * tA * tA + c.invInertiaB * tB * tB);
     const SolverBody& a = context.bodies[c.bodyA];
     const SolverBody& b = context.bodies[c.bodyB];
-    const float32 approach = b2Dot(b.v + b2Cross(b.w, p.armB) - a.v - b2Cross(a.w, p.armA), c.normal);
+    const float32 approach =
+        b2Dot(b.v + b2Cross(b.w, p.armB) - a.v - b2Cross(a.w, p.armA), c.normal);
     p.bias = approach < -b2_velocityThreshold ? -restitution * approach : 0.0f;
 }
 
@@ -147,6 +137,18 @@ void Apply(Velocities& v, const ContactConstraint& c, const ContactPoint& p, con
     v.wA -= c.invInertiaA * b2Cross(p.armA, impulse);
     v.vB += c.invMassB * impulse;
     v.wB += c.invInertiaB * b2Cross(p.armB, impulse);
+}
+
+/// Normal impulses at both points at once: equal ones at mirrored points leave no spin at all.
+void ApplyPair(Velocities& v, const ContactConstraint& c, float32 x1, float32 x2)
+{
+    const ContactPoint& p1 = c.points[0];
+    const ContactPoint& p2 = c.points[1];
+    const b2Vec2 impulse = (x1 + x2) * c.normal;
+    v.vA -= c.invMassA * impulse;
+    v.wA -= c.invInertiaA * (b2Cross(p1.armA, c.normal) * x1 + b2Cross(p2.armA, c.normal) * x2);
+    v.vB += c.invMassB * impulse;
+    v.wB += c.invInertiaB * (b2Cross(p1.armB, c.normal) * x1 + b2Cross(p2.armB, c.normal) * x2);
 }
 
 b2Vec2 PointSpeed(const Velocities& v, const ContactPoint& p)
@@ -189,25 +191,28 @@ void SolvePoint(ContactConstraint& c, ContactPoint& p, Velocities& v)
     p.normalImpulse = total;
 }
 
-// Both points together: of the four ways in which each impulse or its speed can be zero, take the one whose
-// other quantities are not negative (total enumeration; Murty, "Linear Complementarity", 1988).
-bool EnumerateImpulses(const ContactConstraint& c, float32 b1, float32 b2, float32& x1, float32& x2)
+// Both points together: of the four ways in which each impulse or its speed can be zero, take the
+// one whose other quantities are not negative (total enumeration; Murty, "Linear Complementarity",
+// 1988). False when rounding leaves none.
+bool EnumerateImpulses(float32 k11, float32 k12, float32 k22, float32 b1, float32 b2, float32& x1,
+                       float32& x2)
 {
-    x1 = -(c.m11 * b1 + c.m12 * b2);
-    x2 = -(c.m12 * b1 + c.m22 * b2);
+    const float32 inverse = 1.0f / (k11 * k22 - k12 * k12);
+    x1 = inverse * (k12 * b2 - k22 * b1);
+    x2 = inverse * (k12 * b1 - k11 * b2);
     if (x1 >= 0.0f && x2 >= 0.0f)
     {
         return true;
     }
-    x1 = -c.points[0].normalMass * b1;
+    x1 = -b1 / k11;
     x2 = 0.0f;
-    if (x1 >= 0.0f && c.k12 * x1 + b2 >= 0.0f)
+    if (x1 >= 0.0f && k12 * x1 + b2 >= 0.0f)
     {
         return true;
     }
     x1 = 0.0f;
-    x2 = -c.points[1].normalMass * b2;
-    if (x2 >= 0.0f && c.k12 * x2 + b1 >= 0.0f)
+    x2 = -b2 / k22;
+    if (x2 >= 0.0f && k12 * x2 + b1 >= 0.0f)
     {
         return true;
     }
@@ -226,10 +231,9 @@ void SolvePair(ContactConstraint& c, Velocities& v)
     const float32 b2 = b2Dot(PointSpeed(v, p2), c.normal) - p2.bias - (c.k12 * old1 + c.k22 * old2);
     float32 x1 = 0.0f;
     float32 x2 = 0.0f;
-    if (EnumerateImpulses(c, b1, b2, x1, x2))
+    if (EnumerateImpulses(c.k11, c.k12, c.k22, b1, b2, x1, x2))
     {
-        Apply(v, c, p1, (x1 - old1) * c.normal);
-        Apply(v, c, p2, (x2 - old2) * c.normal);
+        ApplyPair(v, c, x1 - old1, x2 - old2);
         p1.normalImpulse = x1;
         p2.normalImpulse = x2;
     }
@@ -237,7 +241,8 @@ void SolvePair(ContactConstraint& c, Velocities& v)
 
 } // namespace
 
-void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& c, OverlapConstraint& o)
+void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& c,
+                    OverlapConstraint& o)
 {
     const ContactData& data = Data(contact);
     const BodyData& a = Data(*data.bodyA);
@@ -368,6 +373,83 @@ Overlap Measure(const OverlapConstraint& o, int32 point, const SolverBody& a, co
     return result;
 }
 
+/// How far a point is to be pushed out [m]; negative where there is room to move in. A slop is
+/// left, so that the contact lasts.
+float32 PushOut(const Overlap& overlap, float32 rate)
+{
+    return b2Clamp(-rate * (overlap.separation + b2_linearSlop), -b2_maxLinearCorrection,
+                   b2_maxLinearCorrection);
+}
+
+/// One contact's bodies, loaded, pushed and stored.
+struct Push
+{
+    const OverlapConstraint& o;
+    SolverBody a, b;
+
+    float32 Mass(const Overlap& p, const Overlap& q) const
+    {
+        return o.invMassA + o.invMassB +
+               o.invInertiaA * b2Cross(p.armA, p.normal) * b2Cross(q.armA, q.normal) +
+               o.invInertiaB * b2Cross(p.armB, p.normal) * b2Cross(q.armB, q.normal);
+    }
+    void Apply(const Overlap& p, float32 impulse)
+    {
+        a.d -= (o.invMassA * impulse) * p.normal;
+        b.d += (o.invMassB * impulse) * p.normal;
+        a.Rotate(-o.invInertiaA * b2Cross(p.armA, p.normal) * impulse);
+        b.Rotate(o.invInertiaB * b2Cross(p.armB, p.normal) * impulse);
+    }
+    /// Both points at once, like the velocities, so that a box that lands flat stays flat.
+    void ApplyPair(const Overlap& p, float32 x1, const Overlap& q, float32 x2)
+    {
+        const float32 sum = x1 + x2;
+        a.d -= (o.invMassA * sum) * p.normal;
+        b.d += (o.invMassB * sum) * p.normal;
+        a.Rotate(-o.invInertiaA *
+                 (b2Cross(p.armA, p.normal) * x1 + b2Cross(q.armA, q.normal) * x2));
+        b.Rotate(o.invInertiaB * (b2Cross(p.armB, p.normal) * x1 + b2Cross(q.armB, q.normal) * x2));
+    }
+};
+
+float32 PushPoint(Push& push, int32 point, float32 rate)
+{
+    const Overlap overlap = Measure(push.o, point, push.a, push.b);
+    const float32 out = PushOut(overlap, rate);
+    if (out > 0.0f)
+    {
+        push.Apply(overlap, out * Inverse(push.Mass(overlap, overlap)));
+    }
+    return overlap.separation;
+}
+
+float32 PushPair(Push& push, float32 rate)
+{
+    const Overlap p = Measure(push.o, 0, push.a, push.b);
+    const Overlap q = Measure(push.o, 1, push.a, push.b);
+    const float32 smaller = b2Min(p.separation, q.separation);
+    const float32 outP = PushOut(p, rate);
+    const float32 outQ = PushOut(q, rate);
+    if (outP <= 0.0f && outQ <= 0.0f)
+    {
+        return smaller;
+    }
+    const float32 k11 = push.Mass(p, p);
+    const float32 k12 = push.Mass(p, q);
+    const float32 k22 = push.Mass(q, q);
+    float32 x1 = 0.0f;
+    float32 x2 = 0.0f;
+    if (k11 * k11 < kMaxCondition * (k11 * k22 - k12 * k12))
+    {
+        if (EnumerateImpulses(k11, k12, k22, -outP, -outQ, x1, x2))
+        {
+            push.ApplyPair(p, x1, q, x2);
+        }
+        return smaller;
+    }
+    return b2Min(PushPoint(push, 0, rate), PushPoint(push, 1, rate));
+}
+
 } // namespace
 
 float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate)
@@ -375,26 +457,12 @@ float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodi
     float32 smallest = 0.0f;
     for (const OverlapConstraint& o : overlaps)
     {
-        SolverBody a = bodies[o.bodyA];
-        SolverBody b = bodies[o.bodyB];
-        for (int32 i = 0; i < o.pointCount; ++i)
-        {
-            const Overlap overlap = Measure(o, i, a, b);
-            smallest = b2Min(smallest, overlap.separation);
-            // A slop is left, so that the contact lasts.
-            const float32 error =
-                b2Clamp(rate * (overlap.separation + b2_linearSlop), -b2_maxLinearCorrection, 0.0f);
-            const float32 nA = b2Cross(overlap.armA, overlap.normal);
-            const float32 nB = b2Cross(overlap.armB, overlap.normal);
-            const float32 k = o.invMassA + o.invMassB + o.invInertiaA * nA * nA + o.invInertiaB * nB * nB;
-            const float32 impulse = -error * Inverse(k);
-            a.d -= (o.invMassA * impulse) * overlap.normal;
-            a.Rotate(-o.invInertiaA * nA * impulse);
-            b.d += (o.invMassB * impulse) * overlap.normal;
-            b.Rotate(o.invInertiaB * nB * impulse);
-        }
-        bodies[o.bodyA] = a;
-        bodies[o.bodyB] = b;
+        Push push{o, bodies[o.bodyA], bodies[o.bodyB]};
+        const float32 separation =
+            o.pointCount == 2 ? PushPair(push, rate) : PushPoint(push, 0, rate);
+        smallest = b2Min(smallest, separation);
+        bodies[o.bodyA] = push.a;
+        bodies[o.bodyB] = push.b;
     }
     return smallest;
 }

@@ -81,8 +81,13 @@ void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
     }
 }
 
-b2Contact* MakeContact(World& world, const b2FixtureProxy& first, const b2FixtureProxy& second)
+/// The older body's fixture comes first, whichever of the two moved.
+b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureProxy& another)
 {
+    const bool inOrder =
+        Data(*one.fixture->GetBody()).number < Data(*another.fixture->GetBody()).number;
+    const b2FixtureProxy& first = inOrder ? one : another;
+    const b2FixtureProxy& second = inOrder ? another : one;
     const bool swap = MustSwap(first.fixture->GetType(), second.fixture->GetType());
     const b2FixtureProxy& a = swap ? second : first;
     const b2FixtureProxy& b = swap ? first : second;
@@ -95,7 +100,8 @@ b2Contact* MakeContact(World& world, const b2FixtureProxy& first, const b2Fixtur
     c.childB = b.childIndex;
     c.bodyA = a.fixture->GetBody();
     c.bodyB = b.fixture->GetBody();
-    c.flags = kContactEnabled | (a.fixture->IsSensor() || b.fixture->IsSensor() ? kContactSensor : 0u);
+    c.flags =
+        kContactEnabled | (a.fixture->IsSensor() || b.fixture->IsSensor() ? kContactSensor : 0u);
     contact->ResetFriction();
     contact->ResetRestitution();
 
@@ -160,8 +166,8 @@ void World::UpdateContacts()
             contact = next;
         }
     }
-    // The list changes under the loop: a contact that goes is replaced by the last one, those that wake are
-    // appended and updated as well.
+    // The list changes under the loop: a contact that goes is replaced by the last one, those that
+    // wake are appended and updated as well.
     for (std::size_t i = 0; i < awakeContacts.size();)
     {
         b2Contact* contact = awakeContacts[i];
@@ -197,7 +203,8 @@ void World::UpdateContact(b2Contact& contact)
     }
     else
     {
-        Collide(&c.manifold, *c.fixtureA->GetShape(), c.childA, *c.fixtureB->GetShape(), c.childB, bInA);
+        Collide(&c.manifold, *c.fixtureA->GetShape(), c.childA, *c.fixtureB->GetShape(), c.childB,
+                bInA);
         CarryImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
     }

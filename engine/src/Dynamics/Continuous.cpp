@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <cmath>
 
-/// Continuous collision: impacts that the discrete step went through are found in the order of their times, the
-/// two bodies are taken back to the impact, solved there with what they touch, and moved on for what is left of the
-/// step (Catto, "Continuous Collision", GDC 2013). An event changes the ways of its own bodies only, so only
-/// their contacts are looked at again.
+/// Continuous collision: impacts that the discrete step went through are found in the order of
+/// their times, the two bodies are taken back to the impact, solved there with what they touch, and
+/// moved on for what is left of the step (Catto, "Continuous Collision", GDC 2013). An event
+/// changes the ways of its own bodies only, so only their contacts are looked at again.
 namespace box2d
 {
 
@@ -88,7 +88,8 @@ float32 Way(const BodyData& body)
 {
     const float32 dx = float32(body.pose.x - body.previous.x);
     const float32 dy = float32(body.pose.y - body.previous.y);
-    return b2Vec2(dx, dy).Length() + b2Abs(float32(body.pose.angle - body.previous.angle)) * body.maxExtent;
+    return b2Vec2(dx, dy).Length() +
+           b2Abs(float32(body.pose.angle - body.previous.angle)) * body.maxExtent;
 }
 
 bool IsFast(const BodyData& body)
@@ -96,7 +97,8 @@ bool IsFast(const BodyData& body)
     return body.IsDynamic() && Way(body) > kFastShare * body.minExtent;
 }
 
-/// Bodies that continuous collision stops at: immovable ones, or anything when a bullet is involved.
+/// Bodies that continuous collision stops at: immovable ones, or anything when a bullet is
+/// involved.
 bool IsObstacle(const BodyData& body)
 {
     return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
@@ -106,9 +108,9 @@ class ImpactSolver
 {
 public:
     ImpactSolver(World& world, float32 timeStep, int32 velocityIterations)
-        : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep), m_velocityIterations(velocityIterations)
-    {
-    }
+        : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep),
+          m_velocityIterations(velocityIterations)
+    {}
 
     void Run();
 
@@ -181,7 +183,8 @@ bool ImpactSolver::IsCandidate(const ContactData& c) const
 {
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
-    if (c.IsSensor() || !c.IsEnabled() || c.toiCount >= b2_maxSubSteps || !(IsObstacle(a) || IsObstacle(b)))
+    if (c.IsSensor() || !c.IsEnabled() || c.toiCount >= b2_maxSubSteps ||
+        !(IsObstacle(a) || IsObstacle(b)))
     {
         return false;
     }
@@ -209,7 +212,8 @@ void ImpactSolver::LookAt(b2Contact& contact)
     b2TOIInput input;
     input.sweepA = SweepFrom(a, start, origin);
     input.sweepB = SweepFrom(b, start, origin);
-    if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA), SweptBox(shapeB, c.childB, input.sweepB)))
+    if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA),
+                       SweptBox(shapeB, c.childB, input.sweepB)))
     {
         return;
     }
@@ -233,8 +237,8 @@ void ImpactSolver::LookAt(b2Contact& contact)
 bool ImpactSolver::IsValid(const Event& event) const
 {
     const ContactData& c = Data(*event.contact);
-    return Data(*c.bodyA).sweepVersion == event.versionA && Data(*c.bodyB).sweepVersion == event.versionB &&
-           c.toiCount < b2_maxSubSteps;
+    return Data(*c.bodyA).sweepVersion == event.versionA &&
+           Data(*c.bodyB).sweepVersion == event.versionB && c.toiCount < b2_maxSubSteps;
 }
 
 ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const
@@ -296,7 +300,8 @@ bool ImpactSolver::Resolve(const Event& event)
     for (b2Body* body : m_bodies)
     {
         BodyData& data = Data(*body);
-        if (data.IsDynamic()) // a kinematic body goes on as it did, so what was found about it still holds
+        if (data.IsDynamic()) // a kinematic body goes on as it did, so what was found about it
+                              // still holds
         {
             ++data.sweepVersion;
             m_world.UpdateProxies(data, true);
@@ -313,8 +318,8 @@ bool ImpactSolver::Resolve(const Event& event)
     return true;
 }
 
-// What the body touches at the time of the impact takes part, except ordinary dynamic bodies: they are not
-// swept, and would get the impulse a second time.
+// What the body touches at the time of the impact takes part, except ordinary dynamic bodies: they
+// are not swept, and would get the impulse a second time.
 void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
 {
     if (!Data(body).IsDynamic())
@@ -404,7 +409,8 @@ void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     }
     for (int32 i = 0; i < kImpactPositionIterations; ++i)
     {
-        if (SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_toiBaugarte) >= -1.5f * b2_linearSlop)
+        if (SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_toiBaugarte) >=
+            -1.5f * b2_linearSlop)
         {
             break;
         }

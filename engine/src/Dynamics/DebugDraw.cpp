@@ -13,8 +13,9 @@
 
 #include <algorithm>
 
-/// The world as calls of a b2Draw: shapes in the colour of their body's state, joints as lines between
-/// anchors, boxes, pairs, centres of mass. Oldest body first, so that what came later lies on top.
+/// The world as calls of a b2Draw: shapes in the colour of their body's state, joints as lines
+/// between anchors, boxes, pairs, centres of mass. Oldest body first, so that what came later lies
+/// on top.
 namespace box2d
 {
 
@@ -154,7 +155,8 @@ void World::Draw(b2Draw& draw) const
         {
             joints.push_back(j);
         }
-        std::for_each(joints.rbegin(), joints.rend(), [&](const b2Joint* j) { DrawJoint(draw, *j); });
+        std::for_each(joints.rbegin(), joints.rend(),
+                      [&](const b2Joint* j) { DrawJoint(draw, *j); });
     }
     if (flags & b2Draw::e_pairBit)
     {

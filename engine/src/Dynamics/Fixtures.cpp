@@ -18,8 +18,8 @@ namespace box2d
 namespace
 {
 
-/// How far a box may move before the tree has to change [m]: the manual's margin for what is a few metres
-/// large, less for smaller shapes, whose margins would else touch all their neighbours'.
+/// How far a box may move before the tree has to change [m]: the manual's margin for what is a few
+/// metres large, less for smaller shapes, whose margins would else touch all their neighbours'.
 float32 Margin(const b2AABB& box)
 {
     const b2Vec2 half = box.GetExtents();

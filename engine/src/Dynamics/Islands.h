@@ -6,9 +6,10 @@
 
 class b2Body;
 
-/// Which dynamic bodies hang together through touching contacts and joints, so that they fall asleep and
-/// wake together. Islands live from step to step: a new link merges two of them at once, a lost link is only
-/// counted, and the island is taken apart when it is about to sleep. Static and kinematic bodies belong to none.
+/// Which dynamic bodies hang together through touching contacts and joints, so that they fall
+/// asleep and wake together. Islands live from step to step: a new link merges two of them at once,
+/// a lost link is only counted, and the island is taken apart when it is about to sleep. Static and
+/// kinematic bodies belong to none.
 namespace box2d
 {
 
@@ -20,7 +21,7 @@ public:
         b2Body* first = nullptr; // nullptr: free
         b2Body* last = nullptr;
         int32 count = 0;
-        int32 lostLinks = 0;        // since it was last taken apart
+        int32 lostLinks = 0;         // since it was last taken apart
         float32 minSleepTime = 0.0f; // of its bodies, in the present step
         bool seen = false;           // a body of it was looked at in the present step
     };
@@ -32,8 +33,9 @@ public:
 
     /// Once per awake body and step.
     void ReportSleepTime(const BodyData& body);
-    /// Ends the step's reports: the islands that have been slow for `timeToSleep`, each hanging together, in
-    /// an order that depends on nothing but the calls made so far. Valid until the next call.
+    /// Ends the step's reports: the islands that have been slow for `timeToSleep`, each hanging
+    /// together, in an order that depends on nothing but the calls made so far. Valid until the
+    /// next call.
     const Array<int32>& FindSleepy(float32 timeToSleep);
 
     const Island& At(int32 island) const { return m_islands[std::size_t(island)]; }

@@ -68,7 +68,8 @@ void RemoveEdge(b2JointEdge& edge, b2Body& body)
 b2Joint* World::CreateJoint(const b2JointDef& def)
 {
     const JointKind* kind = FindKind(def.type);
-    if (!B2_REQUIRE(kind != nullptr, "b2World::CreateJoint: the definition's type is not that of a joint.") ||
+    if (!B2_REQUIRE(kind != nullptr,
+                    "b2World::CreateJoint: the definition's type is not that of a joint.") ||
         !B2_REQUIRE(def.bodyA && def.bodyB, "A joint needs two bodies: set bodyA and bodyB.") ||
         !B2_REQUIRE(def.bodyA != def.bodyB, "A joint needs two different bodies."))
     {
@@ -106,7 +107,8 @@ void World::DestroyJoint(b2Joint& joint)
     }
     RemoveEdge(JointAccess::EdgeA(joint), a);
     RemoveEdge(JointAccess::EdgeB(joint), b);
-    (JointAccess::Prev(joint) ? JointAccess::Next(*JointAccess::Prev(joint)) : jointList) = joint.GetNext();
+    (JointAccess::Prev(joint) ? JointAccess::Next(*JointAccess::Prev(joint)) : jointList) =
+        joint.GetNext();
     if (joint.GetNext())
     {
         JointAccess::Prev(*joint.GetNext()) = JointAccess::Prev(joint);

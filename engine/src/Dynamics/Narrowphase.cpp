@@ -22,7 +22,8 @@ int32 Rank(b2Shape::Type type)
     return IsThin(type) ? 0 : (type == b2Shape::e_polygon ? 1 : 2);
 }
 
-void CollideEdge(b2Manifold* manifold, const b2EdgeShape& edge, const b2Shape& b, const b2Transform& bInA)
+void CollideEdge(b2Manifold* manifold, const b2EdgeShape& edge, const b2Shape& b,
+                 const b2Transform& bInA)
 {
     if (b.GetType() == b2Shape::e_circle)
     {
@@ -52,7 +53,8 @@ void Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape
     switch (a.GetType())
     {
     case b2Shape::e_circle:
-        CollideCircles(manifold, static_cast<const b2CircleShape&>(a), static_cast<const b2CircleShape&>(b), bInA);
+        CollideCircles(manifold, static_cast<const b2CircleShape&>(a),
+                       static_cast<const b2CircleShape&>(b), bInA);
         break;
     case b2Shape::e_polygon:
         if (b.GetType() == b2Shape::e_circle)

@@ -11,8 +11,8 @@ namespace box2d
 /// Two kinds without a volume have no contact.
 bool CanCollide(b2Shape::Type a, b2Shape::Type b);
 
-/// Whether B has to be the contact's first shape, because manifolds are computed for (polygon, circle),
-/// (edge, circle), (edge, polygon) only, and chains count as edges.
+/// Whether B has to be the contact's first shape, because manifolds are computed for (polygon,
+/// circle), (edge, circle), (edge, polygon) only, and chains count as edges.
 bool MustSwap(b2Shape::Type a, b2Shape::Type b);
 
 /// The manifold of two children, in an order that MustSwap accepts.

@@ -13,7 +13,8 @@ std::uint64_t PairSet::Key(std::int32_t proxyA, std::int32_t proxyB)
     {
         std::swap(proxyA, proxyB);
     }
-    return (std::uint64_t(std::uint32_t(proxyA) + 1u) << 32) | std::uint64_t(std::uint32_t(proxyB) + 1u);
+    return (std::uint64_t(std::uint32_t(proxyA) + 1u) << 32) |
+           std::uint64_t(std::uint32_t(proxyB) + 1u);
 }
 
 // Fibonacci hashing (Knuth, TAOCP 3, 6.4) with a fold, so that both halves reach the low bits.

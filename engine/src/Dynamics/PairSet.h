@@ -6,8 +6,8 @@
 #include <cstdint>
 
 /// The set of proxy pairs that have a contact, so that the broad phase reports each pair once. Open
-/// addressing with linear probing and backward-shift deletion (Knuth, TAOCP 3, 6.4). Only asked whether a
-/// pair is in it, never iterated: its order cannot reach the simulation.
+/// addressing with linear probing and backward-shift deletion (Knuth, TAOCP 3, 6.4). Only asked
+/// whether a pair is in it, never iterated: its order cannot reach the simulation.
 namespace box2d
 {
 

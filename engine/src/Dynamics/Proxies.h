@@ -7,9 +7,9 @@
 
 struct b2FixtureProxy;
 
-/// The world's broad phase: a dynamic tree for each mobility, so that what never moves costs nothing,
-/// and the list of proxies whose boxes have moved since pairs were last looked for. Knows boxes, not
-/// shapes or filters.
+/// The world's broad phase: a dynamic tree for each mobility, so that what never moves costs
+/// nothing, and the list of proxies whose boxes have moved since pairs were last looked for. Knows
+/// boxes, not shapes or filters.
 namespace box2d
 {
 
@@ -35,13 +35,14 @@ public:
 
     bool HasMoved() const { return !m_moved.empty(); }
 
-    /// Calls report(b2FixtureProxy* moved, b2FixtureProxy* other) for every overlapping pair with at least one
-    /// moved proxy of which one could be dynamic, each pair once; then forgets what has moved. Pairs come in an
-    /// order that depends on nothing but the calls made so far.
+    /// Calls report(b2FixtureProxy* moved, b2FixtureProxy* other) for every overlapping pair with
+    /// at least one moved proxy of which one could be dynamic, each pair once; then forgets what
+    /// has moved. Pairs come in an order that depends on nothing but the calls made so far.
     template <class Report>
     void FindPairs(Report&& report);
 
-    /// Calls report(b2FixtureProxy*) -> bool for every proxy whose box overlaps; false ends the query.
+    /// Calls report(b2FixtureProxy*) -> bool for every proxy whose box overlaps; false ends the
+    /// query.
     template <class Report>
     void Query(const b2AABB& box, Report&& report) const;
     /// Of one mobility only; returns whether the report let it run to the end.
@@ -83,7 +84,8 @@ void Proxies::FindPairs(Report&& report)
         }
         mark = kLookedFor;
         const b2AABB box = FatBox(moved);
-        const int32 firstTree = MobilityOf(moved) == Mobility::Dynamic ? 0 : int32(Mobility::Dynamic);
+        const int32 firstTree =
+            MobilityOf(moved) == Mobility::Dynamic ? 0 : int32(Mobility::Dynamic);
         for (int32 tree = firstTree; tree < kTreeCount; ++tree)
         {
             m_trees[tree].ForEachOverlap(box, [&](int32 node) {

@@ -27,7 +27,8 @@ struct RayVisitor
             return input.maxFraction;
         }
         const b2Vec2 point = (1.0f - output.fraction) * input.p1 + output.fraction * input.p2;
-        const float32 answer = callback->ReportFixture(proxy->fixture, point, output.normal, output.fraction);
+        const float32 answer =
+            callback->ReportFixture(proxy->fixture, point, output.normal, output.fraction);
         if (answer >= 0.0f)
         {
             maxFraction = b2Min(maxFraction, answer);
@@ -40,7 +41,8 @@ struct RayVisitor
 
 void World::Query(b2QueryCallback& callback, const b2AABB& box) const
 {
-    proxies.Query(box, [&](b2FixtureProxy* proxy) { return callback.ReportFixture(proxy->fixture); });
+    proxies.Query(box,
+                  [&](b2FixtureProxy* proxy) { return callback.ReportFixture(proxy->fixture); });
 }
 
 void World::RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2Vec2& point2) const

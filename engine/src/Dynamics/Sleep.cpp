@@ -5,8 +5,8 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// Who is awake. A step looks at the lists of awake bodies, awake contacts and coloured constraints only;
-/// this file keeps those lists true.
+/// Who is awake. A step looks at the lists of awake bodies, awake contacts and coloured constraints
+/// only; this file keeps those lists true.
 namespace box2d
 {
 

@@ -8,20 +8,20 @@
 class b2Contact;
 class b2ContactListener;
 
-/// What the solver works on: plain arrays of what moves and what constrains it, filled from the world at
-/// the start of a step and written back at its end. Positions are kept as changes since the start of the
-/// step, so that they stay exact far from the origin.
+/// What the solver works on: plain arrays of what moves and what constrains it, filled from the
+/// world at the start of a step and written back at its end. Positions are kept as changes since
+/// the start of the step, so that they stay exact far from the origin.
 namespace box2d
 {
 
 /// One awake body. 32 bytes, two to a cache line.
 struct SolverBody
 {
-    b2Vec2 v;        ///< velocity of the centre of mass [m/s]
-    float32 w = 0;   ///< angular velocity [rad/s]
+    b2Vec2 v;          ///< velocity of the centre of mass [m/s]
+    float32 w = 0;     ///< angular velocity [rad/s]
     float32 angle = 0; ///< turned since the start of the step [rad]
-    b2Vec2 d;        ///< moved since the start of the step [m]
-    b2Rot q;         ///< turned since the start of the step
+    b2Vec2 d;          ///< moved since the start of the step [m]
+    b2Rot q;           ///< turned since the start of the step
 
     /// Turns by a small angle: to first order, then back to unit length.
     void Rotate(float32 delta)
@@ -41,7 +41,8 @@ struct SolverContext
     SolverBody* bodies = nullptr; ///< by BodyData::SolverIndex; 0 never moves
     float32 timeStep = 0.0f;      ///< [s]
     float32 inverseStep = 0.0f;   ///< [1/s]
-    float32 stepRatio = 1.0f;     ///< this step's length over the last one's, for the impulses carried over
+    float32 stepRatio =
+        1.0f; ///< this step's length over the last one's, for the impulses carried over
     bool warmStarting = true;
 };
 
@@ -66,9 +67,8 @@ struct ContactConstraint
     float32 invMassA, invInertiaA, invMassB, invInertiaB;
     int32 bodyA, bodyB; ///< solver index
     int32 pointCount;
-    bool coupled;             ///< the two points are solved together, with k and its inverse
-    float32 k11, k12, k22;    ///< how an impulse at one point changes the normal speed at the other
-    float32 m11, m12, m22;    ///< inverse of k
+    bool coupled;          ///< the two points are solved together
+    float32 k11, k12, k22; ///< how an impulse at one point changes the normal speed at either
     b2Contact* contact;
 };
 
@@ -83,8 +83,8 @@ enum class OverlapKind : uint8
 /// The position side of one touching contact, in world axes at the start of the step.
 struct OverlapConstraint
 {
-    b2Vec2 offset; ///< from centre of mass A to B [m]
-    b2Vec2 normal; ///< of the face, out of its body
+    b2Vec2 offset;    ///< from centre of mass A to B [m]
+    b2Vec2 normal;    ///< of the face, out of its body
     b2Vec2 reference; ///< from its centre of mass to the face (or A's centre point)
     b2Vec2 points[2]; ///< from the other body's centre of mass
     float32 radius;   ///< sum of the two skins [m]
@@ -101,8 +101,9 @@ struct SolverArrays
     Array<OverlapConstraint> overlaps; ///< parallel to contacts
 };
 
-/// A body whose way in a step is longer than this share of its thinnest half is fast: it could pass through
-/// something, so its way is swept. Larger lets thin bodies through, smaller sweeps more than need be.
+/// A body whose way in a step is longer than this share of its thinnest half is fast: it could pass
+/// through something, so its way is swept. Larger lets thin bodies through, smaller sweeps more
+/// than need be.
 inline constexpr float32 kFastShare = 0.25f;
 
 // Step.cpp
@@ -113,8 +114,8 @@ void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constra
 
 // ContactSolver.cpp
 
-/// Fills both sides of a touching contact from the present poses; velocities are read from the bodies' solver
-/// entries (for restitution).
+/// Fills both sides of a touching contact from the present poses; velocities are read from the
+/// bodies' solver entries (for restitution).
 void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& constraint,
                     OverlapConstraint& overlap);
 /// Applies the impulses carried over from the last step.
@@ -123,8 +124,8 @@ void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context)
 void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies);
 /// Puts the impulses into the manifolds.
 void StoreImpulses(const Array<ContactConstraint>& contacts);
-/// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop. Returns the
-/// smallest separation that was met [m].
+/// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop.
+/// Returns the smallest separation that was met [m].
 float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate);
 
 } // namespace box2d

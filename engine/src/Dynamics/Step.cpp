@@ -7,8 +7,8 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// One step of the world: find and update contacts, solve velocities, move, solve positions, look for
-/// impacts that the discrete step would miss, and let rest what has come to rest.
+/// One step of the world: find and update contacts, solve velocities, move, solve positions, look
+/// for impacts that the discrete step would miss, and let rest what has come to rest.
 namespace box2d
 {
 
@@ -89,7 +89,8 @@ void StepSolver::ForEachJoint(Function&& function)
 
 void StepSolver::WakeJointNeighbours()
 {
-    ForEachJoint([this](b2Joint& joint) { m_world.WakeNeighbours(*joint.GetBodyA(), *joint.GetBodyB()); });
+    ForEachJoint(
+        [this](b2Joint& joint) { m_world.WakeNeighbours(*joint.GetBodyA(), *joint.GetBodyB()); });
 }
 
 void StepSolver::IntegrateVelocities()
@@ -163,9 +164,12 @@ void StepSolver::SolvePositions(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_baumgarte) >= -3.0f * b2_linearSlop;
+        const bool apart = SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_baumgarte) >=
+                           -3.0f * b2_linearSlop;
         bool joined = true;
-        ForEachJoint([&](b2Joint& joint) { joined = JointAccess::SolvePosition(joint, m_context) && joined; });
+        ForEachJoint([&](b2Joint& joint) {
+            joined = JointAccess::SolvePosition(joint, m_context) && joined;
+        });
         if (apart && joined)
         {
             break;
@@ -181,16 +185,17 @@ void StepSolver::IntegratePositions()
     }
 }
 
-// Slow means slow in both velocity and what position correction did: something that is still being pushed
-// out of an overlap does not sleep.
+// Slow means slow in both velocity and what position correction did: something that is still being
+// pushed out of an overlap does not sleep.
 float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
 {
     const float32 h = m_context.timeStep;
     const float32 linear = h * b2_linearSleepTolerance;
     const float32 angular = h * b2_angularSleepTolerance;
-    const bool slow = moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
-                      b2Abs(moved.w) <= b2_angularSleepTolerance &&
-                      moved.d.LengthSquared() <= linear * linear && b2Abs(moved.angle) <= angular;
+    const bool slow =
+        moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
+        b2Abs(moved.w) <= b2_angularSleepTolerance && moved.d.LengthSquared() <= linear * linear &&
+        b2Abs(moved.angle) <= angular;
     return slow && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
 }
 
@@ -276,7 +281,8 @@ void MoveByVelocity(SolverBody& body, float32 timeStep)
 void World::Step(float32 timeStep, int32 velocityIterations, int32 positionIterations)
 {
     if (!B2_REQUIRE(!locked, "b2World::Step must not be called from inside a callback.") ||
-        !B2_REQUIRE(b2IsValid(timeStep) && timeStep >= 0.0f, "The time step must be finite and not negative."))
+        !B2_REQUIRE(b2IsValid(timeStep) && timeStep >= 0.0f,
+                    "The time step must be finite and not negative."))
     {
         return;
     }

@@ -22,8 +22,8 @@ class b2Draw;
 class b2Joint;
 class b2World;
 
-/// Everything a world holds. b2World is the public face of it; the parts of the engine are functions on
-/// it, a file each: Bodies, Contacts, Joints, Step, Continuous, Queries, DebugDraw.
+/// Everything a world holds. b2World is the public face of it; the parts of the engine are
+/// functions on it, a file each: Bodies, Contacts, Joints, Step, Continuous, Queries, DebugDraw.
 namespace box2d
 {
 
@@ -56,8 +56,8 @@ public:
     void UpdateSensor(b2Fixture& fixture);
     void CreateProxies(b2Fixture& fixture);
     void DestroyProxies(b2Fixture& fixture);
-    /// After its body has moved: new boxes where the shapes have left theirs. `swept` also covers the way
-    /// from the pose at the start of the step.
+    /// After its body has moved: new boxes where the shapes have left theirs. `swept` also covers
+    /// the way from the pose at the start of the step.
     void UpdateProxies(BodyData& body, bool swept);
     /// Boxes anew whether the shapes have left theirs or not.
     void ResetProxies(BodyData& body);
@@ -79,8 +79,8 @@ public:
     void Wake(b2Body& body);       ///< and everything that hangs together with it
     void PutToSleep(b2Body& body); ///< this one only
     void PutToSleep(int32 island);
-    /// Puts it into the lists of what a step looks at, or takes it out, as follows from the state of its
-    /// body or bodies. To be called after any change of that.
+    /// Puts it into the lists of what a step looks at, or takes it out, as follows from the state
+    /// of its body or bodies. To be called after any change of that.
     void UpdateActivity(b2Body& body);
     void UpdateActivity(b2Contact& contact);
     void UpdateActivity(b2Joint& joint);
@@ -107,8 +107,8 @@ public:
     ConstraintGraph graph;
     Islands islands;
 
-    Array<b2Body*> awakeBodies;       ///< kinematic and dynamic
-    Array<b2Contact*> awakeContacts;  ///< with a body that is awake and not static
+    Array<b2Body*> awakeBodies;           ///< kinematic and dynamic
+    Array<b2Contact*> awakeContacts;      ///< with a body that is awake and not static
     std::unique_ptr<SolverArrays> solver; ///< scratch, reused from step to step
 
     b2Body* bodyList = nullptr;

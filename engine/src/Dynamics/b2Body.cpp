@@ -14,7 +14,8 @@ namespace
 
 bool IsUnlocked(const box2d::BodyData& body)
 {
-    return B2_REQUIRE(!body.world->locked, "A body must not be changed from inside a callback of its world.");
+    return B2_REQUIRE(!body.world->locked,
+                      "A body must not be changed from inside a callback of its world.");
 }
 
 // Forces on what does not take part in the step would pile up unseen.
@@ -34,7 +35,8 @@ bool TakesForces(b2Body& body, bool wake)
 
 bool IsFinite(const b2Vec2& a, const b2Vec2& b)
 {
-    return B2_REQUIRE(a.IsValid() && b.IsValid(), "Forces, impulses and their points must be finite.");
+    return B2_REQUIRE(a.IsValid() && b.IsValid(),
+                      "Forces, impulses and their points must be finite.");
 }
 
 bool IsFinite(float32 a)
@@ -46,7 +48,8 @@ bool IsFinite(float32 a)
 
 b2Fixture* b2Body::CreateFixture(const b2FixtureDef* def)
 {
-    if (!IsUnlocked(m_data) || !B2_REQUIRE(def != nullptr, "b2Body::CreateFixture needs a definition."))
+    if (!IsUnlocked(m_data) ||
+        !B2_REQUIRE(def != nullptr, "b2Body::CreateFixture needs a definition."))
     {
         return nullptr;
     }
@@ -163,8 +166,9 @@ void b2Body::GetMassData(b2MassData* data) const
 
 void b2Body::SetMassData(const b2MassData* data)
 {
-    if (IsUnlocked(m_data) && B2_REQUIRE(b2IsValid(data->mass) && b2IsValid(data->I) && data->center.IsValid(),
-                                         "b2Body::SetMassData needs finite mass data."))
+    if (IsUnlocked(m_data) &&
+        B2_REQUIRE(b2IsValid(data->mass) && b2IsValid(data->I) && data->center.IsValid(),
+                   "b2Body::SetMassData needs finite mass data."))
     {
         m_data.world->SetMassData(m_data, *data);
     }
@@ -195,7 +199,8 @@ void b2Body::SetType(b2BodyType type)
 
 void b2Body::SetBullet(bool flag)
 {
-    m_data.flags = flag ? m_data.flags | box2d::kBodyBullet : m_data.flags & ~std::uint32_t(box2d::kBodyBullet);
+    m_data.flags = flag ? m_data.flags | box2d::kBodyBullet
+                        : m_data.flags & ~std::uint32_t(box2d::kBodyBullet);
 }
 
 void b2Body::SetSleepingAllowed(bool flag)
@@ -251,7 +256,8 @@ void b2Body::Dump()
     b2Log("  bd.type = b2BodyType(%d);\n", int(GetType()));
     b2Log("  bd.position.Set(%.9gf, %.9gf);\n", double(GetPosition().x), double(GetPosition().y));
     b2Log("  bd.angle = %.9gf;\n", double(GetAngle()));
-    b2Log("  bd.linearVelocity.Set(%.9gf, %.9gf);\n", double(GetLinearVelocity().x), double(GetLinearVelocity().y));
+    b2Log("  bd.linearVelocity.Set(%.9gf, %.9gf);\n", double(GetLinearVelocity().x),
+          double(GetLinearVelocity().y));
     b2Log("  bd.angularVelocity = %.9gf;\n", double(GetAngularVelocity()));
     b2Log("  bd.linearDamping = %.9gf;\n", double(GetLinearDamping()));
     b2Log("  bd.angularDamping = %.9gf;\n", double(GetAngularDamping()));

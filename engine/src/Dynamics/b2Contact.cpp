@@ -7,8 +7,9 @@
 
 void b2Contact::GetWorldManifold(b2WorldManifold* worldManifold) const
 {
-    worldManifold->Initialize(&m_data.manifold, m_data.bodyA->GetTransform(), m_data.fixtureA->GetShape()->m_radius,
-                              m_data.bodyB->GetTransform(), m_data.fixtureB->GetShape()->m_radius);
+    worldManifold->Initialize(&m_data.manifold, m_data.bodyA->GetTransform(),
+                              m_data.fixtureA->GetShape()->m_radius, m_data.bodyB->GetTransform(),
+                              m_data.fixtureB->GetShape()->m_radius);
 }
 
 void b2Contact::SetEnabled(bool flag)
@@ -24,11 +25,12 @@ void b2Contact::ResetFriction()
 
 void b2Contact::ResetRestitution()
 {
-    m_data.restitution = b2MixRestitution(m_data.fixtureA->GetRestitution(), m_data.fixtureB->GetRestitution());
+    m_data.restitution =
+        b2MixRestitution(m_data.fixtureA->GetRestitution(), m_data.fixtureB->GetRestitution());
 }
 
 void b2Contact::Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB)
 {
-    box2d::Collide(manifold, *m_data.fixtureA->GetShape(), m_data.childA, *m_data.fixtureB->GetShape(),
-                   m_data.childB, b2MulT(xfA, xfB));
+    box2d::Collide(manifold, *m_data.fixtureA->GetShape(), m_data.childA,
+                   *m_data.fixtureB->GetShape(), m_data.childB, b2MulT(xfA, xfB));
 }

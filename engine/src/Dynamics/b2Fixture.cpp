@@ -35,14 +35,16 @@ bool b2Fixture::TestPoint(const b2Vec2& p) const
     return m_shape->TestPoint(m_body->GetTransform(), p);
 }
 
-bool b2Fixture::RayCast(b2RayCastOutput* output, const b2RayCastInput& input, int32 childIndex) const
+bool b2Fixture::RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
+                        int32 childIndex) const
 {
     return m_shape->RayCast(output, input, m_body->GetTransform(), childIndex);
 }
 
 void b2Fixture::SetDensity(float32 density)
 {
-    if (B2_REQUIRE(b2IsValid(density) && density >= 0.0f, "A fixture's density must be finite and not negative."))
+    if (B2_REQUIRE(b2IsValid(density) && density >= 0.0f,
+                   "A fixture's density must be finite and not negative."))
     {
         m_density = density;
     }

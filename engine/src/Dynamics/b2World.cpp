@@ -39,7 +39,8 @@ void b2World::SetDebugDraw(b2Draw* debugDraw)
 
 b2Body* b2World::CreateBody(const b2BodyDef* def)
 {
-    if (!B2_REQUIRE(!IsLocked(), "b2World::CreateBody must not be called from inside a callback.") ||
+    if (!B2_REQUIRE(!IsLocked(),
+                    "b2World::CreateBody must not be called from inside a callback.") ||
         !B2_REQUIRE(def != nullptr, "b2World::CreateBody needs a definition."))
     {
         return nullptr;
@@ -49,8 +50,10 @@ b2Body* b2World::CreateBody(const b2BodyDef* def)
 
 void b2World::DestroyBody(b2Body* body)
 {
-    if (B2_REQUIRE(!IsLocked(), "b2World::DestroyBody must not be called from inside a callback.") &&
-        B2_REQUIRE(body != nullptr && body->GetWorld() == this, "b2World::DestroyBody needs a body of this world."))
+    if (B2_REQUIRE(!IsLocked(),
+                   "b2World::DestroyBody must not be called from inside a callback.") &&
+        B2_REQUIRE(body != nullptr && body->GetWorld() == this,
+                   "b2World::DestroyBody needs a body of this world."))
     {
         m_world->DestroyBody(*body);
     }
@@ -58,7 +61,8 @@ void b2World::DestroyBody(b2Body* body)
 
 b2Joint* b2World::CreateJoint(const b2JointDef* def)
 {
-    if (!B2_REQUIRE(!IsLocked(), "b2World::CreateJoint must not be called from inside a callback.") ||
+    if (!B2_REQUIRE(!IsLocked(),
+                    "b2World::CreateJoint must not be called from inside a callback.") ||
         !B2_REQUIRE(def != nullptr, "b2World::CreateJoint needs a definition."))
     {
         return nullptr;
@@ -68,7 +72,8 @@ b2Joint* b2World::CreateJoint(const b2JointDef* def)
 
 void b2World::DestroyJoint(b2Joint* joint)
 {
-    if (B2_REQUIRE(!IsLocked(), "b2World::DestroyJoint must not be called from inside a callback.") &&
+    if (B2_REQUIRE(!IsLocked(),
+                   "b2World::DestroyJoint must not be called from inside a callback.") &&
         B2_REQUIRE(joint != nullptr, "b2World::DestroyJoint needs a joint."))
     {
         m_world->DestroyJoint(*joint);
@@ -210,7 +215,8 @@ int32 b2World::GetTreeHeight() const
     int32 height = 0;
     for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
     {
-        height = b2Max(height, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetHeight());
+        height =
+            b2Max(height, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetHeight());
     }
     return height;
 }
@@ -220,7 +226,8 @@ int32 b2World::GetTreeBalance() const
     int32 balance = 0;
     for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
     {
-        balance = b2Max(balance, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetMaxBalance());
+        balance = b2Max(balance,
+                        m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetMaxBalance());
     }
     return balance;
 }
@@ -230,7 +237,8 @@ float32 b2World::GetTreeQuality() const
     float32 quality = 0.0f;
     for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
     {
-        quality = b2Max(quality, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetAreaRatio());
+        quality =
+            b2Max(quality, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetAreaRatio());
     }
     return quality;
 }
@@ -265,7 +273,8 @@ bool b2World::GetAutoClearForces() const
 
 void b2World::ShiftOrigin(const b2Vec2& newOrigin)
 {
-    if (B2_REQUIRE(!IsLocked(), "b2World::ShiftOrigin must not be called from inside a callback.") &&
+    if (B2_REQUIRE(!IsLocked(),
+                   "b2World::ShiftOrigin must not be called from inside a callback.") &&
         B2_REQUIRE(newOrigin.IsValid(), "b2World::ShiftOrigin needs a finite point."))
     {
         m_world->ShiftOrigin(newOrigin);
@@ -284,7 +293,8 @@ void b2World::Dump()
     {
         return;
     }
-    b2Log("b2World* m_world = new b2World(b2Vec2(%.9gf, %.9gf));\n", double(GetGravity().x), double(GetGravity().y));
+    b2Log("b2World* m_world = new b2World(b2Vec2(%.9gf, %.9gf));\n", double(GetGravity().x),
+          double(GetGravity().y));
     b2Log("std::map<int, b2Body*> bodies;\n");
     b2Log("std::map<int, b2Joint*> joints;\n");
     for (b2Body* body = GetBodyList(); body; body = body->GetNext())

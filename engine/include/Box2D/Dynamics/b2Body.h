@@ -49,7 +49,8 @@ struct b2BodyDef
 class b2Body
 {
 public:
-    /// Attaches a copy of the definition's shape and updates the mass. nullptr while the world is locked.
+    /// Attaches a copy of the definition's shape and updates the mass. nullptr while the world is
+    /// locked.
     b2Fixture* CreateFixture(const b2FixtureDef* def);
     b2Fixture* CreateFixture(const b2Shape* shape, float32 density);
     void DestroyFixture(b2Fixture* fixture);
@@ -71,13 +72,14 @@ public:
     void SetAngularVelocity(float32 omega);
     float32 GetAngularVelocity() const { return m_data.angularVelocity; }
 
-    /// At a world point [N]; off the centre of mass it turns the body. `wake` false leaves a sleeping
-    /// body alone.
+    /// At a world point [N]; off the centre of mass it turns the body. `wake` false leaves a
+    /// sleeping body alone.
     void ApplyForce(const b2Vec2& force, const b2Vec2& point, bool wake = true);
     void ApplyForceToCenter(const b2Vec2& force, bool wake = true);
-    void ApplyTorque(float32 torque, bool wake = true);                                   ///< [N m]
-    void ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point, bool wake = true); ///< [N s]
-    void ApplyAngularImpulse(float32 impulse, bool wake = true);                          ///< [N m s]
+    void ApplyTorque(float32 torque, bool wake = true); ///< [N m]
+    void ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point,
+                            bool wake = true);                   ///< [N s]
+    void ApplyAngularImpulse(float32 impulse, bool wake = true); ///< [N m s]
 
     float32 GetMass() const { return m_data.mass; }
     /// About the body's origin [kg m^2].
@@ -87,10 +89,22 @@ public:
     void SetMassData(const b2MassData* data);
     void ResetMassData();
 
-    b2Vec2 GetWorldPoint(const b2Vec2& localPoint) const { return b2Mul(m_data.transform, localPoint); }
-    b2Vec2 GetWorldVector(const b2Vec2& localVector) const { return b2Mul(m_data.transform.q, localVector); }
-    b2Vec2 GetLocalPoint(const b2Vec2& worldPoint) const { return b2MulT(m_data.transform, worldPoint); }
-    b2Vec2 GetLocalVector(const b2Vec2& worldVector) const { return b2MulT(m_data.transform.q, worldVector); }
+    b2Vec2 GetWorldPoint(const b2Vec2& localPoint) const
+    {
+        return b2Mul(m_data.transform, localPoint);
+    }
+    b2Vec2 GetWorldVector(const b2Vec2& localVector) const
+    {
+        return b2Mul(m_data.transform.q, localVector);
+    }
+    b2Vec2 GetLocalPoint(const b2Vec2& worldPoint) const
+    {
+        return b2MulT(m_data.transform, worldPoint);
+    }
+    b2Vec2 GetLocalVector(const b2Vec2& worldVector) const
+    {
+        return b2MulT(m_data.transform.q, worldVector);
+    }
     b2Vec2 GetLinearVelocityFromWorldPoint(const b2Vec2& worldPoint) const;
     b2Vec2 GetLinearVelocityFromLocalPoint(const b2Vec2& localPoint) const;
 

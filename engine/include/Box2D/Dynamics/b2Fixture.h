@@ -5,6 +5,7 @@
 #include <Box2D/Collision/b2Collision.h>
 
 class b2Body;
+class b2Fixture;
 
 namespace box2d
 {
@@ -16,7 +17,7 @@ struct b2Filter
 {
     uint16 categoryBits = 0x0001; ///< what it is, normally one bit
     uint16 maskBits = 0xFFFF;     ///< the categories it collides with
-    int16 groupIndex = 0;         ///< same group: always (positive) or never (negative); 0: no group
+    int16 groupIndex = 0; ///< same group: always (positive) or never (negative); 0: no group
 };
 
 /// All that is needed to create a fixture. Can be reused; the shape is copied.
@@ -106,8 +107,8 @@ protected:
     void* m_userData = nullptr;
 };
 
-/// The friction of a contact from that of its fixtures: the geometric mean, so that either can make it
-/// slippery.
+/// The friction of a contact from that of its fixtures: the geometric mean, so that either can make
+/// it slippery.
 inline float32 b2MixFriction(float32 friction1, float32 friction2)
 {
     return b2Sqrt(friction1 * friction2);

@@ -3,7 +3,8 @@
 
 #include <Box2D/Common/b2Settings.h>
 
-/// Where the time of the last step went [ms]. Measured from the first call of b2World::GetProfile on.
+/// Where the time of the last step went [ms]. Measured from the first call of b2World::GetProfile
+/// on.
 struct b2Profile
 {
     float32 step = 0.0f;

@@ -3,8 +3,8 @@
 
 #include <Box2D/Common/b2Settings.h>
 
-/// The interfaces through which a world speaks to the program. Every function has an empty body or a
-/// sensible default unless it is the point of the interface.
+/// The interfaces through which a world speaks to the program. Every function has an empty body or
+/// a sensible default unless it is the point of the interface.
 
 struct b2Vec2;
 struct b2Manifold;
@@ -38,7 +38,8 @@ struct b2ContactImpulse
     int32 count = 0;
 };
 
-/// Told about contacts. The world is locked inside these functions: it cannot be changed from there.
+/// Told about contacts. The world is locked inside these functions: it cannot be changed from
+/// there.
 class b2ContactListener
 {
 public:
@@ -76,8 +77,8 @@ class b2RayCastCallback
 {
 public:
     virtual ~b2RayCastCallback() = default;
-    /// Returns how to go on: -1 ignore this fixture, 0 end, `fraction` clip the ray here, 1 go on as if
-    /// nothing had been hit.
+    /// Returns how to go on: -1 ignore this fixture, 0 end, `fraction` clip the ray here, 1 go on
+    /// as if nothing had been hit.
     virtual float32 ReportFixture(b2Fixture* fixture, const b2Vec2& point, const b2Vec2& normal,
                                   float32 fraction) = 0;
 };

@@ -67,7 +67,8 @@ struct BodyData
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 
-    // The way of the last step, for continuous collision: from `previous` at `sweepStart` to `pose` at its end.
+    // The way of the last step, for continuous collision: from `previous` at `sweepStart` to `pose`
+    // at its end.
     Pose previous;
     float32 sweepStart = 0.0f;      ///< fraction of the step, 0 to 1
     std::uint32_t sweepVersion = 0; ///< changes whenever the way does

@@ -18,8 +18,8 @@ struct b2ContactEdge
     b2ContactEdge* next = nullptr;
 };
 
-/// What the engine keeps of a contact. b2Contact is the public face of it. Not for programs that use
-/// the engine.
+/// What the engine keeps of a contact. b2Contact is the public face of it. Not for programs that
+/// use the engine.
 namespace box2d
 {
 
@@ -27,9 +27,9 @@ enum ContactFlag : std::uint32_t
 {
     kContactTouching = 1u << 0,
     kContactEnabled = 1u << 1,
-    kContactSensor = 1u << 2,  ///< one of the fixtures is a sensor
-    kContactFilter = 1u << 3,  ///< the filters have changed: look again whether they collide
-    kContactLinked = 1u << 4,  ///< joins its bodies' islands
+    kContactSensor = 1u << 2, ///< one of the fixtures is a sensor
+    kContactFilter = 1u << 3, ///< the filters have changed: look again whether they collide
+    kContactLinked = 1u << 4, ///< joins its bodies' islands
 };
 
 struct ContactData
@@ -46,8 +46,9 @@ struct ContactData
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
     b2Manifold manifold;
 
-    std::int32_t awakeIndex = -1; ///< place among the contacts updated each step, -1 when both bodies rest
-    std::int32_t color = -1;      ///< of the constraint graph, -1 when not solved
+    std::int32_t awakeIndex =
+        -1; ///< place among the contacts updated each step, -1 when both bodies rest
+    std::int32_t color = -1; ///< of the constraint graph, -1 when not solved
     std::int32_t colorIndex = -1;
     std::int32_t toiCount = 0; ///< times of impact handled in this step
     std::int32_t poolIndex = 0;

@@ -6,8 +6,8 @@
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// What every joint needs of its two bodies: their places in the solver and their inverse masses. Made on the
-/// spot, never kept.
+/// What every joint needs of its two bodies: their places in the solver and their inverse masses.
+/// Made on the spot, never kept.
 namespace box2d
 {
 
@@ -17,14 +17,19 @@ struct JointFrame
 {
     JointFrame(const b2Body& bodyA, const b2Body& bodyB, const SolverContext& context)
         : dataA(Data(bodyA)), dataB(Data(bodyB)), a(context.bodies[dataA.SolverIndex()]),
-          b(context.bodies[dataB.SolverIndex()]), mA(dataA.SolverInvMass()), iA(dataA.SolverInvInertia()),
-          mB(dataB.SolverInvMass()), iB(dataB.SolverInvInertia())
-    {
-    }
+          b(context.bodies[dataB.SolverIndex()]), mA(dataA.SolverInvMass()),
+          iA(dataA.SolverInvInertia()), mB(dataB.SolverInvMass()), iB(dataB.SolverInvInertia())
+    {}
 
     /// From the centre of mass to a point given in the body's frame, in world axes.
-    b2Vec2 ArmA(const b2Vec2& local) const { return b2Mul(dataA.rotation, local - dataA.localCenter); }
-    b2Vec2 ArmB(const b2Vec2& local) const { return b2Mul(dataB.rotation, local - dataB.localCenter); }
+    b2Vec2 ArmA(const b2Vec2& local) const
+    {
+        return b2Mul(dataA.rotation, local - dataA.localCenter);
+    }
+    b2Vec2 ArmB(const b2Vec2& local) const
+    {
+        return b2Mul(dataB.rotation, local - dataB.localCenter);
+    }
     b2Vec2 Offset() const { return CenterOffset(dataA, dataB); }
 
     /// Velocity of B's point seen from A's.

@@ -6,10 +6,13 @@
 // Keep two anchors at length L:  C = |d| - L,  n = d / |d|
 //   Cdot = dot(n, vB + wB x rB - vA - wA x rA)
 //   K    = mA + mB + iA (rA x n)^2 + iB (rB x n)^2        (mA … inverse masses)
-// A spring adds softness (Catto, "Soft Constraints", GDC 2011): with stiffness k, damping c and step h
-//   gamma = 1 / (h (c + h k)),  bias = C h k gamma,  impulse = -(Cdot + bias + gamma * total) / (K + gamma)
+// A spring adds softness (Catto, "Soft Constraints", GDC 2011): with stiffness k, damping c and
+// step h
+//   gamma = 1 / (h (c + h k)),  bias = C h k gamma,  impulse = -(Cdot + bias + gamma * total) / (K
+//   + gamma)
 
-void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA, const b2Vec2& anchorB)
+void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
+                                    const b2Vec2& anchorB)
 {
     bodyA = a;
     bodyB = b;
@@ -19,10 +22,9 @@ void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
 }
 
 b2DistanceJoint::b2DistanceJoint(const b2DistanceJointDef* def)
-    : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB), m_length(def->length),
-      m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio)
-{
-}
+    : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
+      m_length(def->length), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio)
+{}
 
 void b2DistanceJoint::Prepare(const box2d::SolverContext& context)
 {
@@ -76,7 +78,8 @@ bool b2DistanceJoint::SolvePosition(const box2d::SolverContext& context)
     const b2Vec2 armB = b2Mul(f.b.q, m_armB);
     b2Vec2 axis = m_offset + f.b.d - f.a.d + armB - armA;
     const float32 length = axis.Normalize();
-    const float32 error = b2Clamp(length - m_length, -b2_maxLinearCorrection, b2_maxLinearCorrection);
+    const float32 error =
+        b2Clamp(length - m_length, -b2_maxLinearCorrection, b2_maxLinearCorrection);
     const float32 crossA = b2Cross(armA, axis);
     const float32 crossB = b2Cross(armB, axis);
     const float32 k = f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
@@ -113,8 +116,10 @@ void b2DistanceJoint::Dump()
     b2Log("  jd.bodyA = bodies[%d];\n", box2d::Data(*m_bodyA).number);
     b2Log("  jd.bodyB = bodies[%d];\n", box2d::Data(*m_bodyB).number);
     b2Log("  jd.collideConnected = bool(%d);\n", m_collideConnected);
-    b2Log("  jd.localAnchorA.Set(%.9gf, %.9gf);\n", double(m_localAnchorA.x), double(m_localAnchorA.y));
-    b2Log("  jd.localAnchorB.Set(%.9gf, %.9gf);\n", double(m_localAnchorB.x), double(m_localAnchorB.y));
+    b2Log("  jd.localAnchorA.Set(%.9gf, %.9gf);\n", double(m_localAnchorA.x),
+          double(m_localAnchorA.y));
+    b2Log("  jd.localAnchorB.Set(%.9gf, %.9gf);\n", double(m_localAnchorB.x),
+          double(m_localAnchorB.y));
     b2Log("  jd.length = %.9gf;\n", double(m_length));
     b2Log("  jd.frequencyHz = %.9gf;\n", double(m_frequencyHz));
     b2Log("  jd.dampingRatio = %.9gf;\n", double(m_dampingRatio));

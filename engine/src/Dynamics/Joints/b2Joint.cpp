@@ -8,8 +8,7 @@
 b2Joint::b2Joint(const b2JointDef* def)
     : m_type(def->type), m_bodyA(def->bodyA), m_bodyB(def->bodyB),
       m_collideConnected(def->collideConnected), m_userData(def->userData)
-{
-}
+{}
 
 bool b2Joint::IsActive() const
 {

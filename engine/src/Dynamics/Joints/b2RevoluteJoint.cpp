@@ -3,9 +3,10 @@
 
 #include "JointFrame.h"
 
-// The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in PointMatrix.
-// About the hinge: the motor drives wB - wA to its speed within its torque; a limit is an inequality on the
-// angle, which may close in on the limit at most as fast as it would reach it in this step.
+// The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in
+// PointMatrix. About the hinge: the motor drives wB - wA to its speed within its torque; a limit is
+// an inequality on the angle, which may close in on the limit at most as fast as it would reach it
+// in this step.
 
 void b2RevoluteJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
 {
@@ -18,11 +19,10 @@ void b2RevoluteJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
 
 b2RevoluteJoint::b2RevoluteJoint(const b2RevoluteJointDef* def)
     : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
-      m_referenceAngle(def->referenceAngle), m_enableLimit(def->enableLimit), m_lowerAngle(def->lowerAngle),
-      m_upperAngle(def->upperAngle), m_enableMotor(def->enableMotor), m_motorSpeed(def->motorSpeed),
-      m_maxMotorTorque(def->maxMotorTorque)
-{
-}
+      m_referenceAngle(def->referenceAngle), m_enableLimit(def->enableLimit),
+      m_lowerAngle(def->lowerAngle), m_upperAngle(def->upperAngle), m_enableMotor(def->enableMotor),
+      m_motorSpeed(def->motorSpeed), m_maxMotorTorque(def->maxMotorTorque)
+{}
 
 void b2RevoluteJoint::Prepare(const box2d::SolverContext& context)
 {
@@ -56,12 +56,14 @@ void b2RevoluteJoint::SolveVelocity(const box2d::SolverContext& context)
     if (m_enableLimit)
     {
         const float32 aboveLower = b2Max(m_angle - m_lowerAngle, 0.0f) * context.inverseStep;
-        const float32 lower = b2Max(m_lowerImpulse - m_axialMass * (f.b.w - f.a.w + aboveLower), 0.0f);
+        const float32 lower =
+            b2Max(m_lowerImpulse - m_axialMass * (f.b.w - f.a.w + aboveLower), 0.0f);
         f.ApplyAngularImpulse(lower - m_lowerImpulse);
         m_lowerImpulse = lower;
 
         const float32 belowUpper = b2Max(m_upperAngle - m_angle, 0.0f) * context.inverseStep;
-        const float32 upper = b2Max(m_upperImpulse - m_axialMass * (f.a.w - f.b.w + belowUpper), 0.0f);
+        const float32 upper =
+            b2Max(m_upperImpulse - m_axialMass * (f.a.w - f.b.w + belowUpper), 0.0f);
         f.ApplyAngularImpulse(m_upperImpulse - upper);
         m_upperImpulse = upper;
     }
@@ -80,7 +82,8 @@ bool b2RevoluteJoint::SolvePosition(const box2d::SolverContext& context)
         const float32 angle = m_angle + f.b.angle - f.a.angle;
         const float32 inside = b2Clamp(angle, m_lowerAngle, m_upperAngle);
         angularError = b2Abs(angle - inside);
-        f.Turn(m_axialMass * b2Clamp(inside - angle, -b2_maxAngularCorrection, b2_maxAngularCorrection));
+        f.Turn(m_axialMass *
+               b2Clamp(inside - angle, -b2_maxAngularCorrection, b2_maxAngularCorrection));
     }
     const b2Vec2 armA = b2Mul(f.a.q, m_armA);
     const b2Vec2 armB = b2Mul(f.b.q, m_armB);
@@ -143,7 +146,8 @@ void b2RevoluteJoint::EnableLimit(bool flag)
 
 void b2RevoluteJoint::SetLimits(float32 lower, float32 upper)
 {
-    if (!B2_REQUIRE(lower <= upper, "b2RevoluteJoint::SetLimits: the lower limit must not exceed the upper one."))
+    if (!B2_REQUIRE(lower <= upper,
+                    "b2RevoluteJoint::SetLimits: the lower limit must not exceed the upper one."))
     {
         return;
     }
@@ -181,8 +185,10 @@ void b2RevoluteJoint::Dump()
     b2Log("  jd.bodyA = bodies[%d];\n", box2d::Data(*m_bodyA).number);
     b2Log("  jd.bodyB = bodies[%d];\n", box2d::Data(*m_bodyB).number);
     b2Log("  jd.collideConnected = bool(%d);\n", m_collideConnected);
-    b2Log("  jd.localAnchorA.Set(%.9gf, %.9gf);\n", double(m_localAnchorA.x), double(m_localAnchorA.y));
-    b2Log("  jd.localAnchorB.Set(%.9gf, %.9gf);\n", double(m_localAnchorB.x), double(m_localAnchorB.y));
+    b2Log("  jd.localAnchorA.Set(%.9gf, %.9gf);\n", double(m_localAnchorA.x),
+          double(m_localAnchorA.y));
+    b2Log("  jd.localAnchorB.Set(%.9gf, %.9gf);\n", double(m_localAnchorB.x),
+          double(m_localAnchorB.y));
     b2Log("  jd.referenceAngle = %.9gf;\n", double(m_referenceAngle));
     b2Log("  jd.enableLimit = bool(%d);\n", m_enableLimit);
     b2Log("  jd.lowerAngle = %.9gf;\n", double(m_lowerAngle));

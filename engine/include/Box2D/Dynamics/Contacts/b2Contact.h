@@ -9,8 +9,8 @@ namespace box2d
 ContactData& Data(b2Contact& contact);
 } // namespace box2d
 
-/// Two fixtures whose broad-phase boxes overlap. Created and destroyed by the world; they touch only
-/// when IsTouching says so.
+/// Two fixtures whose broad-phase boxes overlap. Created and destroyed by the world; they touch
+/// only when IsTouching says so.
 class b2Contact
 {
 public:

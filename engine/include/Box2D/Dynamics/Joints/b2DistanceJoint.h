@@ -13,8 +13,8 @@ struct b2DistanceJointDef : public b2JointDef
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     float32 length = 1.0f;                    ///< [m]; not shorter than the slop
-    float32 frequencyHz = 0.0f;               ///< of the spring; 0: rigid. Less than half the step rate
-    float32 dampingRatio = 0.0f;              ///< 0: none, 1: critical
+    float32 frequencyHz = 0.0f;  ///< of the spring; 0: rigid. Less than half the step rate
+    float32 dampingRatio = 0.0f; ///< 0: none, 1: critical
 };
 
 class b2DistanceJoint : public b2Joint

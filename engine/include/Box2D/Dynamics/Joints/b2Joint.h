@@ -94,8 +94,8 @@ protected:
     explicit b2Joint(const b2JointDef* def);
     virtual ~b2Joint() = default;
 
-    // The solver's side. Prepare computes what stays the same during a step and applies the impulses of
-    // the last one; SolvePosition returns true when the error is below the tolerance.
+    // The solver's side. Prepare computes what stays the same during a step and applies the
+    // impulses of the last one; SolvePosition returns true when the error is below the tolerance.
     virtual void Prepare(const box2d::SolverContext& context) = 0;
     virtual void SolveVelocity(const box2d::SolverContext& context) = 0;
     virtual bool SolvePosition(const box2d::SolverContext& context) = 0;

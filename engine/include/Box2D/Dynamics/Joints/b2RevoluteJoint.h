@@ -12,7 +12,8 @@ struct b2RevoluteJointDef : public b2JointDef
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 referenceAngle = 0.0f; ///< body B's angle minus body A's where the joint angle is zero [rad]
+    float32 referenceAngle =
+        0.0f; ///< body B's angle minus body A's where the joint angle is zero [rad]
     bool enableLimit = false;
     float32 lowerAngle = 0.0f; ///< [rad]
     float32 upperAngle = 0.0f; ///< [rad], >= lowerAngle
