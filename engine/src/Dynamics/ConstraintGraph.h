@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Box2D/Common/Array.h>
-#include <Box2D/Internal/BodyData.h>
+#include <Box2D/Dynamics/Internal/BodyData.h>
 
 class b2Contact;
 class b2Joint;

@@ -3,7 +3,7 @@
 
 #include <Box2D/Collision/b2DynamicTree.h>
 #include <Box2D/Common/Array.h>
-#include <Box2D/Internal/BodyData.h>
+#include <Box2D/Dynamics/Internal/BodyData.h>
 
 struct b2FixtureProxy;
 

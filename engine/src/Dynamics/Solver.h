@@ -3,7 +3,7 @@
 
 #include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2Math.h>
-#include <Box2D/Internal/BodyData.h>
+#include <Box2D/Dynamics/Internal/BodyData.h>
 
 class b2Contact;
 class b2ContactListener;

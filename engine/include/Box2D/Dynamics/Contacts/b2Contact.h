@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Box2D/Dynamics/Internal/ContactData.h>
 #include <Box2D/Dynamics/b2Fixture.h>
-#include <Box2D/Internal/ContactData.h>
 
 namespace box2d
 {
