@@ -292,10 +292,10 @@ void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context)
     }
 }
 
-void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies)
+void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
+                            Direction direction)
 {
-    for (ContactConstraint& c : contacts)
-    {
+    ForEach(contacts, direction, [bodies](ContactConstraint& c) {
         Velocities v = Load(c, bodies);
         SolveFriction(c, v);
         if (c.coupled)
@@ -310,7 +310,7 @@ void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodi
             }
         }
         Store(v, c, bodies);
-    }
+    });
 }
 
 void StoreImpulses(const Array<ContactConstraint>& contacts)
@@ -452,18 +452,18 @@ float32 PushPair(Push& push, float32 rate)
 
 } // namespace
 
-float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate)
+float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,
+                      Direction direction)
 {
     float32 smallest = 0.0f;
-    for (const OverlapConstraint& o : overlaps)
-    {
+    ForEach(overlaps, direction, [&](const OverlapConstraint& o) {
         Push push{o, bodies[o.bodyA], bodies[o.bodyB]};
         const float32 separation =
             o.pointCount == 2 ? PushPair(push, rate) : PushPoint(push, 0, rate);
         smallest = b2Min(smallest, separation);
         bodies[o.bodyA] = push.a;
         bodies[o.bodyB] = push.b;
-    }
+    });
     return smallest;
 }
 

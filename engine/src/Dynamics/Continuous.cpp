@@ -409,7 +409,7 @@ void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     }
     for (int32 i = 0; i < kImpactPositionIterations; ++i)
     {
-        if (SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_toiBaugarte) >=
+        if (SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_toiBaugarte, DirectionOf(i)) >=
             -1.5f * b2_linearSlop)
         {
             break;
@@ -436,7 +436,7 @@ void ImpactSolver::SolveVelocities(float32 timeLeft)
     PrepareAll(false);
     for (int32 i = 0; i < m_velocityIterations; ++i)
     {
-        SolveContactVelocities(m_arrays.contacts, m_context.bodies);
+        SolveContactVelocities(m_arrays.contacts, m_context.bodies, DirectionOf(i));
     }
     for (b2Body* body : m_bodies)
     {

@@ -5,6 +5,8 @@
 #include <Box2D/Common/b2Math.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
+#include <algorithm>
+
 class b2Contact;
 class b2ContactListener;
 
@@ -106,6 +108,33 @@ struct SolverArrays
 /// than need be.
 inline constexpr float32 kFastShare = 0.25f;
 
+/// Sweeps over constraints go forward and backward in turn (symmetric Gauss-Seidel; Saad,
+/// "Iterative Methods for Sparse Linear Systems", 4.1): constraints that follow the colours rather
+/// than the stack would else push a tall pile to one side, sweep after sweep.
+enum class Direction : uint8
+{
+    Forward,
+    Backward,
+};
+
+inline Direction DirectionOf(int32 iteration)
+{
+    return iteration % 2 == 0 ? Direction::Forward : Direction::Backward;
+}
+
+template <class List, class Function>
+void ForEach(List& list, Direction direction, Function&& function)
+{
+    if (direction == Direction::Forward)
+    {
+        std::for_each(list.begin(), list.end(), function);
+    }
+    else
+    {
+        std::for_each(list.rbegin(), list.rend(), function);
+    }
+}
+
 // Step.cpp
 
 /// Moves and turns a body for `timeStep`, slowing it down to what a step allows.
@@ -121,11 +150,13 @@ void PrepareContact(b2Contact& contact, const SolverContext& context, ContactCon
 /// Applies the impulses carried over from the last step.
 void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context);
 /// One iteration: friction, then the normal impulses.
-void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies);
+void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
+                            Direction direction);
 /// Puts the impulses into the manifolds.
 void StoreImpulses(const Array<ContactConstraint>& contacts);
 /// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop.
 /// Returns the smallest separation that was met [m].
-float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate);
+float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,
+                      Direction direction);
 
 } // namespace box2d

@@ -65,7 +65,7 @@ public:
 
 private:
     template <class Function>
-    void ForEachJoint(Function&& function);
+    void ForEachJoint(Direction direction, Function&& function);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
 
     World& m_world;
@@ -74,23 +74,29 @@ private:
 };
 
 template <class Function>
-void StepSolver::ForEachJoint(Function&& function)
+void StepSolver::ForEachJoint(Direction direction, Function&& function)
 {
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
-        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
-        const Array<b2Joint*>& joints = m_world.graph.At(color).joints;
-        for (std::size_t j = 0; j < joints.size(); ++j)
-        {
-            function(*joints[j]);
-        }
+        const int32 place =
+            direction == Direction::Forward ? i : ConstraintGraph::kColorCount - 1 - i;
+        const int32 color = place == 0 ? ConstraintGraph::kOverflow : place - 1;
+        ForEach(m_world.graph.At(color).joints, direction,
+                [&](b2Joint* joint) { function(*joint); });
     }
 }
 
 void StepSolver::WakeJointNeighbours()
 {
-    ForEachJoint(
-        [this](b2Joint& joint) { m_world.WakeNeighbours(*joint.GetBodyA(), *joint.GetBodyB()); });
+    for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
+    {
+        // Waking adds joints to the lists, so they are read anew each time.
+        for (std::size_t i = 0; i < m_world.graph.At(color).joints.size(); ++i)
+        {
+            b2Joint* joint = m_world.graph.At(color).joints[i];
+            m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
+        }
+    }
 }
 
 void StepSolver::IntegrateVelocities()
@@ -134,15 +140,18 @@ void StepSolver::PrepareConstraints()
         }
     }
     WarmStart(m_arrays.contacts, m_context);
-    ForEachJoint([this](b2Joint& joint) { JointAccess::Prepare(joint, m_context); });
+    ForEachJoint(Direction::Forward,
+                 [this](b2Joint& joint) { JointAccess::Prepare(joint, m_context); });
 }
 
 void StepSolver::SolveVelocities(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        ForEachJoint([this](b2Joint& joint) { JointAccess::SolveVelocity(joint, m_context); });
-        SolveContactVelocities(m_arrays.contacts, m_context.bodies);
+        const Direction direction = DirectionOf(i);
+        ForEachJoint(direction,
+                     [this](b2Joint& joint) { JointAccess::SolveVelocity(joint, m_context); });
+        SolveContactVelocities(m_arrays.contacts, m_context.bodies, direction);
     }
     StoreImpulses(m_arrays.contacts);
 }
@@ -163,11 +172,12 @@ void StepSolver::SolvePositions(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
+        const Direction direction = DirectionOf(i);
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_baumgarte) >=
-                           -3.0f * b2_linearSlop;
+        const bool apart = SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_baumgarte,
+                                         direction) >= -3.0f * b2_linearSlop;
         bool joined = true;
-        ForEachJoint([&](b2Joint& joint) {
+        ForEachJoint(direction, [&](b2Joint& joint) {
             joined = JointAccess::SolvePosition(joint, m_context) && joined;
         });
         if (apart && joined)
