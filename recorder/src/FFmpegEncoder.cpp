@@ -349,6 +349,15 @@ Result<void> FFmpegEncoder::Close()
     {
         return done;
     }
+    if (IsGif())
+    {
+        // The last frame stays until the end of the film; the muxer alone would repeat the delay
+        // before it.
+        const std::int64_t step = GifFrameStep(m_settings.framesPerSecond);
+        const std::int64_t last = (m_frames - 1) / step * step;
+        FFmpeg().av_opt_set_int(m_muxer->priv_data, "final_delay",
+                                std::max<std::int64_t>(TimeOf(m_frames) - TimeOf(last), 2), 0);
+    }
     status = FFmpeg().av_write_trailer(m_muxer.get());
     m_output->Flush();
     if (status < 0 || m_output->HasFailed())

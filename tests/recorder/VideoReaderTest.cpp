@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestFilm.h"
+
+#include <recorder/VideoReader.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+
+using namespace testfilm;
+using boxreel::Error;
+using boxreel::ErrorKind;
+using boxreel::Frame;
+using boxreel::Quality;
+using boxreel::Result;
+using boxreel::VideoReader;
+using testing::HasSubstr;
+
+/// Reads to the end; what went wrong, if anything.
+Result<int> CountFrames(const std::filesystem::path& path)
+{
+    Result<VideoReader> reader = VideoReader::Open(path);
+    if (!reader)
+    {
+        return reader.GetError();
+    }
+    int count = 0;
+    Frame frame;
+    while (true)
+    {
+        const Result<bool> more = reader->Next(frame);
+        if (!more)
+        {
+            return more.GetError();
+        }
+        if (!*more)
+        {
+            return count;
+        }
+        ++count;
+    }
+}
+
+class VideoReaderTest : public testing::Test
+{
+protected:
+    TemporaryFolder m_folder;
+};
+
+TEST_F(VideoReaderTest, AnH264FilmCarriesTheTagsOfHd)
+{
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm"})
+    {
+        WriteFilm(m_folder / name, {}, Drawings(64, 48, 10));
+        const Film film = ReadFilm(m_folder / name);
+        EXPECT_EQ(film.info.pixelFormat, "yuv420p");
+        EXPECT_EQ(film.info.colorSpace, "bt709");
+        EXPECT_EQ(film.info.colorPrimaries, "bt709");
+        EXPECT_EQ(film.info.colorTransfer, "bt709");
+        EXPECT_EQ(film.info.colorRange, "tv");
+    }
+}
+
+TEST_F(VideoReaderTest, ALosslessFilmIsTaggedAsFullRangeRgb)
+{
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm"})
+    {
+        WriteFilm(m_folder / name, {.quality = Quality::Lossless}, Drawings(64, 48, 10));
+        const Film film = ReadFilm(m_folder / name);
+        EXPECT_EQ(film.info.colorSpace, "gbr");
+        EXPECT_EQ(film.info.colorTransfer, "iec61966-2-1");
+        EXPECT_EQ(film.info.colorRange, "pc");
+    }
+}
+
+TEST_F(VideoReaderTest, AnMp4StartsWithItsIndex)
+{
+    WriteFilm(m_folder / "film.mp4", {}, Drawings(64, 48, 30));
+    const std::string bytes = ReadBytes(m_folder / "film.mp4");
+    EXPECT_LT(bytes.find("moov"), bytes.find("mdat"));
+    EXPECT_NE(bytes.find("mdat"), std::string::npos);
+}
+
+TEST_F(VideoReaderTest, AnotherProgramSeesTheSameFilm)
+{
+    if (std::system("command -v ffprobe > /dev/null 2>&1") != 0)
+    {
+        GTEST_SKIP() << "ffprobe is not installed (Debian: ffmpeg), so only our own reader has "
+                        "looked at the film";
+    }
+    WriteFilm(m_folder / "film.mp4", {.framesPerSecond = {60, 1}}, Drawings(160, 90, 90));
+    const std::string command =
+        "ffprobe -v error -count_frames -show_entries "
+        "stream=codec_name,width,height,pix_fmt,color_range,color_space,"
+        "color_transfer,color_primaries,r_frame_rate,avg_frame_rate,nb_read_frames,duration -of "
+        "default=noprint_wrappers=1 " +
+        (m_folder / "film.mp4").string();
+    FILE* pipe = popen(command.c_str(), "r");
+    ASSERT_NE(pipe, nullptr);
+    std::string said;
+    char line[256];
+    while (fgets(line, sizeof line, pipe) != nullptr)
+    {
+        said += line;
+    }
+    EXPECT_EQ(pclose(pipe), 0);
+    for (const char* expected :
+         {"codec_name=h264\n", "width=160\n", "height=90\n", "pix_fmt=yuv420p\n",
+          "color_range=tv\n", "color_space=bt709\n", "color_transfer=bt709\n",
+          "color_primaries=bt709\n", "r_frame_rate=60/1\n", "avg_frame_rate=60/1\n",
+          "nb_read_frames=90\n", "duration=1.500000\n"})
+    {
+        EXPECT_THAT(said, HasSubstr(expected));
+    }
+}
+
+TEST_F(VideoReaderTest, MatroskaTimesAreRoundedOneByOneAndNeverDrift)
+{
+    for (const char* name : {"film.mkv", "film.webm"})
+    {
+        WriteFilm(m_folder / name, {.framesPerSecond = {30000, 1001}, .quality = Quality::Draft},
+                  Drawings(64, 48, 200));
+        const Film film = ReadFilm(m_folder / name);
+        ASSERT_EQ(film.times.size(), 200u);
+        for (std::size_t k = 0; k < film.times.size(); ++k)
+        {
+            EXPECT_NEAR(film.times[k], double(k) * 1001.0 / 30000.0, 0.00050001)
+                << name << " " << k;
+        }
+    }
+}
+
+TEST_F(VideoReaderTest, AnMp4HasExactTimesAtAnyRate)
+{
+    for (const boxreel::Rational rate :
+         {boxreel::Rational{30000, 1001}, {2997, 100}, {1, 7}, {1000, 1}, {12345, 678}})
+    {
+        WriteFilm(m_folder / "film.mp4",
+                  {.framesPerSecond = rate, .quality = Quality::Draft, .overwrite = true},
+                  Drawings(64, 48, 40));
+        const Film film = ReadFilm(m_folder / "film.mp4");
+        ASSERT_EQ(film.times.size(), 40u);
+        EXPECT_EQ(film.info.framesPerSecond.num * rate.den,
+                  film.info.framesPerSecond.den * rate.num);
+        for (std::size_t k = 0; k < film.times.size(); ++k)
+        {
+            EXPECT_EQ(film.times[k], double(std::int64_t(k) * rate.den) / double(rate.num)) << k;
+        }
+    }
+}
+
+TEST_F(VideoReaderTest, AMissingFilmAFolderAndAForeignFileAreNamed)
+{
+    WriteBytes(m_folder / "text.mp4", "this is no film, whatever its name says\n");
+    WriteBytes(m_folder / "empty.mp4", "");
+    WriteBytes(m_folder / "noise.mkv",
+               std::string(reinterpret_cast<const char*>(Noise(64, 64, 1).rgba.data()), 9999));
+    WriteBytes(m_folder / "list.m3u8", "#EXTM3U\n#EXTINF:1,\nother.ts\n");
+    std::filesystem::create_directory(m_folder / "folder.mp4");
+    for (const char* name : {"missing.mp4", "text.mp4", "empty.mp4", "noise.mkv", "list.m3u8",
+                             "folder.mp4", "missing-##.png"})
+    {
+        const Result<VideoReader> reader = VideoReader::Open(m_folder / name);
+        ASSERT_FALSE(reader) << name;
+        EXPECT_EQ(reader.GetError().kind, ErrorKind::Unusable) << name;
+        EXPECT_THAT(reader.GetError().message, HasSubstr((m_folder / name).string()));
+    }
+}
+
+/// A film cut at any length is an Error that names it: at Open, or when the reader comes to the
+/// cut.
+TEST_F(VideoReaderTest, ATruncatedFilmIsNeverTakenForAWholeOne)
+{
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
+    {
+        WriteFilm(m_folder / name, {.framesPerSecond = {25, 1}, .quality = Quality::Lossless},
+                  Drawings(64, 48, 30));
+        const std::string bytes = ReadBytes(m_folder / name);
+        const std::filesystem::path cut = m_folder / (std::string("cut-") + name);
+        for (std::size_t twentieths = 1; twentieths < 20; ++twentieths)
+        {
+            WriteBytes(cut, bytes.substr(0, bytes.size() * twentieths / 20));
+            const Result<int> count = CountFrames(cut);
+            ASSERT_FALSE(count) << name << " cut at " << twentieths << "/20 gave " << *count
+                                << " frames";
+            EXPECT_THAT(count.GetError().message, HasSubstr(cut.string()));
+        }
+    }
+}
+
+/// Flipped bytes may go unnoticed or be an Error, but nothing breaks and nothing but frames comes
+/// out.
+TEST_F(VideoReaderTest, ADamagedFilmIsNoCrash)
+{
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
+    {
+        WriteFilm(m_folder / name, {.framesPerSecond = {25, 1}}, Drawings(64, 48, 20));
+        const std::string bytes = ReadBytes(m_folder / name);
+        std::uint32_t state = 1;
+        for (int round = 0; round < 40; ++round)
+        {
+            std::string damaged = bytes;
+            for (int i = 0; i < 5; ++i)
+            {
+                state = state * 1664525u + 1013904223u;
+                damaged[state % damaged.size()] = char(state >> 16);
+            }
+            WriteBytes(m_folder / "damaged", damaged);
+            const Result<int> count = CountFrames(m_folder / "damaged");
+            EXPECT_TRUE(!count || *count > 0);
+        }
+    }
+}
+
+TEST_F(VideoReaderTest, ASequenceOfPicturesMustHaveNoGapAndOneSize)
+{
+    WriteFilm(m_folder / "p-###.png", {}, Drawings(64, 48, 5));
+    EXPECT_EQ(*CountFrames(m_folder / "p-###.png"), 5);
+    std::filesystem::remove(m_folder / "p-002.png");
+    const Result<int> gap = CountFrames(m_folder / "p-###.png");
+    ASSERT_FALSE(gap);
+    EXPECT_THAT(gap.GetError().message, HasSubstr("p-002.png"));
+    WriteFilm(m_folder / "q-###.png", {}, Drawings(32, 48, 3));
+    std::filesystem::rename(m_folder / "q-001.png", m_folder / "p-002.png");
+    const Result<int> size = CountFrames(m_folder / "p-###.png");
+    ASSERT_FALSE(size);
+    EXPECT_THAT(size.GetError().message, HasSubstr("p-002.png"));
+}
+
+} // namespace
