@@ -25,9 +25,9 @@ constexpr std::uint32_t Word(std::uint32_t r, std::uint32_t g, std::uint32_t b)
 }
 
 constexpr std::uint32_t kOver = Word(255, 40, 60);
-constexpr std::uint32_t kWithin = Word(60, 110, 190);
+constexpr std::uint32_t kWithin = Word(48, 90, 150);
 constexpr std::uint32_t kBox = Word(255, 255, 255);
-constexpr std::uint32_t kSeparator = Word(112, 112, 112);
+constexpr std::uint32_t kSeparator = Word(170, 170, 170);
 constexpr int kBoxDistance = 6;    // [px] free between the box and what it surrounds
 constexpr int kSeparatorWidth = 4; // [px]
 

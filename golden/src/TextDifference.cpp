@@ -27,26 +27,17 @@ std::optional<std::string> Copy(const std::optional<std::string_view>& line)
     return line ? std::optional<std::string>(*line) : std::nullopt;
 }
 
-} // namespace
-
-std::optional<LineDifference> FirstDifference(std::string_view expected, std::string_view actual)
+std::size_t CountLines(std::string_view text)
 {
-    if (expected == actual)
+    std::size_t count = 0;
+    while (TakeLine(text))
     {
-        return std::nullopt;
+        ++count;
     }
-    for (std::size_t number = 1;; ++number)
-    {
-        const auto a = TakeLine(expected);
-        const auto b = TakeLine(actual);
-        if (a != b || (!a && !b))
-        {
-            return LineDifference{number, Copy(a), Copy(b)};
-        }
-    }
+    return count;
 }
 
-std::string Describe(const LineDifference& difference)
+std::string DescribeLine(const LineDifference& difference)
 {
     const std::string line = "line " + std::to_string(difference.line);
     if (!difference.actual && !difference.expected)
@@ -62,6 +53,36 @@ std::string Describe(const LineDifference& difference)
         return line + " is one too many: \"" + *difference.actual + "\"";
     }
     return line + " is \"" + *difference.actual + "\" instead of \"" + *difference.expected + "\"";
+}
+
+} // namespace
+
+std::optional<LineDifference> FirstDifference(std::string_view expected, std::string_view actual)
+{
+    if (expected == actual)
+    {
+        return std::nullopt;
+    }
+    const std::size_t expectedLines = CountLines(expected);
+    const std::size_t actualLines = CountLines(actual);
+    for (std::size_t number = 1;; ++number)
+    {
+        const auto a = TakeLine(expected);
+        const auto b = TakeLine(actual);
+        if (a != b || (!a && !b))
+        {
+            return LineDifference{number, Copy(a), Copy(b), expectedLines, actualLines};
+        }
+    }
+}
+
+std::string Describe(const LineDifference& difference)
+{
+    const std::string text = DescribeLine(difference);
+    return difference.expectedLines == difference.actualLines
+               ? text
+               : text + ", and there are " + std::to_string(difference.actualLines) +
+                     " lines instead of " + std::to_string(difference.expectedLines);
 }
 
 } // namespace boxreel

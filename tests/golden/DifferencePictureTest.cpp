@@ -25,7 +25,7 @@ bool IsGray(Color color)
 }
 
 constexpr Color kStrong{255, 40, 60, 255};
-constexpr Color kWeak{60, 110, 190, 255};
+constexpr Color kWeak{48, 90, 150, 255};
 
 } // namespace
 

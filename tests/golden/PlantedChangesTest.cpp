@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 using namespace boxreel;
 using namespace boxreel::test;
 using testing::AllOf;
@@ -21,12 +23,12 @@ constexpr std::size_t kJointLine = 4;
 constexpr std::size_t kLabel = 5;
 
 // A small scene that was approved, and changes of the kind that slip through a review.
-class PlantedChange : public testing::TestWithParam<Color>
+class PlantedChange : public testing::TestWithParam<std::string>
 {
 protected:
     void SetUp() override
     {
-        m_style.ground = GetParam();
+        m_style.ground = GetParam() == "DarkGround" ? kDark : kLight;
         ASSERT_TRUE(m_store.Accept(Candidate("scene/3s", SmallScene(), m_style)));
     }
 
@@ -130,6 +132,5 @@ TEST_P(PlantedChange, PictureShiftedByAPixelIsFound)
     EXPECT_FALSE(Pixels(changed, style).equal);
 }
 
-INSTANTIATE_TEST_SUITE_P(On, PlantedChange, testing::Values(kDark, kLight), [](const auto& which) {
-    return which.param == kDark ? "DarkGround" : "LightGround";
-});
+INSTANTIATE_TEST_SUITE_P(On, PlantedChange, testing::Values("DarkGround", "LightGround"),
+                         [](const auto& which) { return which.param; });

@@ -185,6 +185,7 @@ TEST_F(ReferenceStoreTest, NamesALineThatIsMissingOrTooMany)
     GoldenCandidate changed = m_candidate;
     changed.list.items.pop_back();
     EXPECT_THAT(Verify(changed).message, HasSubstr("line 6 is missing: \"body 4 labels text"));
+    EXPECT_THAT(Verify(changed).message, HasSubstr("there are 5 lines instead of 6"));
     changed = m_candidate;
     changed.list.AddPoint({1.0f, 2.0f}, 3.0f, kJoint);
     EXPECT_THAT(Verify(changed).message,
