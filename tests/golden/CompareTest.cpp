@@ -301,6 +301,16 @@ TEST(CompareExact, FailsASingleBit)
     EXPECT_TRUE(Compare(expected, expected, CompareSettings::Exact()).equal);
 }
 
+TEST(CompareExact, FailsABitThatNoEyeCouldSee)
+{
+    // More light than its opacity allows: white on any ground, whatever the last bit of opacity
+    // says.
+    const Frame expected = Filled(8, 8, {255, 255, 255, 255});
+    const Frame actual = Filled(8, 8, {255, 255, 255, 254});
+    EXPECT_EQ(Compare(expected, actual).largestDistance, 0.0);
+    EXPECT_FALSE(Compare(expected, actual, CompareSettings::Exact()).equal);
+}
+
 TEST(Compare, FailsOtherSizes)
 {
     const Frame picture = Filled(40, 30, kDark);
