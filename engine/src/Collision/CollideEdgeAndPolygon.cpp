@@ -24,10 +24,19 @@ constexpr float32 kFlatTurn = 1.0e-3f;
 // cosines), so that rounding leaves none to nobody.
 constexpr float32 kShared = 1.0e-3f;
 
+// A polygon's side may stick out of the edge by this much [m], so that a corner above the joint of
+// two edges is not lost between them. What sticks out further is above the neighbour, or nothing.
+constexpr float32 kSeam = 0.1f * b2_linearSlop;
+
+// A corner meets a vertex when it is nearer than this many radii; further away it is another
+// matter, and pushing it out would be a jump.
+constexpr float32 kReach = 4.0f;
+
 // One end of the edge as the polygon sees it.
 struct End
 {
     b2Vec2 vertex;
+    b2Vec2 beyond;          ///< the neighbour's other vertex
     b2Vec2 neighbourNormal; ///< of the edge beyond, on the polygon's side
     uint8 index;            ///< 0 for vertex 1 of the shape, 1 for vertex 2
     bool hasNeighbour;
@@ -59,8 +68,8 @@ b2Vec2 RightNormal(const b2Vec2& from, const b2Vec2& to)
 Oriented LookFromRight(const b2EdgeShape& edge)
 {
     Oriented o;
-    o.start = {edge.m_vertex1, b2Vec2(), 0, edge.m_hasVertex0, false};
-    o.end = {edge.m_vertex2, b2Vec2(), 1, edge.m_hasVertex3, false};
+    o.start = {edge.m_vertex1, edge.m_vertex0, b2Vec2(), 0, edge.m_hasVertex0, false};
+    o.end = {edge.m_vertex2, edge.m_vertex3, b2Vec2(), 1, edge.m_hasVertex3, false};
     o.normal = RightNormal(edge.m_vertex1, edge.m_vertex2);
     // On the right, a curve that turns left is convex; the turn of directions is that of normals.
     if (o.start.hasNeighbour)
@@ -76,19 +85,50 @@ Oriented LookFromRight(const b2EdgeShape& edge)
     return o;
 }
 
-// Is the point on the right of the curve? At a convex vertex the right side is all that is right of
-// either edge, at a concave one what is right of both.
+// Where a point lies as seen from a piece of the curve.
+struct Side
+{
+    float32 distanceSquared;
+    bool isRight;
+};
+
+Side SideOf(const b2Vec2& from, const b2Vec2& to, const b2Vec2& rightNormal, const b2Vec2& p)
+{
+    const float32 height = b2Dot(rightNormal, p - from);
+    const bool isBefore = b2Dot(p - from, to - from) <= 0.0f;
+    const bool isAfter = b2Dot(p - to, from - to) <= 0.0f;
+    const float32 distanceSquared = isBefore  ? b2DistanceSquared(p, from)
+                                    : isAfter ? b2DistanceSquared(p, to)
+                                              : height * height;
+    return {distanceSquared, height >= 0.0f};
+}
+
+// What is nearer knows better. A common vertex is as near for both, to the last bit: then the right
+// side is all that is right of either edge when the vertex is convex, and of both when not.
+Side Nearer(const Side& a, const Side& b, bool isConvex)
+{
+    if (a.distanceSquared != b.distanceSquared)
+    {
+        return a.distanceSquared < b.distanceSquared ? a : b;
+    }
+    return {a.distanceSquared, isConvex ? a.isRight || b.isRight : a.isRight && b.isRight};
+}
+
+// Is the point on the right of the curve, as far as the edge and its neighbours know it?
 bool IsRightOfCurve(const Oriented& o, const b2Vec2& p)
 {
-    const bool isRight = b2Dot(o.normal, p - o.start.vertex) >= 0.0f;
-    const bool isRightBefore =
-        o.start.hasNeighbour ? b2Dot(o.start.neighbourNormal, p - o.start.vertex) >= 0.0f : isRight;
-    const bool isRightAfter =
-        o.end.hasNeighbour ? b2Dot(o.end.neighbourNormal, p - o.end.vertex) >= 0.0f : isRight;
-    const bool isStartConvex = o.start.hasNeighbour && o.start.isConvex;
-    const bool isEndConvex = o.end.hasNeighbour && o.end.isConvex;
-    const bool own = isRight && (isStartConvex || isRightBefore) && (isEndConvex || isRightAfter);
-    return own || (isStartConvex && isRightBefore) || (isEndConvex && isRightAfter);
+    Side side = SideOf(o.start.vertex, o.end.vertex, o.normal, p);
+    if (o.start.hasNeighbour)
+    {
+        side = Nearer(SideOf(o.start.beyond, o.start.vertex, o.start.neighbourNormal, p), side,
+                      o.start.isConvex);
+    }
+    if (o.end.hasNeighbour)
+    {
+        side = Nearer(side, SideOf(o.end.vertex, o.end.beyond, o.end.neighbourNormal, p),
+                      o.end.isConvex);
+    }
+    return side.isRight;
 }
 
 Oriented LookFromLeft(const Oriented& right)
@@ -182,11 +222,10 @@ void ClipPolygonToEdge(b2Manifold* manifold, const Oriented& o, const b2Vec2& no
     const b2Vec2 p = polygon.m_vertices[side];
     const b2Vec2 q = polygon.m_vertices[sideEnd];
     manifold->type = b2Manifold::e_faceA;
-    // What sticks out is above the neighbour, or above nothing.
     ClipToFace(manifold, {o.start.vertex, o.end.vertex, o.normal, 0, o.start.index, o.end.index},
                {b2Mul(polygonInEdge, p), b2Mul(polygonInEdge, q), p, q, static_cast<uint8>(side),
                 static_cast<uint8>(side), static_cast<uint8>(sideEnd)},
-               0.0f, radius);
+               kSeam, radius);
 }
 
 void ClipEdgeToPolygon(b2Manifold* manifold, const b2EdgeShape& edge, const b2PolygonShape& polygon,
@@ -200,49 +239,133 @@ void ClipEdgeToPolygon(b2Manifold* manifold, const b2EdgeShape& edge, const b2Po
                 static_cast<uint8>(faced.face), static_cast<uint8>(faceEnd)},
                {faced.v1, faced.v2, edge.m_vertex1, edge.m_vertex2, 0, 0, 1}, radius, radius);
 }
-} // namespace
-
-void CollideEdgeAndPolygon(b2Manifold* manifold, const b2EdgeShape& edgeA,
-                           const b2PolygonShape& polygonB, const b2Transform& bInA)
+// A corner that meets a vertex head-on may lie beside both edges, above neither. The deepest corner
+// then is the contact, along the edge's normal.
+void TouchCorner(b2Manifold* manifold, const Oriented& o, const b2Vec2& normalInPolygon,
+                 const b2PolygonShape& polygon, const b2Transform& polygonInEdge, float32 radius)
 {
+    int32 corner = 0;
+    for (int32 i = 1; i < polygon.m_count; ++i)
+    {
+        const b2Vec2 d = polygon.m_vertices[i] - polygon.m_vertices[corner];
+        corner = b2Dot(normalInPolygon, d) < 0.0f ? i : corner;
+    }
+    const b2Vec2 p = b2Mul(polygonInEdge, polygon.m_vertices[corner]);
+    const bool isAfter = b2DistanceSquared(p, o.end.vertex) < b2DistanceSquared(p, o.start.vertex);
+    const End& end = isAfter ? o.end : o.start;
+    const bool isOpen = end.isConvex || !end.hasNeighbour;
+    const float32 reach = kReach * radius;
+    if (!isOpen || b2DistanceSquared(p, end.vertex) > reach * reach ||
+        b2Dot(o.normal, p - end.vertex) > radius)
+    {
+        return;
+    }
+    manifold->type = b2Manifold::e_faceA;
+    manifold->localNormal = o.normal;
+    manifold->localPoint = 0.5f * (o.start.vertex + o.end.vertex);
+    manifold->pointCount = 1;
+    manifold->points[0] = b2ManifoldPoint();
+    manifold->points[0].localPoint = polygon.m_vertices[corner];
+    manifold->points[0].id.cf.indexB = static_cast<uint8>(corner);
+    manifold->points[0].id.cf.typeA = b2ContactFeature::e_face;
+    manifold->points[0].id.cf.typeB = b2ContactFeature::e_vertex;
+}
+
+// What an edge has to say by itself: its manifold, or which neighbour's push it is.
+struct Answer
+{
+    Oriented oriented;
+    b2Vec2 normalInB;
+    Share share = Share::e_own;
+    uint8 neighbour = 0; ///< the end whose neighbour answers, if share says so
+};
+
+Answer CollideAlone(b2Manifold* manifold, const b2EdgeShape& edgeA, const b2PolygonShape& polygonB,
+                    const b2Transform& bInA)
+{
+    Answer answer;
     manifold->pointCount = 0;
     const float32 radius = edgeA.m_radius + polygonB.m_radius;
     const Faced faced = FindPolygonFace(edgeA, polygonB, bInA);
     if (polygonB.m_count == 0 || faced.separation > radius)
     {
-        return;
+        return answer;
     }
 
-    Oriented o = LookFromRight(edgeA);
+    Oriented& o = answer.oriented;
+    o = LookFromRight(edgeA);
     if (!IsRightOfCurve(o, b2Mul(bInA, polygonB.m_centroid)))
     {
         o = LookFromLeft(o);
     }
-    const b2Vec2 normalInB = b2MulT(bInA.q, o.normal);
-    const float32 separation = FindEdgeSeparation(polygonB, normalInB, faced.v1);
+    answer.normalInB = b2MulT(bInA.q, o.normal);
+    const float32 separation = FindEdgeSeparation(polygonB, answer.normalInB, faced.v1);
     if (separation > radius)
     {
-        return;
+        return answer;
     }
 
     const bool isPoint = o.normal == b2Vec2_zero; // an edge without length has no normal
-    bool usePolygon = isPoint || faced.separation > separation + kPreferEdge;
-    if (usePolygon && !isPoint)
+    const bool isPolygonBetter = isPoint || faced.separation > separation + kPreferEdge;
+    if (isPolygonBetter && !isPoint)
     {
-        const Share share = Classify(o, -b2Mul(bInA.q, polygonB.m_normals[faced.face]));
-        if (share == Share::e_neighbours)
-        {
-            return;
-        }
-        usePolygon = share == Share::e_own;
+        const b2Vec2 normal = -b2Mul(bInA.q, polygonB.m_normals[faced.face]);
+        answer.share = Classify(o, normal);
+        answer.neighbour = b2Cross(o.normal, normal) > 0.0f ? o.end.index : o.start.index;
     }
-    if (usePolygon)
+    if (answer.share == Share::e_neighbours)
+    {
+        return answer;
+    }
+    if (isPolygonBetter && answer.share == Share::e_own)
     {
         ClipEdgeToPolygon(manifold, edgeA, polygonB, faced, radius);
+        return answer;
+    }
+    ClipPolygonToEdge(manifold, o, answer.normalInB, polygonB, bInA, radius);
+    if (manifold->pointCount == 0 && !isPolygonBetter)
+    {
+        TouchCorner(manifold, o, answer.normalInB, polygonB, bInA, radius);
+    }
+    return answer;
+}
+
+b2EdgeShape NeighbourAt(const b2EdgeShape& edge, uint8 end)
+{
+    b2EdgeShape neighbour;
+    neighbour.m_radius = edge.m_radius;
+    if (end == 0)
+    {
+        neighbour.Set(edge.m_vertex0, edge.m_vertex1);
+        neighbour.m_vertex3 = edge.m_vertex2;
+        neighbour.m_hasVertex3 = true;
     }
     else
     {
-        ClipPolygonToEdge(manifold, o, normalInB, polygonB, bInA, radius);
+        neighbour.Set(edge.m_vertex2, edge.m_vertex3);
+        neighbour.m_vertex0 = edge.m_vertex1;
+        neighbour.m_hasVertex0 = true;
+    }
+    return neighbour;
+}
+} // namespace
+
+void CollideEdgeAndPolygon(b2Manifold* manifold, const b2EdgeShape& edgeA,
+                           const b2PolygonShape& polygonB, const b2Transform& bInA)
+{
+    const Answer answer = CollideAlone(manifold, edgeA, polygonB, bInA);
+    if (answer.share != Share::e_neighbours)
+    {
+        return;
+    }
+    // A corner of the polygon that meets the vertex head-on has a face on either side, and each
+    // edge may take the other for the one to answer. Then both push along their own normals.
+    b2Manifold neighbours;
+    CollideAlone(&neighbours, NeighbourAt(edgeA, answer.neighbour), polygonB, bInA);
+    if (neighbours.pointCount == 0)
+    {
+        TouchCorner(manifold, answer.oriented, answer.normalInB, polygonB, bInA,
+                    edgeA.m_radius + polygonB.m_radius);
     }
 }
 } // namespace box2d

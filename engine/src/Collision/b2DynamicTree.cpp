@@ -3,8 +3,8 @@
 // A box costs a query in proportion to its perimeter (the surface area heuristic of Goldsmith and
 // Salmon 1987, in two dimensions), so insertion and rotation keep the sum of perimeters small
 // (Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019; the rotations are Kensler's, 2008). A
-// large box among small ones may make the tree lean; only when it is far too high for the number of
-// its proxies does height come before perimeter.
+// large box among small ones may make the tree lean; only when a node leans too far does height
+// come before perimeter.
 #include <Box2D/Collision/b2DynamicTree.h>
 
 #include <bit>
@@ -173,10 +173,12 @@ void b2DynamicTree::EnlargeProxy(int32 proxyId, const b2AABB& fatAABB)
 }
 
 // Walks down to where the new leaf adds the least perimeter. At each node the leaf could become
-// its sibling, for the perimeter of both together; or it goes on to a child, which costs at least
-// what the child grows by. What the nodes above grow by is the same for all choices.
+// its sibling, for the perimeter of both together; or it goes on to a child, for what the child
+// grows by and, further down, at least the leaf's own perimeter. What the nodes above grow by is
+// the same for all choices.
 int32 b2DynamicTree::FindSibling(const b2AABB& aabb) const
 {
+    const float32 own = HalfPerimeter(aabb);
     int32 node = m_root;
     while (!m_nodes[node].IsLeaf())
     {
@@ -187,7 +189,7 @@ int32 b2DynamicTree::FindSibling(const b2AABB& aabb) const
         {
             const Node& child = m_nodes[m_nodes[node].link.child[i]];
             const float32 grown = HalfPerimeter(Union(child.aabb, aabb));
-            cost[i] = growth + (child.IsLeaf() ? grown : grown - HalfPerimeter(child.aabb));
+            cost[i] = growth + (child.IsLeaf() ? grown : grown - HalfPerimeter(child.aabb) + own);
         }
         const int32* child = m_nodes[node].link.child;
         // Of equal children the lower one, so that many boxes in one place make no list.
@@ -221,6 +223,7 @@ void b2DynamicTree::InsertLeaf(int32 leaf)
     m_nodes[sibling].parent = newParent;
     m_nodes[leaf].parent = newParent;
     Refit(newParent);
+    Rotate(newParent);
     RepairFrom(oldParent);
 }
 
@@ -277,38 +280,45 @@ void b2DynamicTree::RepairFrom(int32 node)
     }
 }
 
-// Twice the height of a perfect tree, and a little more for the small ones.
-int32 b2DynamicTree::HeightLimit() const
+// How much higher than its sibling a node may be: as much as a perfect tree beside a single large
+// box, which is best left at the top. It keeps the height at a few times the logarithm of the
+// number of proxies, whatever the order of insertion (as the difference of 1 does in an AVL tree).
+int32 b2DynamicTree::BalanceLimit() const
 {
-    return 2 * std::bit_width(static_cast<uint32>(m_proxyCount)) + 2;
+    return std::bit_width(static_cast<uint32>(m_proxyCount));
 }
 
 // A child may change places with a nephew, a child of its sibling. The node keeps its box; the
-// sibling's becomes smaller if the change is good. Above the limit the tree must become lower.
+// sibling's becomes smaller if the change is good. A node out of balance must become lower, whether
+// that is good or not.
 void b2DynamicTree::Rotate(int32 node)
 {
-    const int32 limit = HeightLimit();
-    const bool isTooHigh = m_nodes[node].height > limit;
-    int32 bestHeight = isTooHigh ? m_nodes[node].height : limit + 1;
+    const int32 limit = BalanceLimit();
+    const int32* children = m_nodes[node].link.child;
+    const bool mustSink = b2Abs(m_nodes[children[0]].height - m_nodes[children[1]].height) > limit;
+    int32 bestHeight = m_nodes[node].height;
     float32 bestChange = 0.0f;
     int32 bestSide = -1;
     int32 bestNephewSide = -1;
     for (int32 side = 0; side < 2; ++side)
     {
-        const Node& child = m_nodes[m_nodes[node].link.child[side]];
-        const Node& sibling = m_nodes[m_nodes[node].link.child[1 - side]];
+        const Node& child = m_nodes[children[side]];
+        const Node& sibling = m_nodes[children[1 - side]];
         for (int32 nephewSide = 0; nephewSide < 2 && !sibling.IsLeaf(); ++nephewSide)
         {
             const Node& nephew = m_nodes[sibling.link.child[nephewSide]];
             const Node& staying = m_nodes[sibling.link.child[1 - nephewSide]];
             const float32 change =
                 HalfPerimeter(Union(child.aabb, staying.aabb)) - HalfPerimeter(sibling.aabb);
-            const int32 height = 1 + b2Max(nephew.height, 1 + b2Max(child.height, staying.height));
-            const bool isBetter =
-                isTooHigh ? height < bestHeight ||
-                                (bestSide >= 0 && height == bestHeight && change < bestChange)
-                          : change < bestChange && height <= limit;
-            if (isBetter)
+            const int32 siblingHeight = 1 + b2Max(child.height, staying.height);
+            const int32 height = 1 + b2Max(nephew.height, siblingHeight);
+            const bool isBalanced = b2Abs(child.height - staying.height) <= limit &&
+                                    b2Abs(nephew.height - siblingHeight) <= limit;
+            const bool isLower = height < bestHeight ||
+                                 (bestSide >= 0 && height == bestHeight && change < bestChange);
+            const bool isSmaller =
+                change < bestChange && isBalanced && height <= m_nodes[node].height;
+            if (mustSink ? isLower : isSmaller)
             {
                 bestHeight = height;
                 bestChange = change;

@@ -128,7 +128,7 @@ void b2DynamicTree::RebuildBottomUp()
         made.push_back(node);
         SortAlongSpread(first, range.count);
         // Deeper than this the heuristic peels off one leaf after another.
-        const int32 split = range.depth < HeightLimit() / 2
+        const int32 split = range.depth < BalanceLimit()
                                 ? FindSplit(first, range.count, costs.data())
                                 : range.count / 2;
         stack.Push({range.first, split, node, 0, range.depth + 1});

@@ -123,7 +123,7 @@ private:
     void Refit(int32 node);
     void Rotate(int32 node);
     void SwapWithNephew(int32 node, int32 side, int32 nephewSide);
-    int32 HeightLimit() const;
+    int32 BalanceLimit() const;
     const char* WhyInvalid(int32 node, int32 parent, int32* proxies) const;
 
     Node* m_nodes = nullptr;

@@ -12,12 +12,13 @@
 namespace box2d
 {
 /// Sine and cosine of an angle [rad]. The single-precision form is correct to 0.51 ulp, the double
-/// form to 2 ulp, for angles to a million; beyond, the error grows with the angle. An angle of zero
+/// form to 3 ulp, for angles to a million; beyond, the error grows with the angle. An angle of zero
 /// gives exactly 0 and 1; one that is not finite gives NaN.
 void SinCos(float angle, float* sine, float* cosine);
 void SinCos(double angle, double* sine, double* cosine);
 
-/// The angle of the vector (x, y), from -pi to pi, with the signs and special cases of std::atan2.
+/// The angle of the vector (x, y), from -pi to pi, to 3 ulp, with the signs and special cases of
+/// std::atan2.
 double Atan2(double y, double x);
 } // namespace box2d
 
