@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "Batches.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace boxreel;
+
+namespace
+{
+
+bool Touch(const PixelBounds& a, const PixelBounds& b)
+{
+    return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+} // namespace
+
+TEST(Batches, GatherNeighboursOfAKindWhateverLiesBetweenInTheList)
+{
+    Batches batches;
+    batches.Clear(1280, 720);
+    const float data[1] = {0.0f};
+    for (int i = 0; i < 1000; ++i)
+    {
+        const int x = i % 20 * 64;
+        const int y = i / 20 % 11 * 64;
+        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Round, {x, y, x + 20, y + 20}, data);
+    }
+    EXPECT_LE(batches.All().size(), 10u);
+}
+
+TEST(Batches, KeepTheOrderOfAllThatOverlaps)
+{
+    std::mt19937 random(3);
+    Batches batches;
+    for (int round = 0; round < 20; ++round)
+    {
+        batches.Clear(333, 200);
+        std::vector<PixelBounds> all;
+        for (int i = 0; i < 300; ++i)
+        {
+            const int x = int(random() % 300);
+            const int y = int(random() % 180);
+            all.push_back({x, y, x + 1 + int(random() % 33), y + 1 + int(random() % 20)});
+            const float data[1] = {float(i)};
+            batches.Add(ProgramKind(random() % kProgramKinds), all.back(), data);
+        }
+        std::vector<int> order;
+        for (const Batch& batch : batches.All())
+        {
+            EXPECT_EQ(batch.instances, batch.data.size());
+            order.insert(order.end(), batch.data.begin(), batch.data.end());
+        }
+        ASSERT_EQ(order.size(), all.size()) << "each instance is drawn once";
+        for (std::size_t i = 0; i < order.size(); ++i)
+        {
+            for (std::size_t k = i + 1; k < order.size(); ++k)
+            {
+                const bool swapped = order[i] > order[k];
+                ASSERT_FALSE(swapped &&
+                             Touch(all[std::size_t(order[i])], all[std::size_t(order[k])]));
+            }
+        }
+    }
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "FontAtlas.h"
+#include "Pictures.h"
+
+#include <filesystem>
+#include <thread>
+
+using namespace boxreel;
+
+namespace
+{
+
+HudContent Usual()
+{
+    return {"Vertical Stack",
+            {{"time", "2.500 s"},
+             {"step", "150"},
+             {"bodies", "51 (12 awake)"},
+             {"contacts", "104"},
+             {"ms per step", "0.083"}}};
+}
+
+Overlay Built(int width, int height, const HudContent& content)
+{
+    Result<Hud> hud = Hud::Create(width, height);
+    EXPECT_TRUE(hud);
+    return hud->Build(content);
+}
+
+Rect Extent(const Overlay& overlay)
+{
+    Rect extent;
+    for (const OverlayVertex& vertex : overlay.vertices)
+    {
+        extent.Include(vertex.position);
+    }
+    return extent;
+}
+
+} // namespace
+
+TEST(Hud, IsTheSameForTheSameContent)
+{
+    Result<Hud> hud = Hud::Create(640, 360);
+    ASSERT_TRUE(hud);
+    const Overlay first = hud->Build(Usual());
+    hud->Build({"other", {{"a", "b"}}});
+    EXPECT_TRUE(hud->Build(Usual()) == first) << "whatever was shown before";
+    EXPECT_TRUE(Built(640, 360, Usual()) == first) << "in any panel";
+    Overlay elsewhere;
+    std::thread([&] { elsewhere = Built(640, 360, Usual()); }).join();
+    EXPECT_TRUE(elsewhere == first) << "in any thread";
+}
+
+TEST(Hud, LiesInTheTopLeftCornerAndNoLargerThanItsContent)
+{
+    const Rect extent = Extent(Built(1280, 720, Usual()));
+    EXPECT_GE(extent.lower.x, 8.0f);
+    EXPECT_GE(extent.lower.y, 8.0f);
+    EXPECT_LT(extent.upper.x, 300.0f);
+    EXPECT_LT(extent.upper.y, 160.0f);
+}
+
+TEST(Hud, NeverLeavesTheFrame)
+{
+    HudContent content = Usual();
+    content.title =
+        "A scene with quite a long name, longer than any frame of this size can show at all";
+    content.rows.push_back(
+        {"a name that goes on and on and on", "a value that does the same, with umlauts: äöüäöü"});
+    for (const auto& [width, height] : {std::pair{320, 240}, {160, 120}, {60, 40}, {8, 8}, {1, 1}})
+    {
+        const Overlay overlay = Built(width, height, content);
+        for (const OverlayCommand& command : overlay.commands)
+        {
+            EXPECT_LE(command.clipX1, width);
+            EXPECT_LE(command.clipY1, height);
+            EXPECT_LE(std::size_t(command.firstIndex) + command.indexCount, overlay.indices.size());
+        }
+        if (width >= 160)
+        {
+            // Ten pixels of margin, less the one over which the rim fades.
+            EXPECT_LE(Extent(overlay).upper.x, float(width) - 8.9f)
+                << "long texts are shortened, not cut";
+        }
+    }
+}
+
+TEST(Hud, CopesWithNothingToShow)
+{
+    EXPECT_FALSE(Built(320, 240, {}).IsEmpty());
+    EXPECT_FALSE(Built(320, 240, {"title", {}}).IsEmpty());
+    EXPECT_FALSE(Built(320, 240, {"", {{"", ""}}}).IsEmpty());
+}
+
+TEST(Hud, LeavesNoSettingsFileBehind)
+{
+    std::filesystem::remove("imgui.ini");
+    {
+        Result<Hud> hud = Hud::Create(320, 240);
+        ASSERT_TRUE(hud);
+        for (int i = 0; i < 600;
+             ++i) // ten seconds of its clock; by default it would save after five
+        {
+            hud->Build(Usual());
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists("imgui.ini"));
+}
+
+TEST(Hud, RefusesSizesOutOfRange)
+{
+    const Result<Hud> hud = Hud::Create(0, 240);
+    ASSERT_FALSE(hud);
+    EXPECT_EQ(hud.GetError().kind, ErrorKind::Unusable);
+}
+
+TEST(Hud, DarkensThePictureBelowAndShowsBrightText)
+{
+    DrawList list;
+    AddRectangle(list, -10, -10, 700, 400, kWhite);
+    Renderer renderer = MakeRenderer(640, 360);
+    const Camera camera = PixelCamera(640, 360);
+    const Frame without = DrawWith(renderer, list, camera);
+    const Overlay overlay = Built(640, 360, Usual());
+    const Frame with = DrawWith(renderer, list, camera, &overlay);
+    const Rect extent = Extent(overlay);
+    int bright = 0;
+    for (int y = 0; y < 360; ++y)
+    {
+        for (int x = 0; x < 640; ++x)
+        {
+            const bool inPanel = float(x) >= extent.lower.x - 1 && float(x) <= extent.upper.x &&
+                                 float(y) >= extent.lower.y - 1 && float(y) <= extent.upper.y;
+            ASSERT_TRUE(inPanel || At(with, x, y) == At(without, x, y)) << x << ", " << y;
+            bright += inPanel && At(with, x, y)[1] > 200;
+        }
+    }
+    EXPECT_GT(bright, 300);
+    const int middleX = int(extent.upper.x) - 15;
+    EXPECT_LT(At(with, middleX, int(extent.upper.y) - 5)[0], At(without, 600, 300)[0] / 2 + 5);
+}
+
+TEST(FontAtlas, HasLettersOfWholePixelsSideBySide)
+{
+    std::vector<GlyphQuad> quads;
+    FontAtlas::Get().Layout("Aé θ→\nx", quads);
+    ASSERT_EQ(quads.size(), 5u) << "a blank and a line feed are not drawn";
+    for (const GlyphQuad& quad : quads)
+    {
+        EXPECT_EQ(quad.x0, std::floor(quad.x0));
+        EXPECT_EQ(quad.y0, std::floor(quad.y0));
+        EXPECT_GT(quad.x1, quad.x0);
+        EXPECT_GT(quad.u1, quad.u0);
+    }
+    EXPECT_LT(quads[0].x0, quads[1].x0);
+    EXPECT_GT(quads[4].y0, quads[0].y0 + 10);
+    EXPECT_LT(quads[4].x0, 4.0f);
+}

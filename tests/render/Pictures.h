@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <render/Renderer.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+/// What the tests of drawing share: a camera whose metres are pixels, pictures made in one call.
+namespace boxreel
+{
+
+/// World (x, y) is y pixels above the lower edge, x from the left.
+inline Camera PixelCamera(int width, int height)
+{
+    Camera camera;
+    camera.width = width;
+    camera.height = height;
+    camera.centerX = 0.5 * width;
+    camera.centerY = 0.5 * height;
+    camera.pixelsPerMeter = 1.0;
+    return camera;
+}
+
+inline Renderer MakeRenderer(int width, int height, const Theme& theme = Theme::Classic())
+{
+    RendererSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.theme = theme;
+    Result<Renderer> renderer = Renderer::Create(settings);
+    EXPECT_TRUE(renderer) << renderer.GetError().message;
+    return std::move(*renderer);
+}
+
+inline Frame DrawWith(Renderer& renderer, const DrawList& list, const Camera& camera,
+                      const Overlay* overlay = nullptr)
+{
+    Frame frame;
+    const Result<void> drawn = renderer.Draw(list, camera, frame, overlay);
+    EXPECT_TRUE(drawn) << drawn.GetError().message;
+    return frame;
+}
+
+inline Frame Picture(const DrawList& list, int width, int height,
+                     const Theme& theme = Theme::Classic())
+{
+    Renderer renderer = MakeRenderer(width, height, theme);
+    return DrawWith(renderer, list, PixelCamera(width, height));
+}
+
+using Pixel = std::array<int, 4>;
+
+inline Pixel At(const Frame& frame, int x, int y)
+{
+    const std::uint8_t* const p = frame.Pixel(x, y);
+    return {p[0], p[1], p[2], p[3]};
+}
+
+inline void AddRectangle(DrawList& list, float x0, float y0, float x1, float y1, Color color)
+{
+    const Vec2 corners[4] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    list.AddSolidPolygon(corners, 4, color);
+}
+
+inline void AddTurnedBox(DrawList& list, Vec2 center, float halfX, float halfY, float angle,
+                         Color color)
+{
+    const float c = std::cos(angle);
+    const float s = std::sin(angle);
+    Vec2 corners[4] = {{-halfX, -halfY}, {halfX, -halfY}, {halfX, halfY}, {-halfX, halfY}};
+    for (Vec2& p : corners)
+    {
+        p = {center.x + c * p.x - s * p.y, center.y + s * p.x + c * p.y};
+    }
+    list.AddSolidPolygon(corners, 4, color);
+}
+
+inline void AddRegular(DrawList& list, Vec2 center, float radiusX, float radiusY, int count,
+                       float angle, Color color)
+{
+    std::array<Vec2, 8> corners;
+    for (int i = 0; i < count; ++i)
+    {
+        const float t = 6.2831853f * float(i) / float(count);
+        const Vec2 p{radiusX * std::cos(t), radiusY * std::sin(t)};
+        corners[std::size_t(i)] = {center.x + std::cos(angle) * p.x - std::sin(angle) * p.y,
+                                   center.y + std::sin(angle) * p.x + std::cos(angle) * p.y};
+    }
+    list.AddSolidPolygon(corners.data(), std::size_t(count), color);
+}
+
+inline constexpr Color kAwake{230, 179, 179, 255};
+inline constexpr Color kStatic{128, 230, 128, 255};
+inline constexpr Color kKinematic{128, 128, 230, 255};
+inline constexpr Color kWhite{255, 255, 255, 255};
+
+} // namespace boxreel
