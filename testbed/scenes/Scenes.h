@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <scenes/Scene.h>
+
+/// How each scene is made, one function a scene, each defined in the file of the scene's name. Only
+/// the table of scenes calls them; everyone else asks the table.
+namespace boxreel
+{
+
+std::unique_ptr<Scene> MakePyramid(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeVerticalStack(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeBridge(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeChain(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeDominos(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeTumbler(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeNewtonsCradle(const SceneSettings& settings);
+
+} // namespace boxreel
