@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+#include "RubeJson.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace boxreel
+{
+
+using nlohmann::json;
+
+struct JsonDocument::Content
+{
+    json root;
+    std::string source;
+    std::optional<Error> complaint;
+};
+
+namespace
+{
+
+// Walks a text without storing it and stops at the first thing that would make storing it costly.
+class Guard : public nlohmann::json_sax<json>
+{
+public:
+    const std::string& Refusal() const { return m_refusal; }
+    std::size_t ErrorPosition() const { return m_errorPosition; }
+
+    bool null() override { return CountValue(); }
+    bool boolean(bool) override { return CountValue(); }
+    bool number_integer(number_integer_t) override { return CountValue(); }
+    bool number_unsigned(number_unsigned_t) override { return CountValue(); }
+    bool number_float(number_float_t, const string_t&) override { return CountValue(); }
+    bool string(string_t&) override { return CountValue(); }
+    bool binary(binary_t&) override { return CountValue(); }
+    bool key(string_t&) override { return true; }
+    bool start_object(std::size_t) override { return Enter(); }
+    bool start_array(std::size_t) override { return Enter(); }
+    bool end_object() override { return Leave(); }
+    bool end_array() override { return Leave(); }
+
+    bool parse_error(std::size_t position, const std::string&, const json::exception&) override
+    {
+        m_errorPosition = position;
+        return false;
+    }
+
+private:
+    bool CountValue()
+    {
+        if (++m_values > kMostValues)
+        {
+            m_refusal = "has more than " + std::to_string(kMostValues) +
+                        " values; split the scene into smaller files";
+        }
+        return m_refusal.empty();
+    }
+
+    bool Enter()
+    {
+        if (++m_depth > kDeepest)
+        {
+            m_refusal = "nests lists and objects more than " + std::to_string(kDeepest) +
+                        " deep, which no scene file does; export it again";
+        }
+        return CountValue();
+    }
+
+    bool Leave()
+    {
+        --m_depth;
+        return true;
+    }
+
+    std::string m_refusal;
+    std::size_t m_values = 0;
+    std::size_t m_depth = 0;
+    std::size_t m_errorPosition = 0;
+};
+
+Error Unusable(const std::string& message)
+{
+    return {ErrorKind::Unusable, message};
+}
+
+// Where the parser gave up. `position` counts the bytes it has read.
+Error SyntaxError(std::string_view text, std::size_t position, const std::string& source)
+{
+    if (position > text.size())
+    {
+        return Unusable(source + " ends in the middle of its JSON text; copy or export it again");
+    }
+    const std::size_t at = std::min(position > 0 ? position - 1 : 0, text.size());
+    const std::string_view before = text.substr(0, at);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t lastBreak = before.rfind('\n');
+    const std::size_t column = lastBreak == std::string_view::npos ? at + 1 : at - lastBreak;
+    return Unusable(source + " is no JSON text: line " + std::to_string(line) + ", column " +
+                    std::to_string(column) + " cannot be read; export it again");
+}
+
+// Long names would drown the message; control characters could garble the terminal.
+std::string Shortened(std::string_view text)
+{
+    constexpr std::size_t kMost = 40;
+    std::string result(text.substr(0, kMost));
+    for (char& c : result)
+    {
+        const unsigned char byte = static_cast<unsigned char>(c);
+        c = byte < 0x20 || byte >= 0x7F ? '?' : c;
+    }
+    return text.size() > kMost ? result + "..." : result;
+}
+
+// The way from `from` down to `target`, e.g. ".body[3].angle". Looked for only when a message needs
+// it, so that reading need not keep track.
+bool AppendPath(const json& from, const json* target, std::string& path)
+{
+    if (&from == target)
+    {
+        return true;
+    }
+    const std::size_t length = path.size();
+    if (from.is_array())
+    {
+        for (std::size_t i = 0; i < from.size(); ++i)
+        {
+            path += "[" + std::to_string(i) + "]";
+            if (AppendPath(from[i], target, path))
+            {
+                return true;
+            }
+            path.resize(length);
+        }
+    }
+    else if (from.is_object())
+    {
+        for (auto member = from.begin(); member != from.end(); ++member)
+        {
+            path += (path.empty() ? "" : ".") + Shortened(member.key());
+            if (AppendPath(*member, target, path))
+            {
+                return true;
+            }
+            path.resize(length);
+        }
+    }
+    return false;
+}
+
+const json& Node(const void* node)
+{
+    return *static_cast<const json*>(node);
+}
+
+// "3F000000" is 0.5: the bits of an IEEE-754 single, most significant digit first.
+std::optional<float> FromHex(const std::string& digits)
+{
+    std::uint32_t bits = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, bits, 16);
+    if (digits.size() != 8 || error != std::errc() || stop != end)
+    {
+        return std::nullopt;
+    }
+    return std::bit_cast<float>(bits);
+}
+
+std::string Written(double number)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    return std::string(text.data(), end);
+}
+
+} // namespace
+
+JsonDocument::JsonDocument(std::unique_ptr<Content> content) : m_content(std::move(content)) {}
+JsonDocument::JsonDocument(JsonDocument&&) noexcept = default;
+JsonDocument::~JsonDocument() = default;
+
+Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string source)
+{
+    if (text.size() > kMostBytes)
+    {
+        return Unusable(source + " is larger than " + std::to_string(kMostBytes >> 20) +
+                        " MB; split the scene into smaller files");
+    }
+    Guard guard;
+    if (!json::sax_parse(text.begin(), text.end(), &guard))
+    {
+        return guard.Refusal().empty() ? SyntaxError(text, guard.ErrorPosition(), source)
+                                       : Unusable(source + " " + guard.Refusal());
+    }
+    auto content = std::make_unique<Content>();
+    content->root = json::parse(text.begin(), text.end(), nullptr, false);
+    content->source = std::move(source);
+    if (!content->root.is_object())
+    {
+        return Unusable(content->source +
+                        " is no scene file: its outermost value must be an object; name a R.U.B.E. "
+                        "export");
+    }
+    return JsonDocument(std::move(content));
+}
+
+JsonValue JsonDocument::Root() const
+{
+    return JsonValue(&m_content->root, m_content.get());
+}
+
+const std::optional<Error>& JsonDocument::Complaint() const
+{
+    return m_content->complaint;
+}
+
+JsonValue JsonValue::Member(const char* name) const
+{
+    if (!Exists())
+    {
+        return *this;
+    }
+    if (!Node(m_node).is_object())
+    {
+        Complain("must be an object");
+        return JsonValue(nullptr, m_content);
+    }
+    const auto found = Node(m_node).find(name);
+    return JsonValue(found == Node(m_node).end() ? nullptr : &*found, m_content);
+}
+
+JsonValue JsonValue::Required(const char* name) const
+{
+    const JsonValue member = Member(name);
+    if (Exists() && !member.Exists())
+    {
+        Complain("has no \"" + std::string(name) + "\"");
+    }
+    return member;
+}
+
+std::size_t JsonValue::Count() const
+{
+    if (Exists() && !Node(m_node).is_array())
+    {
+        Complain("must be a list");
+        return 0;
+    }
+    return Exists() ? Node(m_node).size() : 0;
+}
+
+JsonValue JsonValue::Item(std::size_t index) const
+{
+    return JsonValue(&Node(m_node)[index], m_content);
+}
+
+bool JsonValue::Bool(bool fallback) const
+{
+    if (!Exists())
+    {
+        return fallback;
+    }
+    const json& node = Node(m_node);
+    if (node.is_boolean())
+    {
+        return node.get<bool>();
+    }
+    if (node.is_number_integer() && (node == 0 || node == 1))
+    {
+        return node == 1;
+    }
+    Complain("must be true or false");
+    return fallback;
+}
+
+std::int64_t JsonValue::Integer(std::int64_t fallback, std::int64_t least, std::int64_t most) const
+{
+    if (!Exists())
+    {
+        return fallback;
+    }
+    // Through double, so that 3.0 and numbers beyond 64 bits are judged alike; the limits are small
+    // enough to be exact in it.
+    const double value = Node(m_node).is_number()
+                             ? Node(m_node).get<double>()
+                             : std::numeric_limits<double>::quiet_NaN();
+    if (value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
+        value == std::floor(value))
+    {
+        return static_cast<std::int64_t>(value);
+    }
+    Complain("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return fallback;
+}
+
+float JsonValue::Number(float fallback, float least, float most) const
+{
+    if (!Exists())
+    {
+        return fallback;
+    }
+    const json& node = Node(m_node);
+    double value = 0.0;
+    if (node.is_number())
+    {
+        value = node.get<double>();
+    }
+    else if (const auto bits = node.is_string() ? FromHex(node.get_ref<const std::string&>())
+                                                : std::optional<float>())
+    {
+        value = static_cast<double>(*bits);
+    }
+    else
+    {
+        Complain("must be a number or the eight hex digits of one");
+        return fallback;
+    }
+    // Written so that NaN, which a hex string can spell, fails as well.
+    if (value >= static_cast<double>(least) && value <= static_cast<double>(most))
+    {
+        return static_cast<float>(value);
+    }
+    Complain("is " + Written(value) + " but must be from " + Written(static_cast<double>(least)) +
+             " to " + Written(static_cast<double>(most)));
+    return fallback;
+}
+
+std::string JsonValue::Text() const
+{
+    if (Exists() && !Node(m_node).is_string())
+    {
+        Complain("must be a string");
+        return "";
+    }
+    return Exists() ? Node(m_node).get<std::string>() : "";
+}
+
+bool JsonValue::IsZero() const
+{
+    return Exists() && Node(m_node).is_number() && Node(m_node) == 0;
+}
+
+void JsonValue::Complain(const std::string& isWrongHow) const
+{
+    if (IsHopeless() || !Exists())
+    {
+        return;
+    }
+    std::string path;
+    AppendPath(m_content->root, &Node(m_node), path);
+    const std::string place = path.empty() ? std::string("its outermost object") : path;
+    m_content->complaint = Unusable(m_content->source + ": " + place + " " + isWrongHow +
+                                    "; correct it or export the scene again");
+}
+
+bool JsonValue::IsHopeless() const
+{
+    return m_content->complaint.has_value();
+}
+
+} // namespace boxreel

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// JSON as the scene-file reader wants it: every access says what it expects, and the first value
+/// that is not so is remembered with its place instead of being thrown. Only RubeJson.cpp knows the
+/// JSON library. Text from anywhere may be given: memory is bounded by kMostBytes and kMostValues.
+namespace boxreel
+{
+
+/// Larger files are refused unread; a scene of ten thousand bodies has about 10 MB.
+constexpr std::uintmax_t kMostBytes = 64u << 20;
+/// Of numbers, strings, lists and objects; a parsed value takes about 100 bytes.
+constexpr std::size_t kMostValues = 2'000'000;
+/// Of lists and objects in each other; scene files need about ten.
+constexpr std::size_t kDeepest = 64;
+
+class JsonValue;
+
+/// A whole text, parsed. Holds what was wrong in it as well; values must not outlive it.
+class JsonDocument
+{
+public:
+    /// `source` names the text in messages, usually the path of the file.
+    static Result<JsonDocument> Parse(std::string_view text, std::string source);
+
+    JsonDocument(JsonDocument&&) noexcept;
+    ~JsonDocument();
+
+    JsonValue Root() const;
+
+    /// The first complaint of any value, if there was one.
+    const std::optional<Error>& Complaint() const;
+
+private:
+    friend class JsonValue;
+    struct Content;
+
+    explicit JsonDocument(std::unique_ptr<Content> content);
+
+    std::unique_ptr<Content> m_content;
+};
+
+/// One place in a document, which may be missing. A missing value reads as the fallback; a value of
+/// the wrong kind or out of range is complained about and reads as the fallback, too.
+class JsonValue
+{
+public:
+    bool Exists() const { return m_node != nullptr; }
+
+    /// Of an object; the result is missing when there is no such member.
+    JsonValue Member(const char* name) const;
+    /// As Member, but its absence is complained about.
+    JsonValue Required(const char* name) const;
+
+    /// Elements of a list; 0 when missing.
+    std::size_t Count() const;
+    /// `index` is below Count().
+    JsonValue Item(std::size_t index) const;
+
+    bool Bool(bool fallback) const;
+    /// A whole number in [least, most].
+    std::int64_t Integer(std::int64_t fallback, std::int64_t least, std::int64_t most) const;
+    /// A number, or a string with the eight hex digits of a float's bits; in [least, most].
+    float Number(float fallback, float least, float most) const;
+    std::string Text() const;
+
+    bool IsZero() const; ///< the literal 0, which stands for a vector, too
+
+    /// Remembers that this value `isWrongHow`, e.g. "must be a list".
+    void Complain(const std::string& isWrongHow) const;
+
+    /// Whether anything in the document has been complained about: time to stop reading.
+    bool IsHopeless() const;
+
+private:
+    friend class JsonDocument;
+
+    JsonValue(const void* node, JsonDocument::Content* content) : m_node(node), m_content(content) {}
+
+    const void* m_node; ///< the library's value, or null when missing
+    JsonDocument::Content* m_content;
+};
+
+} // namespace boxreel

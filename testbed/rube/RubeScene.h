@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Box2D.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// What a R.U.B.E. / b2dJson scene file says, as plain data: filled by the reader (RubeText.h), used
+/// by the builder (RubeBuilder.h). The defaults are the format's, which are not always the engine's.
+/// Numbers are finite and within the reader's limits, indices are valid; whether a shape can be built
+/// is not yet decided here.
+namespace boxreel
+{
+
+struct RubeCircle
+{
+    b2Vec2 center = b2Vec2(0.0f, 0.0f); ///< in the body's frame, as all points of shapes [m]
+    float32 radius = 0.0f;              ///< [m]
+};
+
+struct RubeEdge
+{
+    b2Vec2 vertex1 = b2Vec2(0.0f, 0.0f);
+    b2Vec2 vertex2 = b2Vec2(0.0f, 0.0f);
+    std::optional<b2Vec2> vertex0; ///< ghost vertex before the edge
+    std::optional<b2Vec2> vertex3; ///< ghost vertex behind the edge
+};
+
+struct RubeChain
+{
+    std::vector<b2Vec2> vertices;
+    bool isLoop = false; ///< old files: closed without repeating the first vertex
+    std::optional<b2Vec2> previous;
+    std::optional<b2Vec2> next;
+};
+
+struct RubePolygon
+{
+    std::vector<b2Vec2> vertices; ///< two of them mean an edge
+};
+
+struct RubeFixture
+{
+    std::string name;
+    float32 restitution = 0.0f;
+    float32 friction = 0.0f;
+    float32 density = 0.0f; ///< [kg/m^2]
+    bool isSensor = false;
+    uint16 categoryBits = 1;
+    uint16 maskBits = 65535;
+    int16 groupIndex = 0;
+    std::variant<std::monostate, RubeCircle, RubeEdge, RubeChain, RubePolygon> shape;
+};
+
+struct RubeBody
+{
+    std::string name;
+    b2BodyType type = b2_staticBody;
+    b2Vec2 position = b2Vec2(0.0f, 0.0f); ///< [m]
+    float32 angle = 0.0f;                 ///< [rad]
+    b2Vec2 linearVelocity = b2Vec2(0.0f, 0.0f);
+    float32 angularVelocity = 0.0f;
+    float32 linearDamping = 0.0f;
+    float32 angularDamping = 0.0f;
+    float32 gravityScale = 1.0f;
+    bool isBullet = false;
+    bool allowSleep = true;
+    bool isAwake = false;
+    bool isActive = true;
+    bool fixedRotation = false;
+    std::optional<b2MassData> massData; ///< only when the file gives a mass; I about the body's origin
+    std::vector<RubeFixture> fixtures;
+};
+
+struct RubeRevolute
+{
+    float32 referenceAngle = 0.0f; ///< [rad]
+    bool enableLimit = false;
+    float32 lowerLimit = 0.0f; ///< [rad]
+    float32 upperLimit = 0.0f; ///< [rad]
+    bool enableMotor = false;
+    float32 motorSpeed = 0.0f;     ///< [rad/s]
+    float32 maxMotorTorque = 0.0f; ///< [N m]
+};
+
+struct RubeDistance
+{
+    float32 length = 0.0f;    ///< [m]
+    float32 frequency = 0.0f; ///< of the spring [Hz], 0 is rigid
+    float32 dampingRatio = 0.0f;
+};
+
+struct RubeJoint
+{
+    std::string type; ///< as the file spells it
+    std::string name;
+    std::size_t bodyA = 0; ///< index into RubeScene::bodies
+    std::size_t bodyB = 0;
+    bool collideConnected = false;
+    b2Vec2 anchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 anchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    std::variant<std::monostate, RubeRevolute, RubeDistance> details; ///< nothing for other kinds
+};
+
+struct RubeScene
+{
+    b2Vec2 gravity = b2Vec2(0.0f, 0.0f); ///< [m/s^2]
+    bool allowSleep = true;
+    bool autoClearForces = true;
+    bool warmStarting = true;
+    bool continuousPhysics = true;
+    bool subStepping = false;
+    float32 stepsPerSecond = 60.0f;
+    int32 velocityIterations = 8;
+    int32 positionIterations = 3;
+    std::vector<RubeBody> bodies;
+    std::vector<RubeJoint> joints;
+};
+
+} // namespace boxreel

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "RubeText.h"
+
+#include "RubeJson.h"
+
+#include <limits>
+
+namespace boxreel
+{
+
+namespace
+{
+
+// Limits that no sane scene reaches and that keep every later product finite.
+constexpr float32 kFarthest = 1e6f;  ///< coordinates and lengths: floats are 6 cm apart there [m]
+constexpr float32 kFastest = 1e6f;   ///< velocities [m/s, rad/s]
+constexpr float32 kWidest = 1e6f;    ///< angles [rad]
+constexpr float32 kStrongest = 1e12f; ///< forces, torques, masses, densities
+constexpr float32 kLargest = 1e6f;   ///< everything without a unit, damping and frequencies
+
+b2Vec2 ReadVector(const JsonValue& value, float32 most = kFarthest)
+{
+    if (!value.Exists() || value.IsZero())
+    {
+        return b2Vec2(0.0f, 0.0f);
+    }
+    const float32 x = value.Required("x").Number(0.0f, -most, most);
+    const float32 y = value.Required("y").Number(0.0f, -most, most);
+    return b2Vec2(x, y);
+}
+
+std::optional<b2Vec2> ReadVectorIf(const JsonValue& isGiven, const JsonValue& value)
+{
+    return isGiven.Bool(false) ? std::optional(ReadVector(value)) : std::nullopt;
+}
+
+std::vector<b2Vec2> ReadVertices(const JsonValue& value)
+{
+    const JsonValue xs = value.Required("x");
+    const JsonValue ys = value.Required("y");
+    const std::size_t count = xs.Count();
+    if (ys.Count() != count)
+    {
+        value.Complain("must have as many x as y");
+        return {};
+    }
+    std::vector<b2Vec2> vertices;
+    vertices.reserve(count);
+    for (std::size_t i = 0; i < count && !value.IsHopeless(); ++i)
+    {
+        vertices.emplace_back(xs.Item(i).Number(0.0f, -kFarthest, kFarthest),
+                              ys.Item(i).Number(0.0f, -kFarthest, kFarthest));
+    }
+    return vertices;
+}
+
+RubeCircle ReadCircle(const JsonValue& value)
+{
+    RubeCircle circle;
+    circle.center = ReadVector(value.Member("center"));
+    circle.radius = value.Member("radius").Number(0.0f, 0.0f, kFarthest);
+    return circle;
+}
+
+RubeEdge ReadEdge(const JsonValue& value)
+{
+    RubeEdge edge;
+    edge.vertex1 = ReadVector(value.Member("vertex1"));
+    edge.vertex2 = ReadVector(value.Member("vertex2"));
+    edge.vertex0 = ReadVectorIf(value.Member("hasVertex0"), value.Member("vertex0"));
+    edge.vertex3 = ReadVectorIf(value.Member("hasVertex3"), value.Member("vertex3"));
+    return edge;
+}
+
+RubeChain ReadChain(const JsonValue& value, bool isLoop)
+{
+    RubeChain chain;
+    chain.vertices = ReadVertices(value.Required("vertices"));
+    chain.isLoop = isLoop;
+    chain.previous = ReadVectorIf(value.Member("hasPrevVertex"), value.Member("prevVertex"));
+    chain.next = ReadVectorIf(value.Member("hasNextVertex"), value.Member("nextVertex"));
+    return chain;
+}
+
+RubeFixture ReadFixture(const JsonValue& value)
+{
+    RubeFixture fixture;
+    fixture.name = value.Member("name").Text();
+    fixture.restitution = value.Member("restitution").Number(0.0f, 0.0f, kLargest);
+    fixture.friction = value.Member("friction").Number(0.0f, 0.0f, kLargest);
+    fixture.density = value.Member("density").Number(0.0f, 0.0f, kStrongest);
+    fixture.isSensor = value.Member("sensor").Bool(false);
+    // Some writers print the sixteen bits as a signed number; -1 and 65535 are the same mask.
+    fixture.categoryBits =
+        static_cast<uint16>(value.Member("filter-categoryBits").Integer(1, -32768, 65535));
+    fixture.maskBits =
+        static_cast<uint16>(value.Member("filter-maskBits").Integer(65535, -32768, 65535));
+    fixture.groupIndex =
+        static_cast<int16>(value.Member("filter-groupIndex").Integer(0, -32768, 32767));
+
+    if (const JsonValue circle = value.Member("circle"); circle.Exists())
+    {
+        fixture.shape = ReadCircle(circle);
+    }
+    else if (const JsonValue edge = value.Member("edge"); edge.Exists())
+    {
+        fixture.shape = ReadEdge(edge);
+    }
+    else if (const JsonValue chain = value.Member("chain"); chain.Exists())
+    {
+        fixture.shape = ReadChain(chain, false);
+    }
+    else if (const JsonValue loop = value.Member("loop"); loop.Exists())
+    {
+        fixture.shape = ReadChain(loop, true);
+    }
+    else if (const JsonValue polygon = value.Member("polygon"); polygon.Exists())
+    {
+        fixture.shape = RubePolygon{ReadVertices(polygon.Required("vertices"))};
+    }
+    return fixture;
+}
+
+// A file that gives a centre or an inertia but no mass means the mass of the fixtures: applying the
+// rest alone would make it a body of 1 kg that cannot turn.
+std::optional<b2MassData> ReadMassData(const JsonValue& value)
+{
+    const JsonValue mass = value.Member("massData-mass");
+    b2MassData data;
+    data.mass = mass.Number(0.0f, 0.0f, kStrongest);
+    data.center = ReadVector(value.Member("massData-center"));
+    data.I = value.Member("massData-I").Number(0.0f, 0.0f, std::numeric_limits<float32>::max());
+    return mass.Exists() ? std::optional(data) : std::nullopt;
+}
+
+RubeBody ReadBody(const JsonValue& value)
+{
+    RubeBody body;
+    body.name = value.Member("name").Text();
+    body.type = static_cast<b2BodyType>(value.Member("type").Integer(0, 0, 2));
+    body.position = ReadVector(value.Member("position"));
+    body.angle = value.Member("angle").Number(0.0f, -kWidest, kWidest);
+    body.linearVelocity = ReadVector(value.Member("linearVelocity"), kFastest);
+    body.angularVelocity = value.Member("angularVelocity").Number(0.0f, -kFastest, kFastest);
+    body.linearDamping = value.Member("linearDamping").Number(0.0f, 0.0f, kLargest);
+    body.angularDamping = value.Member("angularDamping").Number(0.0f, 0.0f, kLargest);
+    body.gravityScale = value.Member("gravityScale").Number(1.0f, -kLargest, kLargest);
+    body.isBullet = value.Member("bullet").Bool(false);
+    body.allowSleep = value.Member("allowSleep").Bool(true);
+    body.isAwake = value.Member("awake").Bool(false);
+    body.isActive = value.Member("active").Bool(true);
+    body.fixedRotation = value.Member("fixedRotation").Bool(false);
+    body.massData = ReadMassData(value);
+
+    const JsonValue fixtures = value.Member("fixture");
+    for (std::size_t i = 0; i < fixtures.Count() && !value.IsHopeless(); ++i)
+    {
+        body.fixtures.push_back(ReadFixture(fixtures.Item(i)));
+    }
+    return body;
+}
+
+RubeRevolute ReadRevolute(const JsonValue& value)
+{
+    RubeRevolute joint;
+    joint.referenceAngle = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
+    joint.enableLimit = value.Member("enableLimit").Bool(false);
+    joint.lowerLimit = value.Member("lowerLimit").Number(0.0f, -kWidest, kWidest);
+    joint.upperLimit = value.Member("upperLimit").Number(0.0f, -kWidest, kWidest);
+    joint.enableMotor = value.Member("enableMotor").Bool(false);
+    joint.motorSpeed = value.Member("motorSpeed").Number(0.0f, -kFastest, kFastest);
+    joint.maxMotorTorque = value.Member("maxMotorTorque").Number(0.0f, 0.0f, kStrongest);
+    return joint;
+}
+
+RubeDistance ReadDistance(const JsonValue& value)
+{
+    RubeDistance joint;
+    joint.length = value.Member("length").Number(0.0f, 0.0f, kFarthest);
+    joint.frequency = value.Member("frequency").Number(0.0f, 0.0f, kLargest);
+    joint.dampingRatio = value.Member("dampingRatio").Number(0.0f, 0.0f, kLargest);
+    return joint;
+}
+
+std::size_t ReadBodyIndex(const JsonValue& joint, const char* name, std::size_t bodyCount)
+{
+    const JsonValue index = joint.Required(name);
+    if (bodyCount == 0)
+    {
+        joint.Complain("connects bodies, but the file has none");
+        return 0;
+    }
+    return static_cast<std::size_t>(index.Integer(0, 0, static_cast<std::int64_t>(bodyCount) - 1));
+}
+
+RubeJoint ReadJoint(const JsonValue& value, std::size_t bodyCount)
+{
+    RubeJoint joint;
+    joint.type = value.Required("type").Text();
+    joint.name = value.Member("name").Text();
+    joint.bodyA = ReadBodyIndex(value, "bodyA", bodyCount);
+    joint.bodyB = ReadBodyIndex(value, "bodyB", bodyCount);
+    joint.collideConnected = value.Member("collideConnected").Bool(false);
+    joint.anchorA = ReadVector(value.Member("anchorA"));
+    joint.anchorB = ReadVector(value.Member("anchorB"));
+    if (joint.type == "revolute")
+    {
+        joint.details = ReadRevolute(value);
+    }
+    else if (joint.type == "distance")
+    {
+        joint.details = ReadDistance(value);
+    }
+    return joint;
+}
+
+void ReadWorld(const JsonValue& value, RubeScene& scene)
+{
+    scene.gravity = ReadVector(value.Member("gravity"), kLargest);
+    scene.allowSleep = value.Member("allowSleep").Bool(true);
+    scene.autoClearForces = value.Member("autoClearForces").Bool(true);
+    scene.warmStarting = value.Member("warmStarting").Bool(true);
+    scene.continuousPhysics = value.Member("continuousPhysics").Bool(true);
+    scene.subStepping = value.Member("subStepping").Bool(false);
+    scene.stepsPerSecond = value.Member("stepsPerSecond").Number(60.0f, 1.0f, 100000.0f);
+    scene.velocityIterations =
+        static_cast<int32>(value.Member("velocityIterations").Integer(8, 1, 1000));
+    scene.positionIterations =
+        static_cast<int32>(value.Member("positionIterations").Integer(3, 1, 1000));
+}
+
+} // namespace
+
+Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& source)
+{
+    const Result<JsonDocument> document = JsonDocument::Parse(text, source);
+    if (!document)
+    {
+        return document.GetError();
+    }
+    const JsonValue root = document->Root();
+    RubeScene scene;
+    ReadWorld(root, scene);
+    // Any JSON object would do as an empty scene; a foreign file is better told so.
+    const JsonValue bodies = root.Required("body");
+    for (std::size_t i = 0; i < bodies.Count() && !root.IsHopeless(); ++i)
+    {
+        scene.bodies.push_back(ReadBody(bodies.Item(i)));
+    }
+    const JsonValue joints = root.Member("joint");
+    for (std::size_t i = 0; i < joints.Count() && !root.IsHopeless(); ++i)
+    {
+        scene.joints.push_back(ReadJoint(joints.Item(i), scene.bodies.size()));
+    }
+    if (document->Complaint())
+    {
+        return *document->Complaint();
+    }
+    return scene;
+}
+
+} // namespace boxreel
