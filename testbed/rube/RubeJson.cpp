@@ -287,15 +287,15 @@ std::int64_t JsonValue::Integer(std::int64_t fallback, std::int64_t least, std::
     }
     // Through double, so that 3.0 and numbers beyond 64 bits are judged alike; the limits are small
     // enough to be exact in it.
-    const double value = Node(m_node).is_number()
-                             ? Node(m_node).get<double>()
-                             : std::numeric_limits<double>::quiet_NaN();
+    const double value = Node(m_node).is_number() ? Node(m_node).get<double>()
+                                                  : std::numeric_limits<double>::quiet_NaN();
     if (value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
         value == std::floor(value))
     {
         return static_cast<std::int64_t>(value);
     }
-    Complain("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    Complain("must be a whole number from " + std::to_string(least) + " to " +
+             std::to_string(most));
     return fallback;
 }
 

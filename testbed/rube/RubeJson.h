@@ -84,7 +84,8 @@ public:
 private:
     friend class JsonDocument;
 
-    JsonValue(const void* node, JsonDocument::Content* content) : m_node(node), m_content(content) {}
+    JsonValue(const void* node, JsonDocument::Content* content) : m_node(node), m_content(content)
+    {}
 
     const void* m_node; ///< the library's value, or null when missing
     JsonDocument::Content* m_content;

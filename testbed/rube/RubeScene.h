@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-/// What a R.U.B.E. / b2dJson scene file says, as plain data: filled by the reader (RubeText.h), used
-/// by the builder (RubeBuilder.h). The defaults are the format's, which are not always the engine's.
-/// Numbers are finite and within the reader's limits, indices are valid; whether a shape can be built
-/// is not yet decided here.
+/// What a R.U.B.E. / b2dJson scene file says, as plain data: filled by the reader (RubeText.h),
+/// used by the builder (RubeBuilder.h). The defaults are the format's, which are not always the
+/// engine's. Numbers are finite and within the reader's limits, indices are valid; whether a shape
+/// can be built is not yet decided here.
 namespace boxreel
 {
 
@@ -71,7 +71,8 @@ struct RubeBody
     bool isAwake = false;
     bool isActive = true;
     bool fixedRotation = false;
-    std::optional<b2MassData> massData; ///< only when the file gives a mass; I about the body's origin
+    std::optional<b2MassData>
+        massData; ///< only when the file gives a mass; I about the body's origin
     std::vector<RubeFixture> fixtures;
 };
 
@@ -100,8 +101,8 @@ struct RubeJoint
     std::size_t bodyA = 0; ///< index into RubeScene::bodies
     std::size_t bodyB = 0;
     bool collideConnected = false;
-    b2Vec2 anchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
-    b2Vec2 anchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    b2Vec2 anchorA = b2Vec2(0.0f, 0.0f);                              ///< in body A's frame [m]
+    b2Vec2 anchorB = b2Vec2(0.0f, 0.0f);                              ///< in body B's frame [m]
     std::variant<std::monostate, RubeRevolute, RubeDistance> details; ///< nothing for other kinds
 };
 

@@ -3,7 +3,7 @@
 
 #include "RubeJson.h"
 
-#include <limits>
+#include <cstdint>
 
 namespace boxreel
 {
@@ -12,11 +12,12 @@ namespace
 {
 
 // Limits that no sane scene reaches and that keep every later product finite.
-constexpr float32 kFarthest = 1e6f;  ///< coordinates and lengths: floats are 6 cm apart there [m]
-constexpr float32 kFastest = 1e6f;   ///< velocities [m/s, rad/s]
-constexpr float32 kWidest = 1e6f;    ///< angles [rad]
+constexpr float32 kFarthest = 1e6f;   ///< coordinates and lengths: floats are 6 cm apart there [m]
+constexpr float32 kFastest = 1e6f;    ///< velocities [m/s, rad/s]
+constexpr float32 kWidest = 1e6f;     ///< angles [rad]
 constexpr float32 kStrongest = 1e12f; ///< forces, torques, masses, densities
-constexpr float32 kLargest = 1e6f;   ///< everything without a unit, damping and frequencies
+constexpr float32 kStiffest = 1e24f;  ///< rotational inertia [kg m^2]
+constexpr float32 kLargest = 1e6f;    ///< everything without a unit, damping and frequencies
 
 b2Vec2 ReadVector(const JsonValue& value, float32 most = kFarthest)
 {
@@ -129,8 +130,8 @@ std::optional<b2MassData> ReadMassData(const JsonValue& value)
     b2MassData data;
     data.mass = mass.Number(0.0f, 0.0f, kStrongest);
     data.center = ReadVector(value.Member("massData-center"));
-    data.I = value.Member("massData-I").Number(0.0f, 0.0f, std::numeric_limits<float32>::max());
-    return mass.Exists() ? std::optional(data) : std::nullopt;
+    data.I = value.Member("massData-I").Number(0.0f, 0.0f, kStiffest);
+    return data.mass > 0.0f ? std::optional(data) : std::nullopt;
 }
 
 RubeBody ReadBody(const JsonValue& value)

@@ -34,6 +34,9 @@ public:
 
     b2World& World() { return m_world; }
 
+    /// How the scene wants to be stepped unless the user says otherwise; scene files have their own.
+    virtual StepSettings PreferredSteps() const { return {}; }
+
     /// One step of the world; a scene that steers overrides it and calls this one.
     virtual void Step(const StepSettings& settings)
     {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+#include <scenes/Scene.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace boxreel
+{
+
+/// Loads a R.U.B.E. / b2dJson scene file as a scene whose PreferredSteps are the file's. Called by
+/// whoever is given a file instead of a scene's name. What cannot be built is left out, with a
+/// sentence in `leftOut` for each part (see RubeBuilder.h). A file that is missing, too large,
+/// truncated, foreign or malformed is an Error that names it and the place; memory and time are
+/// bounded by the limits of RubeJson.h.
+Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
+                                             std::vector<std::string>& leftOut);
+
+} // namespace boxreel
