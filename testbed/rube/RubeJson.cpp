@@ -192,6 +192,11 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
         return Unusable(source + " is larger than " + std::to_string(kMostBytes >> 20) +
                         " MB; split the scene into smaller files");
     }
+    // The library takes a zero byte for the end of the text and would ignore what follows.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+    {
+        return SyntaxError(text, zero + 1, source);
+    }
     Guard guard;
     if (!json::sax_parse(text.begin(), text.end(), &guard))
     {
