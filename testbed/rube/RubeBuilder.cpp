@@ -23,7 +23,8 @@ std::string Quoted(const std::string& name)
             --length;
         }
     }
-    std::string result = "\"" + name.substr(0, length);
+    std::string result = "\"";
+    result.append(name, 0, length);
     for (char& c : result)
     {
         const unsigned char byte = static_cast<unsigned char>(c);

@@ -131,7 +131,7 @@ bool AppendPath(const json& from, const json* target, std::string& path)
     {
         for (std::size_t i = 0; i < from.size(); ++i)
         {
-            path += "[" + std::to_string(i) + "]";
+            path.append("[").append(std::to_string(i)).append("]");
             if (AppendPath(from[i], target, path))
             {
                 return true;
@@ -143,7 +143,7 @@ bool AppendPath(const json& from, const json* target, std::string& path)
     {
         for (auto member = from.begin(); member != from.end(); ++member)
         {
-            path += (path.empty() ? "" : ".") + Shortened(member.key());
+            path.append(path.empty() ? "" : ".").append(Shortened(member.key()));
             if (AppendPath(*member, target, path))
             {
                 return true;

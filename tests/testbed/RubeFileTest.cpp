@@ -56,8 +56,8 @@ std::string Polygon(int corners)
     for (int i = 0; i < corners; ++i)
     {
         const double angle = 6.283185307179586 * i / corners;
-        x += (i > 0 ? "," : "") + std::to_string(std::cos(angle));
-        y += (i > 0 ? "," : "") + std::to_string(std::sin(angle));
+        x.append(i > 0 ? "," : "").append(std::to_string(std::cos(angle)));
+        y.append(i > 0 ? "," : "").append(std::to_string(std::sin(angle)));
     }
     return R"("density":1,"polygon":{"vertices":{"x":[)" + x + R"(],"y":[)" + y + "]}}";
 }

@@ -259,7 +259,7 @@ void ImpactSolver::Restore(const Backup& backup)
 /// Stops the body where it is at that time.
 void ImpactSolver::Advance(BodyData& body, float32 time)
 {
-    if (body.mobility == Mobility::Static || body.sweepStart >= time)
+    if (body.mobility == Mobility::Static || body.sweepStart > time)
     {
         return;
     }
