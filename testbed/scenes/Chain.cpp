@@ -8,8 +8,8 @@ namespace boxreel
 namespace
 {
 
-constexpr int32 kLinkCount = 20;
-constexpr float32 kLinkLength = 0.9f;      ///< from hinge to hinge [m]
+constexpr int32 kLinkCount = 16;
+constexpr float32 kLinkLength = 1.1f;      ///< from hinge to hinge [m]
 constexpr float32 kLinkHalfHeight = 0.14f; ///< [m]
 constexpr float32 kAnchorHeight = 20.0f;   ///< [m]
 

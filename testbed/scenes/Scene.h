@@ -6,8 +6,8 @@
 #include <memory>
 #include <span>
 
-/// What a scene is: a world it fills in its constructor and may steer around each step. Scenes use the
-/// engine only; whoever shows them (film, window, test) is none of their business.
+/// What a scene is: a world it fills in its constructor and may steer around each step. Scenes use
+/// the engine only; whoever shows them (film, window, test) is none of their business.
 namespace boxreel
 {
 
@@ -27,14 +27,17 @@ struct StepSettings
 class Scene
 {
 public:
-    explicit Scene(const SceneSettings& settings) : m_settings(settings), m_world(b2Vec2(0.0f, -10.0f)) {}
+    explicit Scene(const SceneSettings& settings)
+        : m_settings(settings), m_world(b2Vec2(0.0f, -10.0f))
+    {}
     virtual ~Scene() = default;
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
     b2World& World() { return m_world; }
 
-    /// How the scene wants to be stepped unless the user says otherwise; scene files have their own.
+    /// How the scene wants to be stepped unless the user says otherwise; scene files have their
+    /// own.
     virtual StepSettings PreferredSteps() const { return {}; }
 
     /// One step of the world; a scene that steers overrides it and calls this one.
