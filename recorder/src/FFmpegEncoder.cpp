@@ -36,6 +36,8 @@ public:
           m_plan(PlanFor(format, settings.quality))
     {}
 
+    ~FFmpegEncoder() override;
+
     Result<void> Open();
     Result<void> Append(const Frame& frame) override;
     Result<void> Repeat() override;
@@ -69,7 +71,8 @@ private:
     FFmpegOwner<AVPacket> m_packet;
     std::unique_ptr<FrameToPicture> m_converter; // none for a GIF
     GifPalette m_palette;
-    std::int64_t m_frames = 0; // appended or repeated
+    std::int64_t m_frames = 0;   // appended or repeated
+    bool m_isTrailerDue = false; // the header is written
 };
 
 Error FFmpegEncoder::SetupError(const char* what, int status) const
@@ -242,7 +245,17 @@ Result<void> FFmpegEncoder::WriteHeader()
     {
         return m_output->FirstError(SetupError(m_plan.muxer, status));
     }
+    m_isTrailerDue = true;
     return {};
+}
+
+FFmpegEncoder::~FFmpegEncoder()
+{
+    if (m_isTrailerDue && IsGif())
+    {
+        // libav's GIF muxer lets go of its last packet only here; the file itself is discarded.
+        FFmpeg().av_write_trailer(m_muxer.get());
+    }
 }
 
 Result<void> FFmpegEncoder::Append(const Frame& frame)
@@ -358,6 +371,7 @@ Result<void> FFmpegEncoder::Close()
         FFmpeg().av_opt_set_int(m_muxer->priv_data, "final_delay",
                                 std::max<std::int64_t>(TimeOf(m_frames) - TimeOf(last), 2), 0);
     }
+    m_isTrailerDue = false;
     status = FFmpeg().av_write_trailer(m_muxer.get());
     m_output->Flush();
     if (status < 0 || m_output->HasFailed())
