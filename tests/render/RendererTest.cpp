@@ -208,6 +208,39 @@ TEST(Renderer, SkipsWhatLiesOutsideWithoutChangingAPixel)
     EXPECT_TRUE(frame == Picture(inside, 40, 40));
 }
 
+TEST(Renderer, ShowsAtItsBordersWhatALargerPictureShowsThere)
+{
+    // Rows of shapes, each a little farther across a border than the one before.
+    Renderer large = MakeRenderer(96, 96);
+    Renderer renderer = MakeRenderer(64, 64);
+    Camera camera = PixelCamera(64, 64);
+    Camera wide = PixelCamera(96, 96);
+    wide.centerX = wide.centerY = 32;
+    for (int i = 0; i < 48; ++i)
+    {
+        const float at = -5.0f + 0.21f * float(i);
+        DrawList list;
+        AddTurnedBox(list, {at, 16}, 3, 2, 0.5f, kWhite);
+        list.AddSolidCircle({16, at}, 3, {0, 1}, kWhite);
+        AddRegular(list, {64 - at, 16}, 3, 3, 5, 0.3f, kWhite);
+        list.AddSegment({48, 64 - at}, {50, 66 - at}, kWhite);
+        list.AddPoint({30, 64 - at}, 4, kWhite);
+        AddTurnedBox(list, {64 - at, 40}, 0.4f, 0.3f, 0.5f, kWhite);
+        list.AddText({at - 3, 60}, "W", kWhite);
+        const Frame frame = DrawWith(renderer, list, camera);
+        const Frame around = DrawWith(large, list, wide);
+        for (int y = 0; y < 64; ++y)
+        {
+            for (int x = 0; x < 64; ++x)
+            {
+                // One of 255 for numbers that are rounded elsewhere.
+                ASSERT_NEAR(At(frame, x, y)[0], At(around, x + 16, y + 16)[0], 1)
+                    << x << ", " << y << ", " << i;
+            }
+        }
+    }
+}
+
 TEST(Renderer, DrawsGiantsAsTheirPartInThePicture)
 {
     // Edges through the picture's middle, the rest up to a hundred thousand kilometres away.
