@@ -3,8 +3,8 @@
 
 /// Everything a program that simulates needs.
 
-#include <Box2D/Common/b2Settings.h>
 #include <Box2D/Common/b2Draw.h>
+#include <Box2D/Common/b2Settings.h>
 #include <Box2D/Common/b2Timer.h>
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
@@ -26,4 +26,13 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 
 #include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
+#include <Box2D/Dynamics/Joints/b2FrictionJoint.h>
+#include <Box2D/Dynamics/Joints/b2GearJoint.h>
+#include <Box2D/Dynamics/Joints/b2MotorJoint.h>
+#include <Box2D/Dynamics/Joints/b2MouseJoint.h>
+#include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
+#include <Box2D/Dynamics/Joints/b2PulleyJoint.h>
 #include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
+#include <Box2D/Dynamics/Joints/b2RopeJoint.h>
+#include <Box2D/Dynamics/Joints/b2WeldJoint.h>
+#include <Box2D/Dynamics/Joints/b2WheelJoint.h>

@@ -88,7 +88,10 @@ void ConstraintGraph::Add(b2Joint& joint)
 {
     int32& color = JointAccess::Color(joint);
     b2Assert(color == -1);
-    color = Claim(Data(*joint.GetBodyA()), Data(*joint.GetBodyB()));
+    // A gear moves up to four bodies.
+    color = joint.GetType() == e_gearJoint
+                ? kOverflow
+                : Claim(Data(*joint.GetBodyA()), Data(*joint.GetBodyB()));
     Array<b2Joint*>& list = m_colors[color].joints;
     JointAccess::ColorIndex(joint) = int32(list.size());
     list.push_back(&joint);

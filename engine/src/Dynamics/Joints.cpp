@@ -4,8 +4,19 @@
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
+#include <Box2D/Dynamics/Joints/b2FrictionJoint.h>
+#include <Box2D/Dynamics/Joints/b2GearJoint.h>
+#include <Box2D/Dynamics/Joints/b2MotorJoint.h>
+#include <Box2D/Dynamics/Joints/b2MouseJoint.h>
+#include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
+#include <Box2D/Dynamics/Joints/b2PulleyJoint.h>
 #include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
+#include <Box2D/Dynamics/Joints/b2RopeJoint.h>
+#include <Box2D/Dynamics/Joints/b2WeldJoint.h>
+#include <Box2D/Dynamics/Joints/b2WheelJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
+
+#include <iterator>
 
 namespace box2d
 {
@@ -28,17 +39,30 @@ constexpr JointKind Kind()
 
 const JointKind* FindKind(b2JointType type)
 {
-    static constexpr JointKind kRevolute = Kind<b2RevoluteJoint, b2RevoluteJointDef>();
-    static constexpr JointKind kDistance = Kind<b2DistanceJoint, b2DistanceJointDef>();
-    switch (type)
-    {
-    case e_revoluteJoint:
-        return &kRevolute;
-    case e_distanceJoint:
-        return &kDistance;
-    default:
-        return nullptr;
-    }
+    // In the order of b2JointType.
+    static constexpr JointKind kKinds[] = {
+        Kind<b2RevoluteJoint, b2RevoluteJointDef>(), Kind<b2PrismaticJoint, b2PrismaticJointDef>(),
+        Kind<b2DistanceJoint, b2DistanceJointDef>(), Kind<b2PulleyJoint, b2PulleyJointDef>(),
+        Kind<b2MouseJoint, b2MouseJointDef>(),       Kind<b2GearJoint, b2GearJointDef>(),
+        Kind<b2WheelJoint, b2WheelJointDef>(),       Kind<b2WeldJoint, b2WeldJointDef>(),
+        Kind<b2FrictionJoint, b2FrictionJointDef>(), Kind<b2RopeJoint, b2RopeJointDef>(),
+        Kind<b2MotorJoint, b2MotorJointDef>(),
+    };
+    const int32 index = int32(type) - int32(e_revoluteJoint);
+    return 0 <= index && index < int32(std::size(kKinds)) ? &kKinds[index] : nullptr;
+}
+
+/// A gear needs two joints that have a coordinate, and two bodies of its own.
+bool IsSoundGear(const b2GearJointDef& def)
+{
+    const auto hasCoordinate = [](b2Joint* joint) {
+        return joint &&
+               (joint->GetType() == e_revoluteJoint || joint->GetType() == e_prismaticJoint);
+    };
+    return B2_REQUIRE(hasCoordinate(def.joint1) && hasCoordinate(def.joint2),
+                      "A gear joint needs two joints, each revolute or prismatic.") &&
+           B2_REQUIRE(def.joint1->GetBodyB() != def.joint2->GetBodyB(),
+                      "A gear joint's two joints must move two different bodies (their bodies B).");
 }
 
 void PushEdge(b2JointEdge& edge, b2Joint& joint, b2Body& body, b2Body& other)
@@ -75,6 +99,10 @@ b2Joint* World::CreateJoint(const b2JointDef& def)
     {
         return nullptr;
     }
+    if (def.type == e_gearJoint && !IsSoundGear(static_cast<const b2GearJointDef&>(def)))
+    {
+        return nullptr;
+    }
     b2Joint* joint = kind->construct(allocator.Allocate(kind->size), &def);
     JointAccess::Number(*joint) = jointNumber++;
     JointAccess::Next(*joint) = jointList;
@@ -84,8 +112,10 @@ b2Joint* World::CreateJoint(const b2JointDef& def)
     }
     jointList = joint;
     ++jointCount;
-    PushEdge(JointAccess::EdgeA(*joint), *joint, *def.bodyA, *def.bodyB);
-    PushEdge(JointAccess::EdgeB(*joint), *joint, *def.bodyB, *def.bodyA);
+    b2Body& bodyA = *joint->GetBodyA();
+    b2Body& bodyB = *joint->GetBodyB();
+    PushEdge(JointAccess::EdgeA(*joint), *joint, bodyA, bodyB);
+    PushEdge(JointAccess::EdgeB(*joint), *joint, bodyB, bodyA);
     UpdateActivity(*joint);
     FlagJointContacts(*joint);
     return joint;

@@ -70,6 +70,90 @@ struct JointFrame
     float32 mA, iA, mB, iB; ///< inverse
 };
 
+/// A spring as a soft constraint (Catto, "Soft Constraints", GDC 2011): with stiffness k, damping c
+/// and step h
+///   gamma = 1 / (h (c + h k)),  bias = C h k gamma,  impulse = -(Cdot + bias + gamma * total) / (K
+///   + gamma).
+struct Softness
+{
+    float32 gamma = 0.0f;
+    float32 biasRate = 0.0f; ///< bias over C [1/s]
+};
+
+/// `mass` is the effective mass that the spring moves; frequency in hertz.
+inline Softness MakeSoftness(float32 frequencyHz, float32 dampingRatio, float32 mass,
+                             float32 timeStep)
+{
+    Softness soft;
+    if (frequencyHz > 0.0f && mass > 0.0f)
+    {
+        const float32 omega = 2.0f * b2_pi * frequencyHz;
+        const float32 damping = 2.0f * mass * dampingRatio * omega;
+        const float32 stiffness = mass * omega * omega;
+        soft.gamma = 1.0f / (timeStep * (damping + timeStep * stiffness));
+        soft.biasRate = timeStep * stiffness * soft.gamma;
+    }
+    return soft;
+}
+
+inline float32 InverseOrZero(float32 value)
+{
+    return value > 0.0f ? 1.0f / value : 0.0f;
+}
+
+/// How an impulse along `axis` changes the relative speed along it:
+///   K = mA + mB + iA (rA x n)^2 + iB (rB x n)^2.
+inline float32 AxisMatrix(const JointFrame& f, const b2Vec2& axis, const b2Vec2& rA,
+                          const b2Vec2& rB)
+{
+    const float32 crossA = b2Cross(rA, axis);
+    const float32 crossB = b2Cross(rB, axis);
+    return f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
+}
+
+/// The largest impulse a force can give in a step, as a bound on a vector.
+inline b2Vec2 ClampLength(const b2Vec2& v, float32 limit)
+{
+    const float32 squared = v.LengthSquared();
+    return squared > limit * limit ? (limit / b2Sqrt(squared)) * v : v;
+}
+
+/// The share of the last step's impulses that a step starts with.
+inline float32 CarryOver(const SolverContext& context)
+{
+    return context.warmStarting ? context.stepRatio : 0.0f;
+}
+
+/// The lines every joint's Dump starts with.
+inline void DumpBodies(const char* definition, const b2Body& a, const b2Body& b,
+                       bool collideConnected)
+{
+    b2Log("  %s jd;\n", definition);
+    b2Log("  jd.bodyA = bodies[%d];\n", Data(a).number);
+    b2Log("  jd.bodyB = bodies[%d];\n", Data(b).number);
+    b2Log("  jd.collideConnected = bool(%d);\n", collideConnected);
+}
+
+inline void DumpPoint(const char* name, const b2Vec2& p)
+{
+    b2Log("  jd.%s.Set(%.9gf, %.9gf);\n", name, double(p.x), double(p.y));
+}
+
+inline void DumpNumber(const char* name, float32 value)
+{
+    b2Log("  jd.%s = %.9gf;\n", name, double(value));
+}
+
+inline void DumpFlag(const char* name, bool value)
+{
+    b2Log("  jd.%s = bool(%d);\n", name, value);
+}
+
+inline void DumpEnd(int32 number)
+{
+    b2Log("  joints[%d] = m_world->CreateJoint(&jd);\n", number);
+}
+
 /// How an impulse on B's point changes the relative velocity of the two points: the matrix
 ///   K = (mA + mB) E - iA [rA][rA] - iB [rB][rB],   [r] the cross-product matrix of r.
 inline b2Mat22 PointMatrix(const JointFrame& f, const b2Vec2& rA, const b2Vec2& rB)

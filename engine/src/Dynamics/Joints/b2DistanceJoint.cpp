@@ -6,10 +6,7 @@
 // Keep two anchors at length L:  C = |d| - L,  n = d / |d|
 //   Cdot = dot(n, vB + wB x rB - vA - wA x rA)
 //   K    = mA + mB + iA (rA x n)^2 + iB (rB x n)^2        (mA … inverse masses)
-// A spring adds softness (Catto, "Soft Constraints", GDC 2011): with stiffness k, damping c and
-// step h
-//   gamma = 1 / (h (c + h k)),  bias = C h k gamma,  impulse = -(Cdot + bias + gamma * total) / (K
-//   + gamma)
+// With a frequency it is a spring along n: see Softness.
 
 void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
                                     const b2Vec2& anchorB)
@@ -38,23 +35,13 @@ void b2DistanceJoint::Prepare(const box2d::SolverContext& context)
     {
         m_axis.SetZero(); // no direction to push in
     }
-    const float32 crossA = b2Cross(m_armA, m_axis);
-    const float32 crossB = b2Cross(m_armB, m_axis);
-    float32 k = f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
-    m_gamma = 0.0f;
-    m_bias = 0.0f;
-    if (m_frequencyHz > 0.0f && k > 0.0f)
-    {
-        const float32 h = context.timeStep;
-        const float32 omega = 2.0f * b2_pi * m_frequencyHz;
-        const float32 damping = 2.0f * m_dampingRatio * omega / k;
-        const float32 stiffness = omega * omega / k;
-        m_gamma = 1.0f / (h * (damping + h * stiffness));
-        m_bias = (length - m_length) * h * stiffness * m_gamma;
-        k += m_gamma;
-    }
-    m_mass = k > 0.0f ? 1.0f / k : 0.0f;
-    m_impulse *= context.warmStarting ? context.stepRatio : 0.0f;
+    const float32 k = box2d::AxisMatrix(f, m_axis, m_armA, m_armB);
+    const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
+                                                     box2d::InverseOrZero(k), context.timeStep);
+    m_gamma = soft.gamma;
+    m_bias = (length - m_length) * soft.biasRate;
+    m_mass = box2d::InverseOrZero(k + m_gamma);
+    m_impulse *= box2d::CarryOver(context);
     f.ApplyImpulse(m_impulse * m_axis, m_armA, m_armB);
 }
 
@@ -80,9 +67,7 @@ bool b2DistanceJoint::SolvePosition(const box2d::SolverContext& context)
     const float32 length = axis.Normalize();
     const float32 error =
         b2Clamp(length - m_length, -b2_maxLinearCorrection, b2_maxLinearCorrection);
-    const float32 crossA = b2Cross(armA, axis);
-    const float32 crossB = b2Cross(armB, axis);
-    const float32 k = f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
+    const float32 k = box2d::AxisMatrix(f, axis, armA, armB);
     if (length > 0.0f && k > 0.0f)
     {
         f.Move((-error / k) * axis, armA, armB);
@@ -112,16 +97,11 @@ float32 b2DistanceJoint::GetReactionTorque(float32) const
 
 void b2DistanceJoint::Dump()
 {
-    b2Log("  b2DistanceJointDef jd;\n");
-    b2Log("  jd.bodyA = bodies[%d];\n", box2d::Data(*m_bodyA).number);
-    b2Log("  jd.bodyB = bodies[%d];\n", box2d::Data(*m_bodyB).number);
-    b2Log("  jd.collideConnected = bool(%d);\n", m_collideConnected);
-    b2Log("  jd.localAnchorA.Set(%.9gf, %.9gf);\n", double(m_localAnchorA.x),
-          double(m_localAnchorA.y));
-    b2Log("  jd.localAnchorB.Set(%.9gf, %.9gf);\n", double(m_localAnchorB.x),
-          double(m_localAnchorB.y));
-    b2Log("  jd.length = %.9gf;\n", double(m_length));
-    b2Log("  jd.frequencyHz = %.9gf;\n", double(m_frequencyHz));
-    b2Log("  jd.dampingRatio = %.9gf;\n", double(m_dampingRatio));
-    b2Log("  joints[%d] = m_world->CreateJoint(&jd);\n", m_number);
+    box2d::DumpBodies("b2DistanceJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    box2d::DumpPoint("localAnchorA", m_localAnchorA);
+    box2d::DumpPoint("localAnchorB", m_localAnchorB);
+    box2d::DumpNumber("length", m_length);
+    box2d::DumpNumber("frequencyHz", m_frequencyHz);
+    box2d::DumpNumber("dampingRatio", m_dampingRatio);
+    box2d::DumpEnd(m_number);
 }

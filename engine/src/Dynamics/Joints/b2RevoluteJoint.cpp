@@ -31,9 +31,9 @@ void b2RevoluteJoint::Prepare(const box2d::SolverContext& context)
     m_armB = f.ArmB(m_localAnchorB);
     m_offset = f.Offset();
     m_angle = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
-    m_axialMass = f.iA + f.iB > 0.0f ? 1.0f / (f.iA + f.iB) : 0.0f;
+    m_axialMass = box2d::InverseOrZero(f.iA + f.iB);
 
-    const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
+    const float32 share = box2d::CarryOver(context);
     m_impulse *= share;
     m_motorImpulse *= m_enableMotor ? share : 0.0f;
     m_lowerImpulse *= m_enableLimit ? share : 0.0f;
@@ -181,20 +181,15 @@ void b2RevoluteJoint::SetMaxMotorTorque(float32 torque)
 
 void b2RevoluteJoint::Dump()
 {
-    b2Log("  b2RevoluteJointDef jd;\n");
-    b2Log("  jd.bodyA = bodies[%d];\n", box2d::Data(*m_bodyA).number);
-    b2Log("  jd.bodyB = bodies[%d];\n", box2d::Data(*m_bodyB).number);
-    b2Log("  jd.collideConnected = bool(%d);\n", m_collideConnected);
-    b2Log("  jd.localAnchorA.Set(%.9gf, %.9gf);\n", double(m_localAnchorA.x),
-          double(m_localAnchorA.y));
-    b2Log("  jd.localAnchorB.Set(%.9gf, %.9gf);\n", double(m_localAnchorB.x),
-          double(m_localAnchorB.y));
-    b2Log("  jd.referenceAngle = %.9gf;\n", double(m_referenceAngle));
-    b2Log("  jd.enableLimit = bool(%d);\n", m_enableLimit);
-    b2Log("  jd.lowerAngle = %.9gf;\n", double(m_lowerAngle));
-    b2Log("  jd.upperAngle = %.9gf;\n", double(m_upperAngle));
-    b2Log("  jd.enableMotor = bool(%d);\n", m_enableMotor);
-    b2Log("  jd.motorSpeed = %.9gf;\n", double(m_motorSpeed));
-    b2Log("  jd.maxMotorTorque = %.9gf;\n", double(m_maxMotorTorque));
-    b2Log("  joints[%d] = m_world->CreateJoint(&jd);\n", m_number);
+    box2d::DumpBodies("b2RevoluteJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    box2d::DumpPoint("localAnchorA", m_localAnchorA);
+    box2d::DumpPoint("localAnchorB", m_localAnchorB);
+    box2d::DumpNumber("referenceAngle", m_referenceAngle);
+    box2d::DumpFlag("enableLimit", m_enableLimit);
+    box2d::DumpNumber("lowerAngle", m_lowerAngle);
+    box2d::DumpNumber("upperAngle", m_upperAngle);
+    box2d::DumpFlag("enableMotor", m_enableMotor);
+    box2d::DumpNumber("motorSpeed", m_motorSpeed);
+    box2d::DumpNumber("maxMotorTorque", m_maxMotorTorque);
+    box2d::DumpEnd(m_number);
 }

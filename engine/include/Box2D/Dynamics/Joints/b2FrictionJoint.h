@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Friction seen from above: slows the relative motion and turning of two bodies with at most a
+/// force and a torque.
+struct b2FrictionJointDef : public b2JointDef
+{
+    b2FrictionJointDef() { type = e_frictionJoint; }
+    /// From a world point at the bodies' present transforms.
+    void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor);
+
+    b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    float32 maxForce = 0.0f;                  ///< [N]
+    float32 maxTorque = 0.0f;                 ///< [N m]
+};
+
+class b2FrictionJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    void SetMaxForce(float32 force);
+    float32 GetMaxForce() const { return m_maxForce; }
+    void SetMaxTorque(float32 torque);
+    float32 GetMaxTorque() const { return m_maxTorque; }
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2FrictionJoint(const b2FrictionJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    float32 m_maxForce;
+    float32 m_maxTorque;
+    b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f); ///< of the last step [N s]
+    float32 m_angularImpulse = 0.0f;       ///< of the last step [N m s]
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+};

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Couples two joints, each a revolute or a prismatic one: coordinate 1 + ratio * coordinate 2
+/// stays constant. Each of the joints must have a body that the other has not. Destroy it before
+/// its joints.
+struct b2GearJointDef : public b2JointDef
+{
+    b2GearJointDef() { type = e_gearJoint; }
+
+    b2Joint* joint1 = nullptr; ///< revolute or prismatic
+    b2Joint* joint2 = nullptr; ///< revolute or prismatic
+    float32 ratio = 1.0f; ///< may be negative; with one joint of each kind it has the unit of a
+                          ///< length or its inverse
+};
+
+class b2GearJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    b2Joint* GetJoint1() { return m_joint1; }
+    b2Joint* GetJoint2() { return m_joint2; }
+    void SetRatio(float32 ratio);
+    float32 GetRatio() const { return m_ratio; }
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2GearJoint(const b2GearJointDef* def);
+    b2GearJoint(const b2GearJointDef* def, const b2JointDef& base);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    /// One of the two joints as the gear sees it: a coordinate of its body B against its body A.
+    struct Side
+    {
+        b2Joint* joint = nullptr;
+        b2Body* frame = nullptr; ///< the joint's body A
+        b2Body* body = nullptr;  ///< the joint's body B
+        bool slides = false;     ///< prismatic
+        b2Vec2 localAnchorFrame;
+        b2Vec2 localAnchorBody;
+        b2Vec2 localAxis; ///< in the frame's axes
+        float32 referenceAngle = 0.0f;
+
+        // Of one step: how the coordinate changes with the velocities.
+        b2Vec2 axis; ///< zero for a hinge
+        float32 armFrame = 0.0f;
+        float32 armBody = 0.0f;
+    };
+
+    static Side MakeSide(b2Joint* joint);
+    static double Coordinate(const Side& side, const box2d::SolverContext* context);
+    static void Measure(Side& side);
+    float32 EffectiveMass() const;
+    void Apply(const box2d::SolverContext& context, float32 impulse, bool onPositions) const;
+
+    b2Joint* m_joint1;
+    b2Joint* m_joint2;
+    Side m_side1;
+    Side m_side2;
+    double m_constant; ///< coordinate 1 + ratio * coordinate 2
+    float32 m_ratio;
+    float32 m_impulse = 0.0f; ///< of the last step
+
+    float32 m_mass = 0.0f; ///< effective, from Prepare
+};

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Drives body B towards a place and angle relative to body A, with at most a force and a torque:
+/// for moving a body against what is in its way.
+struct b2MotorJointDef : public b2JointDef
+{
+    b2MotorJointDef() { type = e_motorJoint; }
+    /// The target is where the bodies are at present.
+    void Initialize(b2Body* bodyA, b2Body* bodyB);
+
+    b2Vec2 linearOffset = b2Vec2(0.0f, 0.0f); ///< body B's origin in body A's frame [m]
+    float32 angularOffset = 0.0f;             ///< body B's angle minus body A's [rad]
+    float32 maxForce = 1.0f;                  ///< [N]
+    float32 maxTorque = 1.0f;                 ///< [N m]
+    float32 correctionFactor = 0.3f;          ///< share of the error made good in a step, 0 to 1
+};
+
+class b2MotorJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    void SetLinearOffset(const b2Vec2& linearOffset);
+    const b2Vec2& GetLinearOffset() const { return m_linearOffset; }
+    void SetAngularOffset(float32 angularOffset);
+    float32 GetAngularOffset() const { return m_angularOffset; }
+    void SetMaxForce(float32 force);
+    float32 GetMaxForce() const { return m_maxForce; }
+    void SetMaxTorque(float32 torque);
+    float32 GetMaxTorque() const { return m_maxTorque; }
+    void SetCorrectionFactor(float32 factor);
+    float32 GetCorrectionFactor() const { return m_correctionFactor; }
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2MotorJoint(const b2MotorJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_linearOffset;
+    float32 m_angularOffset;
+    float32 m_maxForce;
+    float32 m_maxTorque;
+    float32 m_correctionFactor;
+    b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f); ///< of the last step [N s]
+    float32 m_angularImpulse = 0.0f;       ///< of the last step [N m s]
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA;                 ///< from centre of mass A to the target, in world axes
+    b2Vec2 m_armB;                 ///< from centre of mass B to its origin
+    b2Vec2 m_linearError;          ///< [m]
+    float32 m_angularError = 0.0f; ///< [rad]
+};

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Pulls a point of body B towards a world point like a spring, with at most a force. Made for
+/// dragging bodies with the mouse; body A is only there because every joint has one.
+struct b2MouseJointDef : public b2JointDef
+{
+    b2MouseJointDef() { type = e_mouseJoint; }
+
+    b2Vec2 target =
+        b2Vec2(0.0f, 0.0f);      ///< world point; at first also the point of body B that is pulled
+    float32 maxForce = 0.0f;     ///< [N]; usually some multiple of the body's weight
+    float32 frequencyHz = 5.0f;  ///< > 0
+    float32 dampingRatio = 0.7f; ///< 0: none, 1: critical
+};
+
+class b2MouseJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    void SetTarget(const b2Vec2& target);
+    const b2Vec2& GetTarget() const { return m_target; }
+    void SetMaxForce(float32 force) { m_maxForce = force; }
+    float32 GetMaxForce() const { return m_maxForce; }
+    void SetFrequency(float32 hz) { m_frequencyHz = hz; }
+    float32 GetFrequency() const { return m_frequencyHz; }
+    void SetDampingRatio(float32 ratio) { m_dampingRatio = ratio; }
+    float32 GetDampingRatio() const { return m_dampingRatio; }
+    void ShiftOrigin(const b2Vec2& newOrigin) override;
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2MouseJoint(const b2MouseJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorB;
+    b2Vec2 m_target;
+    float32 m_maxForce;
+    float32 m_frequencyHz;
+    float32 m_dampingRatio;
+    b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f); ///< of the last step [N s]
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armB;          ///< from the centre of mass to the point, in world axes
+    b2Vec2 m_bias;          ///< [m/s]
+    float32 m_gamma = 0.0f; ///< softness
+};

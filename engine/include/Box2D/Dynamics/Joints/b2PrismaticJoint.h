@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// A slider: body B moves along an axis fixed in body A and does not turn against it, with an
+/// optional limit and motor.
+struct b2PrismaticJointDef : public b2JointDef
+{
+    b2PrismaticJointDef() { type = e_prismaticJoint; }
+    /// From a world point and a unit world axis at the bodies' present transforms; the translation
+    /// is zero there.
+    void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor, const b2Vec2& axis);
+
+    b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
+    float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
+    bool enableLimit = false;
+    float32 lowerTranslation = 0.0f; ///< [m]
+    float32 upperTranslation = 0.0f; ///< [m], >= lowerTranslation
+    bool enableMotor = false;
+    float32 maxMotorForce = 0.0f; ///< [N]
+    float32 motorSpeed = 0.0f;    ///< [m/s]
+};
+
+class b2PrismaticJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    const b2Vec2& GetLocalAxisA() const { return m_localAxisA; }
+    float32 GetReferenceAngle() const { return m_referenceAngle; }
+    float32 GetJointTranslation() const; ///< [m]
+    float32 GetJointSpeed() const;       ///< [m/s]
+
+    bool IsLimitEnabled() const { return m_enableLimit; }
+    void EnableLimit(bool flag);
+    float32 GetLowerLimit() const { return m_lowerTranslation; }
+    float32 GetUpperLimit() const { return m_upperTranslation; }
+    void SetLimits(float32 lower, float32 upper);
+
+    bool IsMotorEnabled() const { return m_enableMotor; }
+    void EnableMotor(bool flag);
+    void SetMotorSpeed(float32 speed);
+    float32 GetMotorSpeed() const { return m_motorSpeed; }
+    void SetMaxMotorForce(float32 force);
+    void SetMotorForce(float32 force) { SetMaxMotorForce(force); }
+    float32 GetMaxMotorForce() const { return m_maxMotorForce; }
+    float32 GetMotorForce(float32 inv_dt) const; ///< [N]
+    float32 GetMotorForce() const;               ///< for the length of the last step
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2PrismaticJoint(const b2PrismaticJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    b2Vec2 m_localAxisA;
+    float32 m_referenceAngle;
+    bool m_enableLimit;
+    float32 m_lowerTranslation;
+    float32 m_upperTranslation;
+    bool m_enableMotor;
+    float32 m_maxMotorForce;
+    float32 m_motorSpeed;
+
+    // Impulses of the last step: across the axis [N s] and against turning [N m s]; along the axis
+    // [N s].
+    b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f);
+    float32 m_motorImpulse = 0.0f;
+    float32 m_lowerImpulse = 0.0f;
+    float32 m_upperImpulse = 0.0f;
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+    b2Vec2 m_offset;              ///< from centre of mass A to B at the start of the step
+    b2Vec2 m_axis;                ///< in world axes
+    float32 m_translation = 0.0f; ///< at the start of the step
+    float32 m_angleError = 0.0f;  ///< at the start of the step
+    float32 m_axialMass = 0.0f;   ///< effective, along the axis
+};

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Two bodies on a rope over two fixed points: length A + ratio * length B stays constant, so one
+/// goes up as the other goes down; the ratio makes a block and tackle. The rope cannot push: it
+/// becomes singular where a length is zero.
+inline constexpr float32 b2_minPulleyLength =
+    2.0f; ///< for users who want to keep clear of that [m]
+
+struct b2PulleyJointDef : public b2JointDef
+{
+    b2PulleyJointDef()
+    {
+        type = e_pulleyJoint;
+        collideConnected = true;
+    }
+    /// From world points at the bodies' present transforms; the lengths are theirs.
+    void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& groundAnchorA,
+                    const b2Vec2& groundAnchorB, const b2Vec2& anchorA, const b2Vec2& anchorB,
+                    float32 ratio);
+
+    b2Vec2 groundAnchorA = b2Vec2(-1.0f, 1.0f); ///< world point [m]
+    b2Vec2 groundAnchorB = b2Vec2(1.0f, 1.0f);  ///< world point [m]
+    b2Vec2 localAnchorA = b2Vec2(-1.0f, 0.0f);  ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(1.0f, 0.0f);   ///< in body B's frame [m]
+    float32 lengthA = 0.0f;                     ///< of the rope on A's side [m]
+    float32 lengthB = 0.0f;                     ///< of the rope on B's side [m]
+    float32 ratio = 1.0f;                       ///< > 0
+};
+
+class b2PulleyJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    b2Vec2 GetGroundAnchorA() const { return m_groundAnchorA; }
+    b2Vec2 GetGroundAnchorB() const { return m_groundAnchorB; }
+    float32 GetLengthA() const { return m_lengthA; } ///< as in the definition [m]
+    float32 GetLengthB() const { return m_lengthB; }
+    float32 GetRatio() const { return m_ratio; }
+    float32 GetCurrentLengthA() const; ///< [m]
+    float32 GetCurrentLengthB() const;
+    void ShiftOrigin(const b2Vec2& newOrigin) override;
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2PulleyJoint(const b2PulleyJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+    void Pull(const box2d::SolverContext& context, float32 impulse) const;
+
+    b2Vec2 m_groundAnchorA;
+    b2Vec2 m_groundAnchorB;
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    float32 m_lengthA;
+    float32 m_lengthB;
+    float32 m_ratio;
+    float32 m_impulse = 0.0f; ///< of the last step, in A's rope [N s]
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+    b2Vec2 m_ropeA; ///< from the ground anchor to centre of mass A at the start of the step
+    b2Vec2 m_ropeB;
+    b2Vec2 m_axisA; ///< unit vector from the ground anchor to the body's
+    b2Vec2 m_axisB;
+    float32 m_mass = 0.0f; ///< effective
+};

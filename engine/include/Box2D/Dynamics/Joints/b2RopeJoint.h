@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Keeps two points from being farther apart than a length. Put beside a chain of bodies, it keeps
+/// the chain from stretching.
+struct b2RopeJointDef : public b2JointDef
+{
+    b2RopeJointDef() { type = e_ropeJoint; }
+
+    b2Vec2 localAnchorA = b2Vec2(-1.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(1.0f, 0.0f);  ///< in body B's frame [m]
+    float32 maxLength = 0.0f;                  ///< [m], longer than the slop
+};
+
+class b2RopeJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    void SetMaxLength(float32 length) { m_maxLength = length; }
+    float32 GetMaxLength() const { return m_maxLength; }
+    b2LimitState GetLimitState() const; ///< e_atUpperLimit while the rope is taut
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2RopeJoint(const b2RopeJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    float32 m_maxLength;
+    float32 m_impulse = 0.0f; ///< along the rope, of the last step [N s]; never positive
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+    b2Vec2 m_offset;         ///< from centre of mass A to B at the start of the step
+    b2Vec2 m_axis;           ///< unit vector from anchor A to anchor B
+    float32 m_length = 0.0f; ///< at the start of the step
+    float32 m_mass = 0.0f;   ///< effective, along the rope
+};

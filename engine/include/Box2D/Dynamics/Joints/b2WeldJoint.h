@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// Glues two bodies together. The glue may be soft against turning; a chain of them bends, for the
+/// solver is iterative.
+struct b2WeldJointDef : public b2JointDef
+{
+    b2WeldJointDef() { type = e_weldJoint; }
+    /// From a world point at the bodies' present transforms.
+    void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor);
+
+    b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
+    float32 frequencyHz = 0.0f;               ///< of the spring against turning; 0: rigid
+    float32 dampingRatio = 0.0f;              ///< 0: none, 1: critical
+};
+
+class b2WeldJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    float32 GetReferenceAngle() const { return m_referenceAngle; }
+    void SetFrequency(float32 hz) { m_frequencyHz = hz; }
+    float32 GetFrequency() const { return m_frequencyHz; }
+    void SetDampingRatio(float32 ratio) { m_dampingRatio = ratio; }
+    float32 GetDampingRatio() const { return m_dampingRatio; }
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2WeldJoint(const b2WeldJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    float32 m_referenceAngle;
+    float32 m_frequencyHz;
+    float32 m_dampingRatio;
+
+    b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f); ///< of the last step, of the point [N s]
+    float32 m_angularImpulse = 0.0f;       ///< of the last step [N m s]
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+    b2Vec2 m_offset;              ///< from centre of mass A to B at the start of the step
+    float32 m_angleError = 0.0f;  ///< at the start of the step
+    float32 m_angularMass = 0.0f; ///< effective; of the spring when it is soft
+    float32 m_gamma = 0.0f;       ///< softness of the spring
+    float32 m_bias = 0.0f;        ///< [rad/s]
+};

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+
+/// A wheel on a suspension: body B's anchor stays on a line fixed in body A, sprung along it, free
+/// to turn, with an optional motor.
+struct b2WheelJointDef : public b2JointDef
+{
+    b2WheelJointDef() { type = e_wheelJoint; }
+    /// From a world point and a unit world axis at the bodies' present transforms.
+    void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor, const b2Vec2& axis);
+
+    b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
+    bool enableMotor = false;
+    float32 maxMotorTorque = 0.0f; ///< [N m]
+    float32 motorSpeed = 0.0f;     ///< [rad/s]
+    float32 frequencyHz = 2.0f;    ///< of the suspension; 0: none
+    float32 dampingRatio = 0.7f;   ///< 0: none, 1: critical
+};
+
+class b2WheelJoint : public b2Joint
+{
+public:
+    b2Vec2 GetAnchorA() const override;
+    b2Vec2 GetAnchorB() const override;
+    using b2Joint::GetReactionForce;
+    using b2Joint::GetReactionTorque;
+    b2Vec2 GetReactionForce(float32 inv_dt) const override;
+    float32 GetReactionTorque(float32 inv_dt) const override;
+
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    const b2Vec2& GetLocalAxisA() const { return m_localAxisA; }
+    float32 GetJointTranslation() const; ///< along the axis [m]
+    float32 GetJointSpeed() const;       ///< of the wheel [rad/s]
+
+    bool IsMotorEnabled() const { return m_enableMotor; }
+    void EnableMotor(bool flag);
+    void SetMotorSpeed(float32 speed);
+    float32 GetMotorSpeed() const { return m_motorSpeed; }
+    void SetMaxMotorTorque(float32 torque);
+    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
+    float32 GetMotorTorque(float32 inv_dt) const; ///< [N m]
+    float32 GetMotorTorque() const;               ///< for the length of the last step
+    void SetSpringFrequencyHz(float32 hz) { m_frequencyHz = hz; }
+    float32 GetSpringFrequencyHz() const { return m_frequencyHz; }
+    void SetSpringDampingRatio(float32 ratio) { m_dampingRatio = ratio; }
+    float32 GetSpringDampingRatio() const { return m_dampingRatio; }
+    void Dump() override;
+
+protected:
+    friend struct box2d::JointAccess;
+    explicit b2WheelJoint(const b2WheelJointDef* def);
+    void Prepare(const box2d::SolverContext& context) override;
+    void SolveVelocity(const box2d::SolverContext& context) override;
+    bool SolvePosition(const box2d::SolverContext& context) override;
+
+    b2Vec2 m_localAnchorA;
+    b2Vec2 m_localAnchorB;
+    b2Vec2 m_localAxisA;
+    bool m_enableMotor;
+    float32 m_maxMotorTorque;
+    float32 m_motorSpeed;
+    float32 m_frequencyHz;
+    float32 m_dampingRatio;
+
+    // Impulses of the last step: across the axis and along it [N s]; of the motor [N m s].
+    float32 m_impulse = 0.0f;
+    float32 m_springImpulse = 0.0f;
+    float32 m_motorImpulse = 0.0f;
+
+    // Of one step, from Prepare.
+    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
+    b2Vec2 m_armB;
+    b2Vec2 m_offset;             ///< from centre of mass A to B at the start of the step
+    b2Vec2 m_axis;               ///< in world axes
+    float32 m_springMass = 0.0f; ///< effective, along the axis
+    float32 m_gamma = 0.0f;      ///< softness of the spring
+    float32 m_bias = 0.0f;       ///< [m/s]
+    float32 m_motorMass = 0.0f;  ///< effective, about the wheel
+};

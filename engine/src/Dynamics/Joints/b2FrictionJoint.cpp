@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2FrictionJoint.h>
+
+#include "JointFrame.h"
+
+// The relative velocity of the anchors and the relative angular velocity are driven to zero, each
+// with a bounded impulse.
+
+void b2FrictionJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
+{
+    bodyA = a;
+    bodyB = b;
+    localAnchorA = a->GetLocalPoint(anchor);
+    localAnchorB = b->GetLocalPoint(anchor);
+}
+
+b2FrictionJoint::b2FrictionJoint(const b2FrictionJointDef* def)
+    : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
+      m_maxForce(def->maxForce), m_maxTorque(def->maxTorque)
+{}
+
+void b2FrictionJoint::Prepare(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    m_armA = f.ArmA(m_localAnchorA);
+    m_armB = f.ArmB(m_localAnchorB);
+    m_impulse *= box2d::CarryOver(context);
+    m_angularImpulse *= box2d::CarryOver(context);
+    f.ApplyImpulse(m_impulse, m_armA, m_armB);
+    f.ApplyAngularImpulse(m_angularImpulse);
+}
+
+void b2FrictionJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const float32 maxTurn = context.timeStep * m_maxTorque;
+    const float32 turn = b2Clamp(
+        m_angularImpulse - box2d::InverseOrZero(f.iA + f.iB) * (f.b.w - f.a.w), -maxTurn, maxTurn);
+    f.ApplyAngularImpulse(turn - m_angularImpulse);
+    m_angularImpulse = turn;
+
+    const b2Vec2 wanted =
+        m_impulse + box2d::PointMatrix(f, m_armA, m_armB).Solve(-f.PointSpeed(m_armA, m_armB));
+    const b2Vec2 total = box2d::ClampLength(wanted, context.timeStep * m_maxForce);
+    f.ApplyImpulse(total - m_impulse, m_armA, m_armB);
+    m_impulse = total;
+}
+
+bool b2FrictionJoint::SolvePosition(const box2d::SolverContext&)
+{
+    return true;
+}
+
+b2Vec2 b2FrictionJoint::GetAnchorA() const
+{
+    return m_bodyA->GetWorldPoint(m_localAnchorA);
+}
+
+b2Vec2 b2FrictionJoint::GetAnchorB() const
+{
+    return m_bodyB->GetWorldPoint(m_localAnchorB);
+}
+
+b2Vec2 b2FrictionJoint::GetReactionForce(float32 inv_dt) const
+{
+    return inv_dt * m_impulse;
+}
+
+float32 b2FrictionJoint::GetReactionTorque(float32 inv_dt) const
+{
+    return inv_dt * m_angularImpulse;
+}
+
+void b2FrictionJoint::SetMaxForce(float32 force)
+{
+    if (B2_REQUIRE(b2IsValid(force) && force >= 0.0f,
+                   "b2FrictionJoint::SetMaxForce needs a finite force that is not negative."))
+    {
+        m_maxForce = force;
+    }
+}
+
+void b2FrictionJoint::SetMaxTorque(float32 torque)
+{
+    if (B2_REQUIRE(b2IsValid(torque) && torque >= 0.0f,
+                   "b2FrictionJoint::SetMaxTorque needs a finite torque that is not negative."))
+    {
+        m_maxTorque = torque;
+    }
+}
+
+void b2FrictionJoint::Dump()
+{
+    box2d::DumpBodies("b2FrictionJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    box2d::DumpPoint("localAnchorA", m_localAnchorA);
+    box2d::DumpPoint("localAnchorB", m_localAnchorB);
+    box2d::DumpNumber("maxForce", m_maxForce);
+    box2d::DumpNumber("maxTorque", m_maxTorque);
+    box2d::DumpEnd(m_number);
+}

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2GearJoint.h>
+
+#include "../Access.h"
+#include "JointFrame.h"
+
+#include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
+#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
+
+// C = q1 + ratio q2 - constant, where each q is a joint's coordinate:
+//   hinge:   q = aBody - aFrame - reference          Jv = 0,  Jw(body) = 1,        Jw(frame) = 1
+//   slider:  q = dot(axis, pBody - pFrame)           Jv = n,  Jw(body) = rBody x n, Jw(frame) = (d
+//   + rFrame) x n K = sum over the sides of  weight^2 (m Jv^2 + i Jw^2)  of body and frame,  weight
+//   1 and ratio
+// Up to four bodies take part, so the constraint is solved alone, outside the colours.
+
+b2GearJoint::Side b2GearJoint::MakeSide(b2Joint* joint)
+{
+    Side side;
+    side.joint = joint;
+    side.frame = joint->GetBodyA();
+    side.body = joint->GetBodyB();
+    if (joint->GetType() == e_revoluteJoint)
+    {
+        const auto* hinge = static_cast<const b2RevoluteJoint*>(joint);
+        side.referenceAngle = hinge->GetReferenceAngle();
+    }
+    else
+    {
+        const auto* slider = static_cast<const b2PrismaticJoint*>(joint);
+        side.slides = true;
+        side.localAnchorFrame = slider->GetLocalAnchorA();
+        side.localAnchorBody = slider->GetLocalAnchorB();
+        side.localAxis = slider->GetLocalAxisA();
+    }
+    return side;
+}
+
+namespace
+{
+
+using box2d::BodyData;
+using box2d::Data;
+
+/// The gear's bodies are those that turn or slide, whatever the definition says.
+b2JointDef WithGearBodies(const b2GearJointDef* def)
+{
+    b2JointDef base = *def;
+    base.bodyA = def->joint1->GetBodyB();
+    base.bodyB = def->joint2->GetBodyB();
+    return base;
+}
+
+} // namespace
+
+b2GearJoint::b2GearJoint(const b2GearJointDef* def) : b2GearJoint(def, WithGearBodies(def)) {}
+
+b2GearJoint::b2GearJoint(const b2GearJointDef* def, const b2JointDef& base)
+    : b2Joint(&base), m_joint1(def->joint1), m_joint2(def->joint2), m_side1(MakeSide(def->joint1)),
+      m_side2(MakeSide(def->joint2)), m_ratio(def->ratio)
+{
+    m_constant = Coordinate(m_side1, nullptr) + double(m_ratio) * Coordinate(m_side2, nullptr);
+}
+
+/// The joint's coordinate [rad or m]: at the start of the step, or with a context after what has
+/// moved in it.
+double b2GearJoint::Coordinate(const Side& side, const box2d::SolverContext* context)
+{
+    const BodyData& frame = Data(*side.frame);
+    const BodyData& body = Data(*side.body);
+    const box2d::SolverBody none;
+    const box2d::SolverBody& movedFrame = context ? context->bodies[frame.SolverIndex()] : none;
+    const box2d::SolverBody& movedBody = context ? context->bodies[body.SolverIndex()] : none;
+    if (!side.slides)
+    {
+        return body.pose.angle + double(movedBody.angle) - frame.pose.angle -
+               double(movedFrame.angle) - double(side.referenceAngle);
+    }
+    const b2Vec2 armBody =
+        b2Mul(movedBody.q, b2Mul(body.rotation, side.localAnchorBody - body.localCenter));
+    const b2Vec2 armFrame =
+        b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAnchorFrame - frame.localCenter));
+    const b2Vec2 d =
+        box2d::CenterOffset(frame, body) + movedBody.d - movedFrame.d + armBody - armFrame;
+    return double(b2Dot(d, b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAxis))));
+}
+
+void b2GearJoint::Measure(Side& side)
+{
+    side.axis.SetZero();
+    side.armFrame = 1.0f;
+    side.armBody = 1.0f;
+    if (side.slides)
+    {
+        const BodyData& frame = Data(*side.frame);
+        const BodyData& body = Data(*side.body);
+        const b2Vec2 armBody = b2Mul(body.rotation, side.localAnchorBody - body.localCenter);
+        side.axis = b2Mul(frame.rotation, side.localAxis);
+        side.armFrame = b2Cross(box2d::CenterOffset(frame, body) + armBody, side.axis);
+        side.armBody = b2Cross(armBody, side.axis);
+    }
+}
+
+namespace
+{
+
+float32 SideMatrix(const b2Body& frameBody, const b2Body& movingBody, const b2Vec2& axis,
+                   float32 armFrame, float32 armBody)
+{
+    const BodyData& frame = Data(frameBody);
+    const BodyData& body = Data(movingBody);
+    const float32 linear = axis.LengthSquared() * (frame.SolverInvMass() + body.SolverInvMass());
+    return linear + frame.SolverInvInertia() * armFrame * armFrame +
+           body.SolverInvInertia() * armBody * armBody;
+}
+
+} // namespace
+
+float32 b2GearJoint::EffectiveMass() const
+{
+    const float32 k =
+        SideMatrix(*m_side1.frame, *m_side1.body, m_side1.axis, m_side1.armFrame, m_side1.armBody) +
+        m_ratio * m_ratio *
+            SideMatrix(*m_side2.frame, *m_side2.body, m_side2.axis, m_side2.armFrame,
+                       m_side2.armBody);
+    return box2d::InverseOrZero(k);
+}
+
+void b2GearJoint::Apply(const box2d::SolverContext& context, float32 impulse,
+                        bool onPositions) const
+{
+    for (const Side* side : {&m_side1, &m_side2})
+    {
+        const float32 share = side == &m_side1 ? impulse : m_ratio * impulse;
+        const BodyData& frame = Data(*side->frame);
+        const BodyData& body = Data(*side->body);
+        box2d::SolverBody& f = context.bodies[frame.SolverIndex()];
+        box2d::SolverBody& b = context.bodies[body.SolverIndex()];
+        const b2Vec2 pushFrame = (-share * frame.SolverInvMass()) * side->axis;
+        const b2Vec2 pushBody = (share * body.SolverInvMass()) * side->axis;
+        const float32 turnFrame = -share * frame.SolverInvInertia() * side->armFrame;
+        const float32 turnBody = share * body.SolverInvInertia() * side->armBody;
+        if (onPositions)
+        {
+            f.d += pushFrame;
+            f.Rotate(turnFrame);
+            b.d += pushBody;
+            b.Rotate(turnBody);
+        }
+        else
+        {
+            f.v += pushFrame;
+            f.w += turnFrame;
+            b.v += pushBody;
+            b.w += turnBody;
+        }
+    }
+}
+
+void b2GearJoint::Prepare(const box2d::SolverContext& context)
+{
+    Measure(m_side1);
+    Measure(m_side2);
+    m_mass = EffectiveMass();
+    m_impulse *= box2d::CarryOver(context);
+    Apply(context, m_impulse, false);
+}
+
+void b2GearJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    float32 speed = 0.0f;
+    for (const Side* side : {&m_side1, &m_side2})
+    {
+        const box2d::SolverBody& f = context.bodies[Data(*side->frame).SolverIndex()];
+        const box2d::SolverBody& b = context.bodies[Data(*side->body).SolverIndex()];
+        const float32 rate =
+            b2Dot(side->axis, b.v - f.v) + side->armBody * b.w - side->armFrame * f.w;
+        speed += side == &m_side1 ? rate : m_ratio * rate;
+    }
+    const float32 impulse = -m_mass * speed;
+    m_impulse += impulse;
+    Apply(context, impulse, false);
+}
+
+bool b2GearJoint::SolvePosition(const box2d::SolverContext& context)
+{
+    const double coordinate =
+        Coordinate(m_side1, &context) + double(m_ratio) * Coordinate(m_side2, &context);
+    const float32 error = float32(coordinate - m_constant);
+    Apply(context, -m_mass * error, true);
+    return b2Abs(error) < b2_linearSlop;
+}
+
+b2Vec2 b2GearJoint::GetAnchorA() const
+{
+    return m_joint1->GetAnchorB();
+}
+
+b2Vec2 b2GearJoint::GetAnchorB() const
+{
+    return m_joint2->GetAnchorB();
+}
+
+b2Vec2 b2GearJoint::GetReactionForce(float32 inv_dt) const
+{
+    return (inv_dt * m_ratio * m_impulse) * m_side2.axis;
+}
+
+float32 b2GearJoint::GetReactionTorque(float32 inv_dt) const
+{
+    return inv_dt * m_ratio * m_impulse * m_side2.armBody;
+}
+
+void b2GearJoint::SetRatio(float32 ratio)
+{
+    if (B2_REQUIRE(b2IsValid(ratio), "b2GearJoint::SetRatio needs a finite ratio."))
+    {
+        m_ratio = ratio;
+    }
+}
+
+void b2GearJoint::Dump()
+{
+    box2d::DumpBodies("b2GearJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    b2Log("  jd.joint1 = joints[%d];\n", box2d::JointAccess::Number(*m_joint1));
+    b2Log("  jd.joint2 = joints[%d];\n", box2d::JointAccess::Number(*m_joint2));
+    box2d::DumpNumber("ratio", m_ratio);
+    box2d::DumpEnd(m_number);
+}

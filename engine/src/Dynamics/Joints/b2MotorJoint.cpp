@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2MotorJoint.h>
+
+#include "JointFrame.h"
+
+// Like friction, but towards a velocity that makes good a share of the error in one step:
+//   Cdot + factor / h * C = 0,  C the distance from where body B's origin and angle should be.
+
+void b2MotorJointDef::Initialize(b2Body* a, b2Body* b)
+{
+    bodyA = a;
+    bodyB = b;
+    linearOffset = a->GetLocalPoint(b->GetPosition());
+    angularOffset = b->GetAngle() - a->GetAngle();
+}
+
+b2MotorJoint::b2MotorJoint(const b2MotorJointDef* def)
+    : b2Joint(def), m_linearOffset(def->linearOffset), m_angularOffset(def->angularOffset),
+      m_maxForce(def->maxForce), m_maxTorque(def->maxTorque),
+      m_correctionFactor(def->correctionFactor)
+{}
+
+void b2MotorJoint::Prepare(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    m_armA = f.ArmA(m_linearOffset);
+    m_armB = f.ArmB(b2Vec2(0.0f, 0.0f));
+    m_linearError = f.Offset() + m_armB - m_armA;
+    m_angularError = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_angularOffset));
+    m_impulse *= box2d::CarryOver(context);
+    m_angularImpulse *= box2d::CarryOver(context);
+    f.ApplyImpulse(m_impulse, m_armA, m_armB);
+    f.ApplyAngularImpulse(m_angularImpulse);
+}
+
+void b2MotorJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const float32 rate = context.inverseStep * m_correctionFactor;
+    const float32 maxTurn = context.timeStep * m_maxTorque;
+    const float32 angularSpeed = f.b.w - f.a.w + rate * m_angularError;
+    const float32 turn = b2Clamp(
+        m_angularImpulse - box2d::InverseOrZero(f.iA + f.iB) * angularSpeed, -maxTurn, maxTurn);
+    f.ApplyAngularImpulse(turn - m_angularImpulse);
+    m_angularImpulse = turn;
+
+    const b2Vec2 speed = f.PointSpeed(m_armA, m_armB) + rate * m_linearError;
+    const b2Vec2 wanted = m_impulse + box2d::PointMatrix(f, m_armA, m_armB).Solve(-speed);
+    const b2Vec2 total = box2d::ClampLength(wanted, context.timeStep * m_maxForce);
+    f.ApplyImpulse(total - m_impulse, m_armA, m_armB);
+    m_impulse = total;
+}
+
+bool b2MotorJoint::SolvePosition(const box2d::SolverContext&)
+{
+    return true;
+}
+
+b2Vec2 b2MotorJoint::GetAnchorA() const
+{
+    return m_bodyA->GetPosition();
+}
+
+b2Vec2 b2MotorJoint::GetAnchorB() const
+{
+    return m_bodyB->GetPosition();
+}
+
+b2Vec2 b2MotorJoint::GetReactionForce(float32 inv_dt) const
+{
+    return inv_dt * m_impulse;
+}
+
+float32 b2MotorJoint::GetReactionTorque(float32 inv_dt) const
+{
+    return inv_dt * m_angularImpulse;
+}
+
+void b2MotorJoint::SetLinearOffset(const b2Vec2& linearOffset)
+{
+    if (linearOffset != m_linearOffset)
+    {
+        WakeBodies();
+        m_linearOffset = linearOffset;
+    }
+}
+
+void b2MotorJoint::SetAngularOffset(float32 angularOffset)
+{
+    if (angularOffset != m_angularOffset)
+    {
+        WakeBodies();
+        m_angularOffset = angularOffset;
+    }
+}
+
+void b2MotorJoint::SetMaxForce(float32 force)
+{
+    if (B2_REQUIRE(b2IsValid(force) && force >= 0.0f,
+                   "b2MotorJoint::SetMaxForce needs a finite force that is not negative."))
+    {
+        m_maxForce = force;
+    }
+}
+
+void b2MotorJoint::SetMaxTorque(float32 torque)
+{
+    if (B2_REQUIRE(b2IsValid(torque) && torque >= 0.0f,
+                   "b2MotorJoint::SetMaxTorque needs a finite torque that is not negative."))
+    {
+        m_maxTorque = torque;
+    }
+}
+
+void b2MotorJoint::SetCorrectionFactor(float32 factor)
+{
+    if (B2_REQUIRE(factor >= 0.0f && factor <= 1.0f,
+                   "b2MotorJoint::SetCorrectionFactor needs a share between 0 and 1."))
+    {
+        m_correctionFactor = factor;
+    }
+}
+
+void b2MotorJoint::Dump()
+{
+    box2d::DumpBodies("b2MotorJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    box2d::DumpPoint("linearOffset", m_linearOffset);
+    box2d::DumpNumber("angularOffset", m_angularOffset);
+    box2d::DumpNumber("maxForce", m_maxForce);
+    box2d::DumpNumber("maxTorque", m_maxTorque);
+    box2d::DumpNumber("correctionFactor", m_correctionFactor);
+    box2d::DumpEnd(m_number);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2MouseJoint.h>
+
+#include "JointFrame.h"
+
+#include <Box2D/Dynamics/b2World.h>
+
+// A spring between a point of body B and a fixed point, in both directions at once:
+//   C = xB + rB - target,  Cdot = vB + wB x rB,  K = mB E - iB [rB][rB] + gamma E,  with a bounded
+//   impulse.
+
+b2MouseJoint::b2MouseJoint(const b2MouseJointDef* def)
+    : b2Joint(def), m_localAnchorB(def->bodyB->GetLocalPoint(def->target)), m_target(def->target),
+      m_maxForce(def->maxForce), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio)
+{
+    (void)B2_REQUIRE(m_target.IsValid() && b2IsValid(m_maxForce) && m_maxForce >= 0.0f &&
+                         m_frequencyHz > 0.0f && m_dampingRatio >= 0.0f,
+                     "A mouse joint needs a finite target and force, a frequency above 0 and no "
+                     "negative damping.");
+}
+
+void b2MouseJoint::Prepare(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    m_armB = f.ArmB(m_localAnchorB);
+    const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
+                                                     box2d::InverseOrZero(f.mB), context.timeStep);
+    m_gamma = soft.gamma;
+    const b2Vec2 error(float32(f.dataB.pose.x - double(m_target.x)) + m_armB.x,
+                       float32(f.dataB.pose.y - double(m_target.y)) + m_armB.y);
+    m_bias = soft.biasRate * error;
+    // What is dragged about should not spin for long: a little of its turning is taken away each
+    // step.
+    f.b.w *= 0.98f;
+    m_impulse *= box2d::CarryOver(context);
+    f.b.v += f.mB * m_impulse;
+    f.b.w += f.iB * b2Cross(m_armB, m_impulse);
+}
+
+void b2MouseJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 speed = f.b.v + b2Cross(f.b.w, m_armB) + m_bias + m_gamma * m_impulse;
+    const float32 k11 = f.mB + f.iB * m_armB.y * m_armB.y + m_gamma;
+    const float32 k12 = -f.iB * m_armB.x * m_armB.y;
+    const float32 k22 = f.mB + f.iB * m_armB.x * m_armB.x + m_gamma;
+    const b2Vec2 wanted = m_impulse + b2Mat22(k11, k12, k12, k22).Solve(-speed);
+    const b2Vec2 total = box2d::ClampLength(wanted, context.timeStep * m_maxForce);
+    const b2Vec2 impulse = total - m_impulse;
+    m_impulse = total;
+    f.b.v += f.mB * impulse;
+    f.b.w += f.iB * b2Cross(m_armB, impulse);
+}
+
+bool b2MouseJoint::SolvePosition(const box2d::SolverContext&)
+{
+    return true;
+}
+
+b2Vec2 b2MouseJoint::GetAnchorA() const
+{
+    return m_target;
+}
+
+b2Vec2 b2MouseJoint::GetAnchorB() const
+{
+    return m_bodyB->GetWorldPoint(m_localAnchorB);
+}
+
+b2Vec2 b2MouseJoint::GetReactionForce(float32 inv_dt) const
+{
+    return inv_dt * m_impulse;
+}
+
+float32 b2MouseJoint::GetReactionTorque(float32) const
+{
+    return 0.0f;
+}
+
+void b2MouseJoint::SetTarget(const b2Vec2& target)
+{
+    if (B2_REQUIRE(target.IsValid(), "b2MouseJoint::SetTarget needs a finite point.") &&
+        target != m_target)
+    {
+        m_bodyB->SetAwake(true);
+        m_target = target;
+    }
+}
+
+void b2MouseJoint::ShiftOrigin(const b2Vec2& newOrigin)
+{
+    m_target -= newOrigin;
+}
+
+void b2MouseJoint::Dump()
+{
+    b2Log("  // A mouse joint belongs to a hand, not to a scene.\n");
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2PulleyJoint.h>
+
+#include "JointFrame.h"
+
+// With u = xA + rA - groundA, uB likewise, nA = u / |u|:
+//   C    = |uA| + ratio |uB| - constant
+//   Cdot = dot(nA, vA + wA x rA) + ratio dot(nB, vB + wB x rB)
+//   K    = mA + iA (rA x nA)^2 + ratio^2 (mB + iB (rB x nB)^2)
+// The impulse pulls both bodies towards their ground anchors.
+
+namespace
+{
+
+/// Nearer than this to its ground anchor, a rope has no direction.
+constexpr float32 kShortest = 10.0f * b2_linearSlop;
+
+b2Vec2 RopeDirection(const b2Vec2& rope)
+{
+    const float32 length = rope.Length();
+    return length > kShortest ? (1.0f / length) * rope : b2Vec2(0.0f, 0.0f);
+}
+
+float32 PulleyMatrix(const box2d::JointFrame& f, float32 ratio, const b2Vec2& axisA,
+                     const b2Vec2& armA, const b2Vec2& axisB, const b2Vec2& armB)
+{
+    const float32 crossA = b2Cross(armA, axisA);
+    const float32 crossB = b2Cross(armB, axisB);
+    return f.mA + f.iA * crossA * crossA + ratio * ratio * (f.mB + f.iB * crossB * crossB);
+}
+
+} // namespace
+
+void b2PulleyJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& groundA,
+                                  const b2Vec2& groundB, const b2Vec2& anchorA,
+                                  const b2Vec2& anchorB, float32 r)
+{
+    bodyA = a;
+    bodyB = b;
+    groundAnchorA = groundA;
+    groundAnchorB = groundB;
+    localAnchorA = a->GetLocalPoint(anchorA);
+    localAnchorB = b->GetLocalPoint(anchorB);
+    lengthA = b2Distance(anchorA, groundA);
+    lengthB = b2Distance(anchorB, groundB);
+    ratio = r;
+    (void)B2_REQUIRE(ratio > b2_epsilon, "A pulley's ratio must be above 0.");
+}
+
+b2PulleyJoint::b2PulleyJoint(const b2PulleyJointDef* def)
+    : b2Joint(def), m_groundAnchorA(def->groundAnchorA), m_groundAnchorB(def->groundAnchorB),
+      m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB), m_lengthA(def->lengthA),
+      m_lengthB(def->lengthB), m_ratio(def->ratio > b2_epsilon ? def->ratio : 1.0f)
+{
+    (void)B2_REQUIRE(def->ratio > b2_epsilon, "A pulley's ratio must be above 0.");
+}
+
+void b2PulleyJoint::Prepare(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    m_armA = f.ArmA(m_localAnchorA);
+    m_armB = f.ArmB(m_localAnchorB);
+    m_ropeA = b2Vec2(float32(f.dataA.pose.x - double(m_groundAnchorA.x)),
+                     float32(f.dataA.pose.y - double(m_groundAnchorA.y)));
+    m_ropeB = b2Vec2(float32(f.dataB.pose.x - double(m_groundAnchorB.x)),
+                     float32(f.dataB.pose.y - double(m_groundAnchorB.y)));
+    m_axisA = RopeDirection(m_ropeA + m_armA);
+    m_axisB = RopeDirection(m_ropeB + m_armB);
+    m_mass = box2d::InverseOrZero(PulleyMatrix(f, m_ratio, m_axisA, m_armA, m_axisB, m_armB));
+    m_impulse *= box2d::CarryOver(context);
+    Pull(context, m_impulse);
+}
+
+void b2PulleyJoint::Pull(const box2d::SolverContext& context, float32 impulse) const
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 onA = -impulse * m_axisA;
+    const b2Vec2 onB = (-m_ratio * impulse) * m_axisB;
+    f.a.v += f.mA * onA;
+    f.a.w += f.iA * b2Cross(m_armA, onA);
+    f.b.v += f.mB * onB;
+    f.b.w += f.iB * b2Cross(m_armB, onB);
+}
+
+void b2PulleyJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const float32 speed = b2Dot(m_axisA, f.a.v + b2Cross(f.a.w, m_armA)) +
+                          m_ratio * b2Dot(m_axisB, f.b.v + b2Cross(f.b.w, m_armB));
+    const float32 impulse = m_mass * speed;
+    m_impulse += impulse;
+    Pull(context, impulse);
+}
+
+bool b2PulleyJoint::SolvePosition(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
+    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
+    const b2Vec2 ropeA = m_ropeA + f.a.d + armA;
+    const b2Vec2 ropeB = m_ropeB + f.b.d + armB;
+    const b2Vec2 axisA = RopeDirection(ropeA);
+    const b2Vec2 axisB = RopeDirection(ropeB);
+    const float32 error =
+        ropeA.Length() + m_ratio * ropeB.Length() - m_lengthA - m_ratio * m_lengthB;
+    const float32 push =
+        -error * box2d::InverseOrZero(PulleyMatrix(f, m_ratio, axisA, armA, axisB, armB));
+    const b2Vec2 onA = push * axisA;
+    const b2Vec2 onB = (m_ratio * push) * axisB;
+    f.a.d += f.mA * onA;
+    f.a.Rotate(f.iA * b2Cross(armA, onA));
+    f.b.d += f.mB * onB;
+    f.b.Rotate(f.iB * b2Cross(armB, onB));
+    return b2Abs(error) < b2_linearSlop;
+}
+
+b2Vec2 b2PulleyJoint::GetAnchorA() const
+{
+    return m_bodyA->GetWorldPoint(m_localAnchorA);
+}
+
+b2Vec2 b2PulleyJoint::GetAnchorB() const
+{
+    return m_bodyB->GetWorldPoint(m_localAnchorB);
+}
+
+b2Vec2 b2PulleyJoint::GetReactionForce(float32 inv_dt) const
+{
+    return (-inv_dt * m_ratio * m_impulse) * m_axisB;
+}
+
+float32 b2PulleyJoint::GetReactionTorque(float32) const
+{
+    return 0.0f;
+}
+
+float32 b2PulleyJoint::GetCurrentLengthA() const
+{
+    return b2Distance(GetAnchorA(), m_groundAnchorA);
+}
+
+float32 b2PulleyJoint::GetCurrentLengthB() const
+{
+    return b2Distance(GetAnchorB(), m_groundAnchorB);
+}
+
+void b2PulleyJoint::ShiftOrigin(const b2Vec2& newOrigin)
+{
+    m_groundAnchorA -= newOrigin;
+    m_groundAnchorB -= newOrigin;
+}
+
+void b2PulleyJoint::Dump()
+{
+    box2d::DumpBodies("b2PulleyJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    box2d::DumpPoint("groundAnchorA", m_groundAnchorA);
+    box2d::DumpPoint("groundAnchorB", m_groundAnchorB);
+    box2d::DumpPoint("localAnchorA", m_localAnchorA);
+    box2d::DumpPoint("localAnchorB", m_localAnchorB);
+    box2d::DumpNumber("lengthA", m_lengthA);
+    box2d::DumpNumber("lengthB", m_lengthB);
+    box2d::DumpNumber("ratio", m_ratio);
+    box2d::DumpEnd(m_number);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2RopeJoint.h>
+
+#include "JointFrame.h"
+
+// The distance joint as an inequality:  C = |d| - L <= 0. While the rope is slack, the anchors may
+// part at most as fast as they would pull it taut in this step.
+
+b2RopeJoint::b2RopeJoint(const b2RopeJointDef* def)
+    : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
+      m_maxLength(def->maxLength)
+{}
+
+void b2RopeJoint::Prepare(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    m_armA = f.ArmA(m_localAnchorA);
+    m_armB = f.ArmB(m_localAnchorB);
+    m_offset = f.Offset();
+    m_axis = m_offset + m_armB - m_armA;
+    m_length = m_axis.Length();
+    if (m_axis.Normalize() == 0.0f)
+    {
+        m_axis.SetZero();
+    }
+    m_mass =
+        m_length > 0.0f ? box2d::InverseOrZero(box2d::AxisMatrix(f, m_axis, m_armA, m_armB)) : 0.0f;
+    m_impulse *= box2d::CarryOver(context);
+    f.ApplyImpulse(m_impulse * m_axis, m_armA, m_armB);
+}
+
+void b2RopeJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const float32 slack = b2Max(m_maxLength - m_length, 0.0f) * context.inverseStep;
+    const float32 speed = b2Dot(m_axis, f.PointSpeed(m_armA, m_armB)) - slack;
+    const float32 total = b2Min(m_impulse - m_mass * speed, 0.0f);
+    f.ApplyImpulse((total - m_impulse) * m_axis, m_armA, m_armB);
+    m_impulse = total;
+}
+
+bool b2RopeJoint::SolvePosition(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
+    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
+    b2Vec2 axis = m_offset + f.b.d - f.a.d + armB - armA;
+    const float32 length = axis.Normalize();
+    const float32 error = b2Clamp(length - m_maxLength, 0.0f, b2_maxLinearCorrection);
+    f.Move((-error * box2d::InverseOrZero(box2d::AxisMatrix(f, axis, armA, armB))) * axis, armA,
+           armB);
+    return length - m_maxLength < b2_linearSlop;
+}
+
+b2Vec2 b2RopeJoint::GetAnchorA() const
+{
+    return m_bodyA->GetWorldPoint(m_localAnchorA);
+}
+
+b2Vec2 b2RopeJoint::GetAnchorB() const
+{
+    return m_bodyB->GetWorldPoint(m_localAnchorB);
+}
+
+b2Vec2 b2RopeJoint::GetReactionForce(float32 inv_dt) const
+{
+    return (inv_dt * m_impulse) * m_axis;
+}
+
+float32 b2RopeJoint::GetReactionTorque(float32) const
+{
+    return 0.0f;
+}
+
+b2LimitState b2RopeJoint::GetLimitState() const
+{
+    return m_impulse < 0.0f ? e_atUpperLimit : e_inactiveLimit;
+}
+
+void b2RopeJoint::Dump()
+{
+    box2d::DumpBodies("b2RopeJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    box2d::DumpPoint("localAnchorA", m_localAnchorA);
+    box2d::DumpPoint("localAnchorB", m_localAnchorB);
+    box2d::DumpNumber("maxLength", m_maxLength);
+    box2d::DumpEnd(m_number);
+}

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/Joints/b2WheelJoint.h>
+
+#include "JointFrame.h"
+
+// With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
+//   rigid:   C = dot(t, d),   Cdot = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x t) wA
+//   spring:  the same with a for t, made soft
+//   motor:   wB - wA driven to its speed
+
+namespace
+{
+
+/// One direction in which the anchors are held.
+struct Row
+{
+    b2Vec2 direction;
+    float32 crossA, crossB; // (d + rA) x direction, rB x direction
+
+    Row(const b2Vec2& along, const b2Vec2& reachA, const b2Vec2& armB)
+        : direction(along), crossA(b2Cross(reachA, along)), crossB(b2Cross(armB, along))
+    {}
+    float32 Matrix(const box2d::JointFrame& f) const
+    {
+        return f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
+    }
+    float32 Speed(const box2d::JointFrame& f) const
+    {
+        return b2Dot(direction, f.b.v - f.a.v) + crossB * f.b.w - crossA * f.a.w;
+    }
+    void Apply(const box2d::JointFrame& f, float32 impulse) const
+    {
+        f.a.v -= (f.mA * impulse) * direction;
+        f.a.w -= f.iA * crossA * impulse;
+        f.b.v += (f.mB * impulse) * direction;
+        f.b.w += f.iB * crossB * impulse;
+    }
+};
+
+} // namespace
+
+void b2WheelJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor, const b2Vec2& axis)
+{
+    bodyA = a;
+    bodyB = b;
+    localAnchorA = a->GetLocalPoint(anchor);
+    localAnchorB = b->GetLocalPoint(anchor);
+    localAxisA = a->GetLocalVector(axis);
+}
+
+b2WheelJoint::b2WheelJoint(const b2WheelJointDef* def)
+    : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
+      m_localAxisA(def->localAxisA), m_enableMotor(def->enableMotor),
+      m_maxMotorTorque(def->maxMotorTorque), m_motorSpeed(def->motorSpeed),
+      m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio)
+{
+    if (m_localAxisA.Normalize() == 0.0f)
+    {
+        m_localAxisA.Set(1.0f, 0.0f);
+    }
+}
+
+void b2WheelJoint::Prepare(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    m_armA = f.ArmA(m_localAnchorA);
+    m_armB = f.ArmB(m_localAnchorB);
+    m_offset = f.Offset();
+    m_axis = b2Mul(f.dataA.rotation, m_localAxisA);
+    const Row spring(m_axis, m_offset + m_armB, m_armB);
+    const Row rigid(b2Cross(1.0f, m_axis), m_offset + m_armB, m_armB);
+    const float32 k = spring.Matrix(f);
+    const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
+                                                     box2d::InverseOrZero(k), context.timeStep);
+    m_gamma = soft.gamma;
+    m_bias = b2Dot(m_axis, m_offset + m_armB - m_armA) * soft.biasRate;
+    m_springMass = m_frequencyHz > 0.0f ? box2d::InverseOrZero(k + m_gamma) : 0.0f;
+    m_motorMass = box2d::InverseOrZero(f.iA + f.iB);
+
+    const float32 share = box2d::CarryOver(context);
+    m_impulse *= share;
+    m_springImpulse *= m_frequencyHz > 0.0f ? share : 0.0f;
+    m_motorImpulse *= m_enableMotor ? share : 0.0f;
+    rigid.Apply(f, m_impulse);
+    spring.Apply(f, m_springImpulse);
+    f.ApplyAngularImpulse(m_motorImpulse);
+}
+
+void b2WheelJoint::SolveVelocity(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const Row spring(m_axis, m_offset + m_armB, m_armB);
+    const float32 springImpulse =
+        -m_springMass * (spring.Speed(f) + m_bias + m_gamma * m_springImpulse);
+    m_springImpulse += springImpulse;
+    spring.Apply(f, springImpulse);
+    if (m_enableMotor)
+    {
+        const float32 limit = context.timeStep * m_maxMotorTorque;
+        const float32 speed = f.b.w - f.a.w - m_motorSpeed;
+        const float32 total = b2Clamp(m_motorImpulse - m_motorMass * speed, -limit, limit);
+        f.ApplyAngularImpulse(total - m_motorImpulse);
+        m_motorImpulse = total;
+    }
+    const Row rigid(b2Cross(1.0f, m_axis), m_offset + m_armB, m_armB);
+    const float32 impulse = -box2d::InverseOrZero(rigid.Matrix(f)) * rigid.Speed(f);
+    m_impulse += impulse;
+    rigid.Apply(f, impulse);
+}
+
+bool b2WheelJoint::SolvePosition(const box2d::SolverContext& context)
+{
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
+    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
+    const b2Vec2 reachA = m_offset + f.b.d - f.a.d + armB;
+    const Row rigid(b2Cross(1.0f, b2Mul(f.a.q, m_axis)), reachA, armB);
+    const float32 error = b2Dot(rigid.direction, reachA - armA);
+    const float32 impulse = -error * box2d::InverseOrZero(rigid.Matrix(f));
+    f.a.d -= (f.mA * impulse) * rigid.direction;
+    f.a.Rotate(-f.iA * rigid.crossA * impulse);
+    f.b.d += (f.mB * impulse) * rigid.direction;
+    f.b.Rotate(f.iB * rigid.crossB * impulse);
+    return b2Abs(error) <= b2_linearSlop;
+}
+
+b2Vec2 b2WheelJoint::GetAnchorA() const
+{
+    return m_bodyA->GetWorldPoint(m_localAnchorA);
+}
+
+b2Vec2 b2WheelJoint::GetAnchorB() const
+{
+    return m_bodyB->GetWorldPoint(m_localAnchorB);
+}
+
+b2Vec2 b2WheelJoint::GetReactionForce(float32 inv_dt) const
+{
+    return inv_dt * (m_impulse * b2Cross(1.0f, m_axis) + m_springImpulse * m_axis);
+}
+
+float32 b2WheelJoint::GetReactionTorque(float32 inv_dt) const
+{
+    return inv_dt * m_motorImpulse;
+}
+
+float32 b2WheelJoint::GetJointTranslation() const
+{
+    const box2d::BodyData& a = box2d::Data(*m_bodyA);
+    const box2d::BodyData& b = box2d::Data(*m_bodyB);
+    const b2Vec2 d = box2d::CenterOffset(a, b) + b2Mul(b.rotation, m_localAnchorB - b.localCenter) -
+                     b2Mul(a.rotation, m_localAnchorA - a.localCenter);
+    return b2Dot(d, b2Mul(a.rotation, m_localAxisA));
+}
+
+float32 b2WheelJoint::GetJointSpeed() const
+{
+    return m_bodyB->GetAngularVelocity() - m_bodyA->GetAngularVelocity();
+}
+
+float32 b2WheelJoint::GetMotorTorque(float32 inv_dt) const
+{
+    return inv_dt * m_motorImpulse;
+}
+
+float32 b2WheelJoint::GetMotorTorque() const
+{
+    return GetMotorTorque(LastInverseStep());
+}
+
+void b2WheelJoint::EnableMotor(bool flag)
+{
+    WakeBodies();
+    m_enableMotor = flag;
+}
+
+void b2WheelJoint::SetMotorSpeed(float32 speed)
+{
+    WakeBodies();
+    m_motorSpeed = speed;
+}
+
+void b2WheelJoint::SetMaxMotorTorque(float32 torque)
+{
+    WakeBodies();
+    m_maxMotorTorque = torque;
+}
+
+void b2WheelJoint::Dump()
+{
+    box2d::DumpBodies("b2WheelJointDef", *m_bodyA, *m_bodyB, m_collideConnected);
+    box2d::DumpPoint("localAnchorA", m_localAnchorA);
+    box2d::DumpPoint("localAnchorB", m_localAnchorB);
+    box2d::DumpPoint("localAxisA", m_localAxisA);
+    box2d::DumpFlag("enableMotor", m_enableMotor);
+    box2d::DumpNumber("motorSpeed", m_motorSpeed);
+    box2d::DumpNumber("maxMotorTorque", m_maxMotorTorque);
+    box2d::DumpNumber("frequencyHz", m_frequencyHz);
+    box2d::DumpNumber("dampingRatio", m_dampingRatio);
+    box2d::DumpEnd(m_number);
+}
