@@ -247,9 +247,9 @@ private:
             const bool linked = active && a.island != -1 && b.island != -1;
             if (!Expect(JointAccess::Prev(*joint) == previous,
                         "the list of joints is not doubly linked") ||
-                !Expect((JointAccess::Color(*joint) != -1) ==
+                !Expect((JointAccess::SolverIndex(*joint) != -1) ==
                             (active && (IsPushed(a) || IsPushed(b))),
-                        "a joint's colour is not what its state says") ||
+                        "whether a joint is solved is not what its state says") ||
                 !Expect(JointAccess::Linked(*joint) == linked,
                         "a joint's link is not what its state says") ||
                 !Expect(!linked || a.island == b.island, "a joint's bodies are of two islands"))
@@ -293,10 +293,10 @@ private:
         for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
         {
             std::set<const b2Body*> bodies;
-            const ConstraintGraph::Color& list = m_world.graph.At(color);
-            for (std::size_t i = 0; i < list.contacts.size(); ++i)
+            const auto& list = m_world.graph.Contacts(color);
+            for (std::size_t i = 0; i < list.size(); ++i)
             {
-                const ContactData& c = Data(*list.contacts[i]);
+                const ContactData& c = Data(*list[i]);
                 if (!Expect(c.color == color && c.colorIndex == int32(i),
                             "a contact is not where it believes to be in its colour") ||
                     !Take(*c.bodyA, color, bodies, masks) || !Take(*c.bodyB, color, bodies, masks))
@@ -304,17 +304,14 @@ private:
                     return false;
                 }
             }
-            for (std::size_t i = 0; i < list.joints.size(); ++i)
+        }
+        const auto& joints = m_world.graph.Joints();
+        for (std::size_t i = 0; i < joints.size(); ++i)
+        {
+            if (!Expect(JointAccess::SolverIndex(*joints[i]) == int32(i),
+                        "a joint is not where it believes to be among the solved"))
             {
-                b2Joint& joint = *list.joints[i];
-                if (!Expect(JointAccess::Color(joint) == color &&
-                                JointAccess::ColorIndex(joint) == int32(i),
-                            "a joint is not where it believes to be in its colour") ||
-                    !Take(*joint.GetBodyA(), color, bodies, masks) ||
-                    !Take(*joint.GetBodyB(), color, bodies, masks))
-                {
-                    return false;
-                }
+                return false;
             }
         }
         for (b2Body* b = m_world.bodyList; b; b = b->GetNext())

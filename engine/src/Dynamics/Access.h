@@ -48,8 +48,7 @@ struct JointAccess
     static b2JointEdge& EdgeA(b2Joint& j) { return j.m_edgeA; }
     static b2JointEdge& EdgeB(b2Joint& j) { return j.m_edgeB; }
     static int32& Number(b2Joint& j) { return j.m_number; }
-    static int32& Color(b2Joint& j) { return j.m_color; }
-    static int32& ColorIndex(b2Joint& j) { return j.m_colorIndex; }
+    static int32& SolverIndex(b2Joint& j) { return j.m_solverIndex; }
     static bool& Linked(b2Joint& j) { return j.m_linked; }
 };
 

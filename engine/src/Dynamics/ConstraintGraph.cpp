@@ -6,6 +6,7 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace box2d
@@ -66,7 +67,7 @@ void ConstraintGraph::Add(b2Contact& contact)
     ContactData& c = Data(contact);
     b2Assert(c.color == -1);
     c.color = Claim(Data(*c.bodyA), Data(*c.bodyB));
-    Array<b2Contact*>& list = m_colors[c.color].contacts;
+    Array<b2Contact*>& list = m_contacts[c.color];
     c.colorIndex = int32(list.size());
     list.push_back(&contact);
 }
@@ -76,7 +77,7 @@ void ConstraintGraph::Remove(b2Contact& contact)
     ContactData& c = Data(contact);
     b2Assert(c.color != -1);
     Release(Data(*c.bodyA), Data(*c.bodyB), c.color);
-    Array<b2Contact*>& list = m_colors[c.color].contacts;
+    Array<b2Contact*>& list = m_contacts[c.color];
     list[std::size_t(c.colorIndex)] = list.back();
     Data(*list.back()).colorIndex = c.colorIndex;
     list.pop_back();
@@ -86,29 +87,39 @@ void ConstraintGraph::Remove(b2Contact& contact)
 
 void ConstraintGraph::Add(b2Joint& joint)
 {
-    int32& color = JointAccess::Color(joint);
-    b2Assert(color == -1);
-    // A gear moves up to four bodies.
-    color = joint.GetType() == e_gearJoint
-                ? kOverflow
-                : Claim(Data(*joint.GetBodyA()), Data(*joint.GetBodyB()));
-    Array<b2Joint*>& list = m_colors[color].joints;
-    JointAccess::ColorIndex(joint) = int32(list.size());
-    list.push_back(&joint);
+    int32& index = JointAccess::SolverIndex(joint);
+    b2Assert(index == -1);
+    m_sorted = m_sorted && (m_joints.empty() ||
+                            JointAccess::Number(*m_joints.back()) < JointAccess::Number(joint));
+    index = int32(m_joints.size());
+    m_joints.push_back(&joint);
 }
 
 void ConstraintGraph::Remove(b2Joint& joint)
 {
-    int32& color = JointAccess::Color(joint);
-    int32& index = JointAccess::ColorIndex(joint);
-    b2Assert(color != -1);
-    Release(Data(*joint.GetBodyA()), Data(*joint.GetBodyB()), color);
-    Array<b2Joint*>& list = m_colors[color].joints;
-    list[std::size_t(index)] = list.back();
-    JointAccess::ColorIndex(*list.back()) = index;
-    list.pop_back();
-    color = -1;
+    int32& index = JointAccess::SolverIndex(joint);
+    b2Assert(index != -1);
+    m_sorted = m_sorted && m_joints.back() == &joint;
+    m_joints[std::size_t(index)] = m_joints.back();
+    JointAccess::SolverIndex(*m_joints.back()) = index;
+    m_joints.pop_back();
     index = -1;
+}
+
+void ConstraintGraph::SortJoints()
+{
+    if (m_sorted)
+    {
+        return;
+    }
+    std::sort(m_joints.begin(), m_joints.end(), [](b2Joint* a, b2Joint* b) {
+        return JointAccess::Number(*a) < JointAccess::Number(*b);
+    });
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        JointAccess::SolverIndex(*m_joints[i]) = int32(i);
+    }
+    m_sorted = true;
 }
 
 } // namespace box2d

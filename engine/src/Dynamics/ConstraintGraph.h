@@ -22,24 +22,26 @@ public:
     static constexpr int32 kOverflow = 24;
     static constexpr int32 kColorCount = kOverflow + 1;
 
-    struct Color
-    {
-        Array<b2Contact*> contacts;
-        Array<b2Joint*> joints;
-    };
-
     void Add(b2Contact& contact);
     void Remove(b2Contact& contact);
     void Add(b2Joint& joint);
     void Remove(b2Joint& joint);
 
-    const Color& At(int32 color) const { return m_colors[color]; }
+    const Array<b2Contact*>& Contacts(int32 color) const { return m_contacts[color]; }
+
+    /// Joints are solved one by one, in the order of their creation, which for a chain is the order
+    /// of its links: an impulse runs the length of the chain in one sweep, where colours would
+    /// carry it two links. Adding and removing may change the order until SortJoints.
+    const Array<b2Joint*>& Joints() const { return m_joints; }
+    void SortJoints();
 
 private:
     static int32 Claim(BodyData& a, BodyData& b);
     static void Release(BodyData& a, BodyData& b, int32 color);
 
-    Color m_colors[kColorCount];
+    Array<b2Contact*> m_contacts[kColorCount];
+    Array<b2Joint*> m_joints;
+    bool m_sorted = true;
 };
 
 } // namespace box2d

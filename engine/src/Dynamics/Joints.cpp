@@ -127,7 +127,7 @@ void World::DestroyJoint(b2Joint& joint)
     b2Body& b = *joint.GetBodyB();
     Wake(a);
     Wake(b);
-    if (JointAccess::Color(joint) != -1)
+    if (JointAccess::SolverIndex(joint) != -1)
     {
         graph.Remove(joint);
     }

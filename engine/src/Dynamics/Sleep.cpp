@@ -109,11 +109,11 @@ void World::UpdateActivity(b2Joint& joint)
     const bool active = a.IsActive() && b.IsActive();
 
     const bool solved = active && (IsPushed(a) || IsPushed(b));
-    if (solved && JointAccess::Color(joint) == -1)
+    if (solved && JointAccess::SolverIndex(joint) == -1)
     {
         graph.Add(joint);
     }
-    else if (!solved && JointAccess::Color(joint) != -1)
+    else if (!solved && JointAccess::SolverIndex(joint) != -1)
     {
         graph.Remove(joint);
     }

@@ -64,8 +64,6 @@ public:
     void LetRest();
 
 private:
-    template <class Function>
-    void ForEachJoint(Direction direction, Function&& function);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
 
     World& m_world;
@@ -73,30 +71,15 @@ private:
     SolverContext m_context;
 };
 
-template <class Function>
-void StepSolver::ForEachJoint(Direction direction, Function&& function)
-{
-    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
-    {
-        const int32 place =
-            direction == Direction::Forward ? i : ConstraintGraph::kColorCount - 1 - i;
-        const int32 color = place == 0 ? ConstraintGraph::kOverflow : place - 1;
-        ForEach(m_world.graph.At(color).joints, direction,
-                [&](b2Joint* joint) { function(*joint); });
-    }
-}
-
 void StepSolver::WakeJointNeighbours()
 {
-    for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
+    // Waking adds joints to the list, so it is read anew each time.
+    for (std::size_t i = 0; i < m_world.graph.Joints().size(); ++i)
     {
-        // Waking adds joints to the lists, so they are read anew each time.
-        for (std::size_t i = 0; i < m_world.graph.At(color).joints.size(); ++i)
-        {
-            b2Joint* joint = m_world.graph.At(color).joints[i];
-            m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
-        }
+        b2Joint* joint = m_world.graph.Joints()[i];
+        m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
     }
+    m_world.graph.SortJoints();
 }
 
 void StepSolver::IntegrateVelocities()
@@ -130,7 +113,7 @@ void StepSolver::PrepareConstraints()
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
         const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
-        for (b2Contact* contact : m_world.graph.At(color).contacts)
+        for (b2Contact* contact : m_world.graph.Contacts(color))
         {
             if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
             {
@@ -140,19 +123,19 @@ void StepSolver::PrepareConstraints()
         }
     }
     WarmStart(m_arrays.contacts, m_context);
-    ForEachJoint(Direction::Forward,
-                 [this](b2Joint& joint) { JointAccess::Prepare(joint, m_context); });
+    for (b2Joint* joint : m_world.graph.Joints())
+    {
+        JointAccess::Prepare(*joint, m_context);
+    }
 }
 
 void StepSolver::SolveVelocities(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        // Joints go forward always: a chain of them has two colours, and a sweep back would begin
-        // with the colour that was just solved and change nothing, which halves the iterations.
         const Direction direction = DirectionOf(i);
-        ForEachJoint(Direction::Forward,
-                     [this](b2Joint& joint) { JointAccess::SolveVelocity(joint, m_context); });
+        ForEach(m_world.graph.Joints(), direction,
+                [this](b2Joint* joint) { JointAccess::SolveVelocity(*joint, m_context); });
         SolveContactVelocities(m_arrays.contacts, m_context.bodies, direction);
     }
     StoreImpulses(m_arrays.contacts);
@@ -179,8 +162,8 @@ void StepSolver::SolvePositions(int32 iterations)
         const bool apart = SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_baumgarte,
                                          direction) >= -3.0f * b2_linearSlop;
         bool joined = true;
-        ForEachJoint(Direction::Forward, [&](b2Joint& joint) {
-            joined = JointAccess::SolvePosition(joint, m_context) && joined;
+        ForEach(m_world.graph.Joints(), direction, [&](b2Joint* joint) {
+            joined = JointAccess::SolvePosition(*joint, m_context) && joined;
         });
         if (apart && joined)
         {

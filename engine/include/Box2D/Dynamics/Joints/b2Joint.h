@@ -112,8 +112,7 @@ protected:
     b2Body* m_bodyA;
     b2Body* m_bodyB;
     int32 m_number = 0; ///< in order of creation
-    int32 m_color = -1; ///< of the constraint graph, -1 when not solved
-    int32 m_colorIndex = -1;
+    int32 m_solverIndex = -1; ///< place among the joints that are solved, -1 when not
     bool m_linked = false; ///< joins its bodies' islands
     bool m_collideConnected;
     void* m_userData;
