@@ -95,6 +95,16 @@ FitCamera::FitCamera(int width, int height, const Rect& scene)
     m_target = m_shown;
     m_neighbourhood =
         BoxOf(Area{m_shown.x, m_shown.y, m_shown.halfHeight * (1.0 + 2.0 * kNeighbourViews)});
+    if (IsUsable(scene))
+    {
+        // A chain that starts level and hangs from one end swings as far down as it is long.
+        const double sceneWidth = double(scene.upper.x) - scene.lower.x;
+        const double sceneHeight = double(scene.upper.y) - scene.lower.y;
+        m_neighbourhood.left = std::min(m_neighbourhood.left, scene.lower.x - sceneHeight);
+        m_neighbourhood.right = std::max(m_neighbourhood.right, scene.upper.x + sceneHeight);
+        m_neighbourhood.bottom = std::min(m_neighbourhood.bottom, scene.lower.y - sceneWidth);
+        m_neighbourhood.top = std::max(m_neighbourhood.top, scene.upper.y + sceneWidth);
+    }
 }
 
 FitCamera::Box FitCamera::BoxOf(const Area& area) const

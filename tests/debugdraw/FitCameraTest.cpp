@@ -181,6 +181,19 @@ TEST(FitCamera, ReachesOutAtOnceForABodyThatLeapsOutOfTheFrame)
     EXPECT_LT(Edges(camera.View()).top, box.upper.y + 0.5) << "and no farther than it must";
 }
 
+TEST(FitCamera, KeepsALevelChainInViewWhenItSwingsDownFromOneEnd)
+{
+    const double length = 20.0;
+    FitCamera camera(1280, 720, Rect{{0.0f, -0.5f}, {20.0f, 0.5f}});
+    for (int step = 0; step < 240; ++step)
+    {
+        const double angle = -std::min(1.6, step * kStep);
+        const Rect end = BoxAt(length * std::cos(angle), length * std::sin(angle), 0.3);
+        camera.Update({end, BoxAt(0.0, 0.0, 0.3)}, kStep);
+        ASSERT_TRUE(Edges(camera.View()).Holds(end)) << "at step " << step;
+    }
+}
+
 TEST(FitCamera, LetsGoOfABodyThatFellOffTheWorld)
 {
     FitCamera camera(1280, 720, kScene);
