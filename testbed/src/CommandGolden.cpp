@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "Commands.h"
+#include "GoldenScenes.h"
+#include "Terminal.h"
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct Folders
+{
+    fs::path references;
+    fs::path output;
+};
+
+/// The nearest folder around the current one that holds golden/references; empty when there is
+/// none.
+fs::path FindCheckout()
+{
+    std::error_code error;
+    fs::path folder = fs::current_path(error);
+    while (!folder.empty() && !fs::is_directory(folder / "golden" / "references", error))
+    {
+        folder = folder == folder.parent_path() ? fs::path() : folder.parent_path();
+    }
+    return folder;
+}
+
+Result<Folders> ChooseFolders(const GoldenOptions& options)
+{
+    const fs::path checkout = FindCheckout();
+    std::error_code error;
+    if (options.references.empty() && checkout.empty())
+    {
+        return Error{ErrorKind::Unusable, "There is no golden/references in this folder or above "
+                                          "it; name the folder with --references DIR."};
+    }
+    if (!options.references.empty() && !options.accept &&
+        !fs::is_directory(options.references, error))
+    {
+        return Error{ErrorKind::Unusable,
+                     "There is no folder '" + options.references.string() +
+                         "' with references; `boxreel golden accept --references DIR` makes one."};
+    }
+    Folders folders;
+    folders.references =
+        options.references.empty() ? checkout / "golden" / "references" : options.references;
+    folders.output = checkout.empty() ? "golden-output" : checkout / "build" / "golden-output";
+    if (!options.output.empty())
+    {
+        folders.output = options.output;
+    }
+    return folders;
+}
+
+Result<std::vector<const SceneEntry*>> ChooseScenes(const std::vector<std::string>& names)
+{
+    std::vector<const SceneEntry*> scenes;
+    for (const std::string& name : names)
+    {
+        const Result<const SceneEntry*> found = FindScene(name);
+        if (!found)
+        {
+            return found.GetError();
+        }
+        scenes.push_back(*found);
+    }
+    if (names.empty())
+    {
+        for (const SceneEntry& entry : AllScenes())
+        {
+            scenes.push_back(&entry);
+        }
+    }
+    return scenes;
+}
+
+std::string Count(std::size_t number, const std::string& things)
+{
+    return std::to_string(number) + " " + things + (number == 1 ? "" : "s");
+}
+
+Result<int> Verify(const std::vector<const SceneEntry*>& scenes, const Folders& folders,
+                   Renderer& renderer)
+{
+    const ReferenceStore store(folders.references, folders.output);
+    std::size_t moments = 0;
+    std::size_t failures = 0;
+    for (const SceneEntry* scene : scenes)
+    {
+        const Result<std::vector<GoldenVerdict>> verdicts =
+            VerifyGoldenScene(*scene, store, renderer);
+        if (!verdicts)
+        {
+            return verdicts.GetError();
+        }
+        for (const GoldenVerdict& verdict : *verdicts)
+        {
+            const bool isSame = verdict.status == GoldenStatus::Same;
+            ++moments;
+            failures += isSame ? 0 : 1;
+            const Result<void> written = WriteOutput(
+                isSame ? "same  " + verdict.name + "\n"
+                       : Red("FAIL", stdout) + "  " + verdict.name + ": " + verdict.message + "\n");
+            if (!written)
+            {
+                return written.GetError();
+            }
+        }
+    }
+    const std::string what = Count(moments, "moment") + " of " + Count(scenes.size(), "scene");
+    const Result<void> written = WriteOutput(
+        failures == 0 ? what + ": all as approved\n"
+                      : what + ": " + std::to_string(failures) + " not as approved, see '" +
+                            folders.output.string() + "'\n");
+    if (!written)
+    {
+        return written.GetError();
+    }
+    return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+Result<int> Accept(const std::vector<const SceneEntry*>& scenes, const Folders& folders,
+                   Renderer& renderer)
+{
+    const ReferenceStore store(folders.references, folders.output);
+    std::size_t moments = 0;
+    for (const SceneEntry* scene : scenes)
+    {
+        const Result<int> accepted = AcceptGoldenScene(*scene, store, renderer);
+        if (!accepted)
+        {
+            return accepted.GetError();
+        }
+        moments += static_cast<std::size_t>(*accepted);
+    }
+    const Result<void> written =
+        WriteOutput(Count(moments, "moment") + " of " + Count(scenes.size(), "scene") +
+                    " accepted in '" + folders.references.string() + "'\n");
+    if (!written)
+    {
+        return written.GetError();
+    }
+    return 0;
+}
+
+} // namespace
+
+Result<int> RunGolden(const GoldenOptions& options)
+{
+    const Result<std::vector<const SceneEntry*>> scenes = ChooseScenes(options.names);
+    if (!scenes)
+    {
+        return scenes.GetError();
+    }
+    const Result<Folders> folders = ChooseFolders(options);
+    if (!folders)
+    {
+        return folders.GetError();
+    }
+    Result<Renderer> renderer = CreateGoldenRenderer();
+    if (!renderer)
+    {
+        return renderer.GetError();
+    }
+    return options.accept ? Accept(*scenes, *folders, *renderer)
+                          : Verify(*scenes, *folders, *renderer);
+}
+
+} // namespace boxreel

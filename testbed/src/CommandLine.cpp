@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "CommandLine.h"
+
+#include "CommandLineOptions.h"
+#include "Nearest.h"
+
+#include <algorithm>
+
+namespace boxreel
+{
+namespace
+{
+
+/// The parser's help with a usage line that says which words are needed.
+class HelpFormatter : public CLI::Formatter
+{
+public:
+    HelpFormatter()
+    {
+        column_width(32);
+        label("Positionals", "Arguments");
+    }
+
+    std::string make_usage(const CLI::App* command, std::string name) const override
+    {
+        std::string usage = "Usage: " + name;
+        for (const CLI::Option* option : command->get_options())
+        {
+            if (option->get_positional())
+            {
+                const bool isList = option->get_expected_max() > 1;
+                usage +=
+                    isList ? " [" + option->get_name(true) + "...]" : " " + option->get_name(true);
+            }
+        }
+        const bool hasCommands = !command->get_subcommands({}).empty();
+        return usage + (hasCommands ? " COMMAND" : " [OPTIONS]") + "\n";
+    }
+};
+
+/// Of the command that was named, the program's when none was.
+std::string HelpOf(const CLI::App& program)
+{
+    std::string help = program.help();
+    for (std::size_t at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n"))
+    {
+        help.erase(at, 1);
+    }
+    return help;
+}
+
+Error Unusable(const std::string& message)
+{
+    return Error{ErrorKind::Unusable, message};
+}
+
+/// "record", "golden verify": the command that was named, as the user would type it.
+std::string NameOf(const CLI::App& command)
+{
+    const CLI::App* parent = command.get_parent();
+    return parent == nullptr ? command.get_name() : NameOf(*parent) + " " + command.get_name();
+}
+
+CLI::App& CommandOf(CLI::App& program)
+{
+    const std::vector<CLI::App*> chosen = program.get_subcommands();
+    return chosen.empty() ? program : CommandOf(*chosen.front());
+}
+
+std::vector<std::string> CommandNames(CLI::App& parent)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* command : parent.get_subcommands({}))
+    {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+std::vector<std::string> OptionNames(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+    {
+        for (const std::string& name : option->get_lnames())
+        {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+std::string Suggestion(const std::string& word, const std::vector<std::string>& candidates)
+{
+    const int nearest = NearestWord(word, candidates);
+    return nearest < 0 ? ";"
+                       : "; did you mean '" + candidates[static_cast<std::size_t>(nearest)] + "'?";
+}
+
+/// The word after a command that is none of its own: a mistyped subcommand or option, or one word
+/// too many.
+Error UnexpectedWord(CLI::App& command)
+{
+    const std::vector<std::string> words = command.remaining();
+    const auto isOption = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+    const auto found = std::find_if(words.begin(), words.end(), isOption);
+    const std::string help = " `" + NameOf(command) + " --help` shows what there is.";
+    if (found != words.end())
+    {
+        const std::string option = found->substr(0, found->find('='));
+        return Unusable("Unknown option '" + option + "'" +
+                        Suggestion(option, OptionNames(command)) + help);
+    }
+    const std::string word = words.empty() ? "" : words.front();
+    const std::vector<std::string> commands = CommandNames(command);
+    if (!commands.empty())
+    {
+        return Unusable("Unknown command '" + word + "'" + Suggestion(word, commands) + help);
+    }
+    return Unusable("'" + word + "' is one word too many;" + help);
+}
+
+Error MissingCommand(CLI::App& command)
+{
+    if (!command.remaining().empty())
+    {
+        return UnexpectedWord(command);
+    }
+    std::string names;
+    for (const std::string& name : CommandNames(command))
+    {
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    return Unusable("Say what to do: " + names + "; `" + NameOf(command) + " --help` tells more.");
+}
+
+/// The parser's words for a missing or repeated value begin with the option's name and a colon.
+Error WrongCount(const CLI::ParseError& error)
+{
+    const std::string words = error.what();
+    const std::string option = words.substr(0, words.find(':'));
+    const bool isMissing = words.find("missing") != std::string::npos;
+    return Unusable(isMissing ? option + " needs a value."
+                              : option + " is given more than once; give it once.");
+}
+
+Error Explain(CLI::App& program, const CLI::ParseError& error)
+{
+    CLI::App& command = CommandOf(program);
+    if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr)
+    {
+        return Unusable(error.what());
+    }
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+    {
+        return WrongCount(error);
+    }
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    {
+        return UnexpectedWord(command);
+    }
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    {
+        return MissingCommand(command);
+    }
+    return Unusable(std::string(error.what()) + "; `" + NameOf(command) +
+                    " --help` shows what there is.");
+}
+
+Result<Request> CheckRecord(RecordOptions options)
+{
+    options.look.hud = options.look.hud || options.look.hudMilliseconds;
+    if (options.scene.empty())
+    {
+        return Unusable("Say which scene, such as `boxreel record pyramid -o pyramid.mp4`; "
+                        "`boxreel list` shows them.");
+    }
+    if (options.output.empty())
+    {
+        return Unusable("Say where the film goes, such as -o film.mp4.");
+    }
+    if (options.seconds && options.frames)
+    {
+        return Unusable("--seconds and --frames both say how long the film is; give one of them.");
+    }
+    if (options.seconds && options.seconds->nanoseconds == 0)
+    {
+        return Unusable("--seconds 0: a film needs at least one frame; give more than 0.");
+    }
+    return Request(std::move(options));
+}
+
+Result<Request> CheckShot(ShotOptions options)
+{
+    options.look.hud = options.look.hud || options.look.hudMilliseconds;
+    if (options.scene.empty())
+    {
+        return Unusable("Say which scene, such as `boxreel shot pyramid --at 3s -o pyramid.png`; "
+                        "`boxreel list` shows them.");
+    }
+    if (options.output.empty())
+    {
+        return Unusable("Say where the picture goes, such as -o picture.png.");
+    }
+    if (options.at && options.step)
+    {
+        return Unusable("--at and --step both say when the picture is taken; give one of them.");
+    }
+    if (!options.at && !options.step)
+    {
+        return Unusable("Say when the picture is taken, such as --at 3s or --step 180.");
+    }
+    return Request(std::move(options));
+}
+
+Result<Request> CheckDiff(DiffOptions options)
+{
+    if (options.expected.empty() || options.actual.empty())
+    {
+        return Unusable("Name two pictures, such as `boxreel diff before.png after.png`.");
+    }
+    return Request(std::move(options));
+}
+
+Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
+{
+    const std::string name = program.get_subcommands().front()->get_name();
+    if (name == "record")
+    {
+        return CheckRecord(std::move(parsed.record));
+    }
+    if (name == "shot")
+    {
+        return CheckShot(std::move(parsed.shot));
+    }
+    if (name == "diff")
+    {
+        return CheckDiff(std::move(parsed.diff));
+    }
+    if (name == "golden")
+    {
+        return Request(std::move(parsed.golden));
+    }
+    return Request(parsed.list);
+}
+
+void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
+{
+    program.formatter(std::make_shared<HelpFormatter>());
+    program.set_version_flag("--version", "boxreel " BOXREEL_VERSION, "Print the version and exit");
+    program.require_subcommand(1);
+    program.footer("Examples:\n"
+                   "  boxreel list\n"
+                   "  boxreel record pyramid -o pyramid.mp4\n"
+                   "  boxreel shot pyramid --at 3s -o pyramid.png\n\n"
+                   "`boxreel COMMAND --help` tells more. Exit codes: 0 done, 1 not usable, 2 "
+                   "pictures differ,\n"
+                   "3 something is not installed, 4 reading or writing failed, 75 stopped and can "
+                   "be resumed.");
+    DeclareList(program, parsed);
+    DeclareRecord(program, parsed);
+    DeclareShot(program, parsed);
+    DeclareDiff(program, parsed);
+    DeclareGolden(program, parsed);
+    for (CLI::App* command : program.get_subcommands({}))
+    {
+        command->group("Commands");
+        for (CLI::App* action : command->get_subcommands({}))
+        {
+            action->group("Commands");
+        }
+    }
+}
+
+} // namespace
+
+Result<Request> ParseCommandLine(const std::vector<std::string>& arguments)
+{
+    CLI::App program("2D rigid bodies, drawn and recorded off-screen", "boxreel");
+    ParsedOptions parsed;
+    DeclareProgram(program, parsed);
+    std::vector<std::string> words = arguments;
+    if (words.empty())
+    {
+        return Request(TextRequest{HelpOf(program)});
+    }
+    if (words.front() == "help")
+    {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
+    std::reverse(words.begin(), words.end()); // as this overload of parse expects them
+    try
+    {
+        program.parse(words);
+    }
+    catch (const CLI::CallForHelp&)
+    {
+        return Request(TextRequest{HelpOf(program)});
+    }
+    catch (const CLI::CallForVersion& version)
+    {
+        return Request(TextRequest{std::string(version.what()) + "\n"});
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return Explain(program, error);
+    }
+    return Chosen(program, parsed);
+}
+
+} // namespace boxreel

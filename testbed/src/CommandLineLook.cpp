@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "CommandLineOptions.h"
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::uint32_t kLargestSeed = 0xffffffffu;
+
+Error Refusal(const std::string& option, const std::string& text, const std::string& remedy)
+{
+    return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
+}
+
+std::vector<std::string> SplitAtCommas(const std::string& text)
+{
+    std::vector<std::string> parts(1);
+    for (const char c : text)
+    {
+        if (c == ',')
+        {
+            parts.emplace_back();
+        }
+        else
+        {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+Result<std::optional<FixedView>> ParseCamera(const std::string& option, const std::string& text)
+{
+    if (text == "fit")
+    {
+        return std::optional<FixedView>();
+    }
+    const std::vector<std::string> parts = SplitAtCommas(text);
+    double numbers[3] = {};
+    bool usable = parts.size() == 3;
+    for (std::size_t i = 0; usable && i < 3; ++i)
+    {
+        const Result<double> number = ParseNumber(option, parts[i]);
+        usable = bool(number);
+        numbers[i] = number ? *number : 0.0;
+    }
+    // Single precision has 24 bits: farther out, or seen closer, neighbouring pixels are the same
+    // point.
+    if (!usable || std::abs(numbers[0]) > 1e6 || std::abs(numbers[1]) > 1e6 || numbers[2] < 1e-3 ||
+        numbers[2] > 1e6)
+    {
+        return Refusal(
+            option, text,
+            "give 'fit', or the middle and the height of the view in metres, such as 0,20,50");
+    }
+    return std::optional<FixedView>(FixedView{numbers[0], numbers[1], numbers[2]});
+}
+
+Result<std::uint32_t> ParseDraw(const std::string& option, const std::string& text)
+{
+    static const std::pair<const char*, std::uint32_t> kLayers[] = {
+        {"shapes", b2Draw::e_shapeBit},         {"joints", b2Draw::e_jointBit},
+        {"aabbs", b2Draw::e_aabbBit},           {"pairs", b2Draw::e_pairBit},
+        {"centers", b2Draw::e_centerOfMassBit},
+    };
+    std::uint32_t flags = 0;
+    for (const std::string& part : SplitAtCommas(text))
+    {
+        std::uint32_t flag = 0;
+        for (const auto& [name, bit] : kLayers)
+        {
+            flag |= part == name ? bit : 0u;
+        }
+        if (flag == 0)
+        {
+            return Refusal(
+                option, part,
+                "give any of shapes,joints,aabbs,pairs,centers, with commas between them");
+        }
+        flags |= flag;
+    }
+    return flags;
+}
+
+auto WholeBetween(std::int64_t lowest, std::int64_t highest)
+{
+    return [lowest, highest](const std::string& option, const std::string& text) {
+        return ParseWhole(option, text, lowest, highest);
+    };
+}
+
+void AddSize(CLI::App& command, SceneLook& look)
+{
+    const auto read = [&look](const std::string& text) {
+        const Result<PixelSize> size = ParseSize("--size", text);
+        if (!size)
+        {
+            throw CLI::ValidationError(size.GetError().message);
+        }
+        look.width = size->width;
+        look.height = size->height;
+    };
+    command
+        .add_option_function<std::string>("--size", read, "Width and height in pixels (1280x720)")
+        ->type_name("WxH")
+        ->group("Picture");
+}
+
+} // namespace
+
+void AddLook(CLI::App& command, SceneLook& look)
+{
+    const auto parseHertz = [](const std::string& option, const std::string& text) {
+        return ParseRatio(option, text, 1.0, 100000.0);
+    };
+    AddSize(command, look);
+    AddValue(command, "--camera", "VIEW", look.view, ParseCamera,
+             "fit (what moves stays in view), or X,Y,HEIGHT in metres")
+        ->group("Picture");
+    AddValue(command, "--draw", "LAYERS", look.drawFlags, ParseDraw,
+             "shapes,joints,aabbs,pairs,centers (shapes,joints)")
+        ->group("Picture");
+    command.add_flag("--labels", look.labels, "The number of each body")->group("Picture");
+    command.add_flag("--hud", look.hud, "A panel with time, step, bodies, contacts")
+        ->group("Picture");
+    command
+        .add_flag("--hud-ms", look.hudMilliseconds,
+                  "The panel, with the milliseconds of a step as well")
+        ->group("Picture");
+    AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
+             "Simulation steps a second (60)")
+        ->group("Simulation");
+    AddValue(command, "--seed", "N", look.seed, WholeBetween(0, kLargestSeed),
+             "Of the scene's random numbers (1)")
+        ->group("Simulation");
+    AddValue(command, "--velocity-iterations", "N", look.velocityIterations, WholeBetween(1, 1000),
+             "Of the solver, a step (8)")
+        ->group("Simulation");
+    AddValue(command, "--position-iterations", "N", look.positionIterations, WholeBetween(1, 1000),
+             "Of the solver, a step (3)")
+        ->group("Simulation");
+}
+
+} // namespace boxreel

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "CommandLineOptions.h"
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::int64_t kMostFrames = 10'000'000;   // 46 hours at 60 frames a second
+constexpr std::int64_t kMostSteps = 1'000'000'000; // a mistyped number, beyond any patience
+
+/// One of a few words.
+template <class Value>
+auto OneOf(std::vector<std::pair<std::string, Value>> choices)
+{
+    return [choices](const std::string& option, const std::string& text) -> Result<Value> {
+        std::string names;
+        for (const auto& [name, value] : choices)
+        {
+            if (name == text)
+            {
+                return value;
+            }
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        return Error{ErrorKind::Unusable, option + " '" + text + "': give one of " + names + "."};
+    };
+}
+
+auto RatioBetween(double lowest, double highest)
+{
+    return [lowest, highest](const std::string& option, const std::string& text) {
+        return ParseRatio(option, text, lowest, highest);
+    };
+}
+
+auto WholeBetween(std::int64_t lowest, std::int64_t highest)
+{
+    return [lowest, highest](const std::string& option, const std::string& text) {
+        return ParseWhole(option, text, lowest, highest);
+    };
+}
+
+void AddScene(CLI::App& command, std::string& scene)
+{
+    command.add_option("SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file")
+        ->type_name("");
+}
+
+void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
+             std::filesystem::path& path, const std::string& help)
+{
+    command
+        .add_option_function<std::string>(
+            names, [&path](const std::string& text) { path = text; }, help)
+        ->type_name(unit);
+}
+
+void AddForce(CLI::App& command, bool& force)
+{
+    command.add_flag("--force", force, "Overwrite an existing file");
+}
+
+} // namespace
+
+void DeclareList(CLI::App& program, ParsedOptions& parsed)
+{
+    CLI::App* command = program.add_subcommand("list", "The scenes, with what they show");
+    command->add_flag("--names", parsed.list.namesOnly, "Names only, one a line");
+    command->footer("Examples:\n"
+                    "  boxreel list\n"
+                    "  boxreel list --names | head -3");
+}
+
+void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
+{
+    RecordOptions& record = parsed.record;
+    CLI::App* command = program.add_subcommand("record", "Make a film of a scene");
+    AddScene(*command, record.scene);
+    AddPath(*command, "-o,--output", "FILE", record.output,
+            "The film: .mp4 .mkv .webm .gif, or frames-####.png");
+    AddForce(*command, record.force);
+    AddValue(*command, "--quality", "LEVEL", record.quality,
+             OneOf<Quality>({{"draft", Quality::Draft},
+                             {"standard", Quality::Standard},
+                             {"high", Quality::High},
+                             {"lossless", Quality::Lossless}}),
+             "draft, standard, high, lossless (standard)");
+    AddValue(*command, "--progress", "KIND", record.progress,
+             OneOf<ProgressMode>({{"auto", ProgressMode::Auto},
+                                  {"bar", ProgressMode::Bar},
+                                  {"lines", ProgressMode::Lines},
+                                  {"json", ProgressMode::Json},
+                                  {"none", ProgressMode::None}}),
+             "auto, bar, lines, json, none (auto)");
+    AddValue(*command, "--seconds", "TIME", record.seconds, ParseDuration,
+             "Length of the film (10)")
+        ->group("Time");
+    AddValue(*command, "--frames", "N", record.frames, WholeBetween(1, kMostFrames),
+             "Or its number of frames")
+        ->group("Time");
+    AddValue(*command, "--fps", "RATE", record.framesPerSecond, RatioBetween(0.1, 1000.0),
+             "Frames a second (60)")
+        ->group("Time");
+    AddValue(*command, "--speed", "FACTOR", record.speed, RatioBetween(0.001, 1000.0),
+             "Simulated seconds a second; 0.25 is slow motion (1)")
+        ->group("Time");
+    AddLook(*command, record.look);
+    command->footer(
+        "Examples:\n"
+        "  boxreel record pyramid -o pyramid.mp4\n"
+        "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"
+        "  boxreel record dominos -o frames-####.png --frames 120 --hud\n"
+        "  boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25\n"
+        "  boxreel record machine.json -o machine.webm --camera 0,5,20");
+}
+
+void DeclareShot(CLI::App& program, ParsedOptions& parsed)
+{
+    ShotOptions& shot = parsed.shot;
+    CLI::App* command = program.add_subcommand("shot", "Make one picture of a scene");
+    AddScene(*command, shot.scene);
+    AddPath(*command, "-o,--output", "FILE", shot.output, "The picture, .png");
+    AddForce(*command, shot.force);
+    AddValue(*command, "--at", "TIME", shot.at, ParseDuration, "Simulated time: 3s, 500ms, 2.5")
+        ->group("Time");
+    AddValue(*command, "--step", "N", shot.step, WholeBetween(0, kMostSteps),
+             "Or the number of simulation steps")
+        ->group("Time");
+    AddLook(*command, shot.look);
+    command->footer(
+        "The pixels are those of a film's frame at the same time.\n\n"
+        "Examples:\n"
+        "  boxreel shot pyramid --at 3s -o pyramid.png\n"
+        "  boxreel shot bridge --step 180 -o bridge.png --size 1920x1080 --hud\n"
+        "  boxreel shot chain --at 500ms -o chain.png --draw shapes,joints,aabbs --labels");
+}
+
+void DeclareDiff(CLI::App& program, ParsedOptions& parsed)
+{
+    DiffOptions& diff = parsed.diff;
+    CLI::App* command = program.add_subcommand("diff", "Compare two pictures");
+    AddPath(*command, "A", "", diff.expected, "The picture that is right, .png");
+    AddPath(*command, "B", "", diff.actual, "The picture to judge, .png");
+    AddPath(*command, "-o,--output", "FILE", diff.output,
+            "Write a picture of the differences, .png");
+    AddForce(*command, diff.force);
+    AddValue(
+        *command, "--preset", "NAME", diff.settings,
+        [](const std::string&, const std::string& name) { return CompareSettings::Preset(name); },
+        "same-machine, exact (same-machine)");
+    command->footer("Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
+                    "Examples:\n"
+                    "  boxreel diff before.png after.png\n"
+                    "  boxreel diff before.png after.png --preset exact -o diff.png");
+}
+
+void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
+{
+    GoldenOptions& golden = parsed.golden;
+    CLI::App* command =
+        program.add_subcommand("golden", "Compare the scenes with what was approved");
+    command->require_subcommand(1);
+    command->footer("Examples:\n"
+                    "  boxreel golden verify\n"
+                    "  boxreel golden verify pyramid bridge --output /tmp/failures\n"
+                    "  boxreel golden accept pyramid");
+    CLI::App* verify = command->add_subcommand(
+        "verify", "Simulate, draw and compare; what differs is left to look at");
+    CLI::App* accept = command->add_subcommand("accept", "Make what the scenes show the reference");
+    for (CLI::App* action : {verify, accept})
+    {
+        action->add_option("SCENES", golden.names, "Names of scenes; all when none is given")
+            ->type_name("");
+        AddPath(*action, "--references", "DIR", golden.references,
+                "Folder of what was approved (golden/references)");
+        AddPath(*action, "--output", "DIR", golden.output,
+                "Folder for what differs (build/golden-output)");
+    }
+    verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
+                   "Examples:\n"
+                   "  boxreel golden verify\n"
+                   "  boxreel golden verify pyramid --output /tmp/failures");
+    accept->footer("Look at the pictures before they are committed, and say in the commit why they "
+                   "changed.\n\n"
+                   "Examples:\n"
+                   "  boxreel golden accept\n"
+                   "  boxreel golden accept pyramid bridge");
+    accept->callback([&golden] { golden.accept = true; });
+}
+
+} // namespace boxreel

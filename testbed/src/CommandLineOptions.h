@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "CommandLine.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <functional>
+#include <string>
+
+/// Each command's options, declared to the parser. Private to CommandLine*.cpp.
+namespace boxreel
+{
+
+/// What the options of all commands are read into; only those of the command that was named count.
+struct ParsedOptions
+{
+    ListOptions list;
+    RecordOptions record;
+    ShotOptions shot;
+    DiffOptions diff;
+    GoldenOptions golden;
+};
+
+void DeclareList(CLI::App& program, ParsedOptions& parsed);
+void DeclareRecord(CLI::App& program, ParsedOptions& parsed);
+void DeclareShot(CLI::App& program, ParsedOptions& parsed);
+void DeclareDiff(CLI::App& program, ParsedOptions& parsed);
+void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
+
+/// An option whose text `parse` turns into a value for `target`; a refusal becomes the parser's
+/// error.
+template <class Target, class Parse>
+CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::string& unit,
+                      Target& target, Parse parse, const std::string& help)
+{
+    const std::string name = names.substr(names.rfind(',') + 1);
+    const auto read = [&target, parse, name](const std::string& text) {
+        auto value = parse(name, text);
+        if (!value)
+        {
+            throw CLI::ValidationError(value.GetError().message);
+        }
+        target = static_cast<Target>(*value);
+    };
+    CLI::Option* option = command.add_option_function<std::string>(names, read, help);
+    option->type_name(unit);
+    return option;
+}
+
+/// Options that decide what a picture of a scene looks like, shared by record and shot.
+void AddLook(CLI::App& command, SceneLook& look);
+
+} // namespace boxreel

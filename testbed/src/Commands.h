@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Progress.h"
+#include "SceneSession.h"
+#include "Values.h"
+
+#include <golden/Compare.h>
+#include <recorder/VideoWriter.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The commands of the program, one file each: what they take, and what they do. They write to the
+/// terminal and to the files they are given, and return the exit code or what went wrong.
+namespace boxreel
+{
+
+struct ListOptions
+{
+    bool namesOnly = false;
+};
+
+struct RecordOptions
+{
+    std::string scene; ///< a name or a file
+    std::filesystem::path output;
+    SceneLook look;
+    std::optional<Duration> seconds;    ///< length of the film …
+    std::optional<std::int64_t> frames; ///< … or its number of frames; neither: 10 s
+    Rational framesPerSecond{60, 1};
+    Rational speed{1, 1}; ///< simulated seconds per second of film
+    Quality quality = Quality::Standard;
+    bool force = false;
+    ProgressMode progress = ProgressMode::Auto;
+};
+
+struct ShotOptions
+{
+    std::string scene; ///< a name or a file
+    std::filesystem::path output;
+    SceneLook look;
+    std::optional<Duration> at;       ///< simulated time …
+    std::optional<std::int64_t> step; ///< … or number of steps
+    bool force = false;
+};
+
+struct DiffOptions
+{
+    std::filesystem::path expected;
+    std::filesystem::path actual;
+    std::filesystem::path output; ///< of the difference image; empty: none
+    CompareSettings settings;
+    bool force = false;
+};
+
+struct GoldenOptions
+{
+    bool accept = false;            ///< else verify
+    std::vector<std::string> names; ///< of scenes; empty: all
+    std::filesystem::path
+        references; ///< empty: golden/references of the checkout around the current folder
+    std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
+};
+
+Result<int> RunList(const ListOptions& options);
+Result<int> RunRecord(const RecordOptions& options);
+Result<int> RunShot(const ShotOptions& options);
+Result<int> RunDiff(const DiffOptions& options);
+Result<int> RunGolden(const GoldenOptions& options);
+
+} // namespace boxreel

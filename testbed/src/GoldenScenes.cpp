@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "GoldenScenes.h"
+
+#include "SceneSession.h"
+#include "Values.h"
+
+#include <golden/StateHash.h>
+
+namespace boxreel
+{
+namespace
+{
+
+struct Moment
+{
+    const char* name;
+    Duration time;
+};
+
+// While it starts, while it is busy, and when most scenes have shown what they are known for.
+constexpr Moment kMoments[] = {
+    {"0.5s", Duration{500'000'000}},
+    {"2s", Duration{2'000'000'000}},
+    {"5s", Duration{5'000'000'000}},
+};
+
+Result<GoldenCandidate> CandidateOf(const std::string& name, SceneSession& session,
+                                    Renderer& renderer)
+{
+    FrameContent content;
+    session.Fill(content);
+    GoldenCandidate candidate;
+    candidate.name = name;
+    candidate.stateHash = StateHashText(session.World());
+    const Result<void> drawn = renderer.Draw(content.list, content.camera, candidate.frame);
+    if (!drawn)
+    {
+        return drawn.GetError();
+    }
+    candidate.list = std::move(content.list);
+    return candidate;
+}
+
+} // namespace
+
+Result<Renderer> CreateGoldenRenderer()
+{
+    return Renderer::Create({.width = kGoldenWidth, .height = kGoldenHeight});
+}
+
+Result<void> VisitGoldenMoments(const SceneEntry& entry, Renderer& renderer,
+                                const std::function<Result<void>(const GoldenCandidate&)>& visit)
+{
+    SceneLook look;
+    look.width = kGoldenWidth;
+    look.height = kGoldenHeight;
+    SceneSource source;
+    source.entry = &entry;
+    source.title = entry.name;
+    Result<SceneSession> session = SceneSession::Open(std::move(source), look);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    for (const Moment& moment : kMoments)
+    {
+        session->AdvanceTo(StepAt(moment.time, session->StepsPerSecond()));
+        const Result<GoldenCandidate> candidate =
+            CandidateOf(SceneSlug(entry.name) + "/" + moment.name, *session, renderer);
+        if (!candidate)
+        {
+            return candidate.GetError();
+        }
+        Result<void> visited = visit(*candidate);
+        if (!visited)
+        {
+            return visited;
+        }
+    }
+    return {};
+}
+
+Result<std::vector<GoldenVerdict>>
+VerifyGoldenScene(const SceneEntry& entry, const ReferenceStore& store, Renderer& renderer)
+{
+    std::vector<GoldenVerdict> verdicts;
+    const auto verify = [&](const GoldenCandidate& candidate) -> Result<void> {
+        Result<GoldenVerdict> verdict = store.Verify(candidate);
+        if (!verdict)
+        {
+            return verdict.GetError();
+        }
+        verdicts.push_back(std::move(*verdict));
+        return {};
+    };
+    const Result<void> visited = VisitGoldenMoments(entry, renderer, verify);
+    if (!visited)
+    {
+        return visited.GetError();
+    }
+    return verdicts;
+}
+
+Result<int> AcceptGoldenScene(const SceneEntry& entry, const ReferenceStore& store,
+                              Renderer& renderer)
+{
+    int accepted = 0;
+    const auto accept = [&](const GoldenCandidate& candidate) -> Result<void> {
+        ++accepted;
+        return store.Accept(candidate);
+    };
+    const Result<void> visited = VisitGoldenMoments(entry, renderer, accept);
+    if (!visited)
+    {
+        return visited.GetError();
+    }
+    return accepted;
+}
+
+} // namespace boxreel

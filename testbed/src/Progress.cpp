@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "Progress.h"
+
+#include "Terminal.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace boxreel
+{
+namespace
+{
+
+// Often enough to look alive, seldom enough to cost nothing.
+constexpr double kSecondsBetweenBars = 0.1;
+constexpr double kSecondsBetweenObjects = 0.5;
+
+template <class... Values>
+std::string Format(const char* format, Values... values)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+long long Printable(std::int64_t value)
+{
+    return value;
+}
+
+double Share(const RecordingProgress& progress)
+{
+    return double(progress.framesDone) / double(std::max<std::int64_t>(1, progress.framesTotal));
+}
+
+int Percent(const RecordingProgress& progress)
+{
+    return static_cast<int>(100 * progress.framesDone /
+                            std::max<std::int64_t>(1, progress.framesTotal));
+}
+
+double FramesPerSecond(const RecordingProgress& progress, double seconds)
+{
+    return seconds > 0.0 ? double(progress.framesDone) / seconds : 0.0;
+}
+
+/// "0:07", "12:34", "1:02:03".
+std::string TimeText(double seconds)
+{
+    const long long whole = static_cast<long long>(seconds + 0.5);
+    if (whole >= 3600)
+    {
+        return Format("%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
+    }
+    return Format("%lld:%02lld", whole / 60, whole % 60);
+}
+
+std::string Remaining(const RecordingProgress& progress, double seconds)
+{
+    if (progress.framesDone == 0)
+    {
+        return "-:--";
+    }
+    const double perFrame = seconds / double(progress.framesDone);
+    return TimeText(perFrame * double(progress.framesTotal - progress.framesDone));
+}
+
+std::string Counts(const RecordingProgress& progress, double seconds)
+{
+    return Format("%lld/%lld frames, %.0f fps, %s left", Printable(progress.framesDone),
+                  Printable(progress.framesTotal), FramesPerSecond(progress, seconds),
+                  Remaining(progress, seconds).c_str());
+}
+
+std::string BytesText(std::int64_t bytes)
+{
+    if (bytes >= 1'000'000)
+    {
+        return Format("%.1f MB", double(bytes) / 1e6);
+    }
+    return bytes >= 1000 ? Format("%.0f kB", double(bytes) / 1e3)
+                         : Format("%lld bytes", Printable(bytes));
+}
+
+/// A JSON string with its quotes. Bytes above ASCII pass as they are: names are UTF-8 here.
+std::string JsonString(const std::string& text)
+{
+    std::string quoted = "\"";
+    for (const char c : text)
+    {
+        if (c == '"' || c == '\\')
+        {
+            quoted += '\\';
+            quoted += c;
+        }
+        else if (static_cast<unsigned char>(c) < 0x20)
+        {
+            quoted += Format("\\u%04x", static_cast<unsigned>(c));
+        }
+        else
+        {
+            quoted += c;
+        }
+    }
+    return quoted + '"';
+}
+
+} // namespace
+
+std::string ProgressBarText(const RecordingProgress& progress, double seconds, int columns)
+{
+    const std::string percent = Format("%3d%% ", Percent(progress));
+    const std::string counts = Counts(progress, seconds);
+    // The last column stays free: a terminal that wraps there would leave the bar behind.
+    const int room = columns - 1 - static_cast<int>(percent.size() + counts.size()) - 3;
+    if (room < 8)
+    {
+        return (percent + counts).substr(0, static_cast<std::size_t>(std::max(1, columns - 1)));
+    }
+    const int length = std::min(room, 40);
+    const int filled = static_cast<int>(Share(progress) * length);
+    return percent + "[" + std::string(static_cast<std::size_t>(filled), '#') +
+           std::string(static_cast<std::size_t>(length - filled), '.') + "] " + counts;
+}
+
+std::string ProgressLineText(const RecordingProgress& progress, double seconds)
+{
+    return Format("%3d%%  ", Percent(progress)) + Counts(progress, seconds);
+}
+
+std::string ProgressJsonText(const RecordingProgress& progress, double seconds)
+{
+    return Format("{\"event\":\"progress\",\"frames\":%lld,\"total\":%lld,\"seconds\":%.3f}",
+                  Printable(progress.framesDone), Printable(progress.framesTotal), seconds);
+}
+
+std::string ReportText(const FilmReport& report)
+{
+    std::string text =
+        report.file.string() + Format(": %lld frames of %dx%d at %g fps", Printable(report.frames),
+                                      report.width, report.height, report.framesPerSecond);
+    if (report.bytes >= 0)
+    {
+        text += ", " + BytesText(report.bytes);
+    }
+    return text + Format(", made in %.1f s", report.seconds);
+}
+
+std::string ReportJsonText(const FilmReport& report)
+{
+    std::string text = "{\"event\":\"done\",\"file\":" + JsonString(report.file.string());
+    text += Format(",\"frames\":%lld,\"width\":%d,\"height\":%d,\"fps\":%g",
+                   Printable(report.frames), report.width, report.height, report.framesPerSecond);
+    if (report.bytes >= 0)
+    {
+        text += Format(",\"bytes\":%lld", Printable(report.bytes));
+    }
+    return text + Format(",\"seconds\":%.3f}", report.seconds);
+}
+
+Progress::Progress(ProgressMode mode) : m_mode(mode)
+{
+    if (mode == ProgressMode::Auto)
+    {
+        m_mode = IsTerminal(stderr) ? ProgressMode::Bar : ProgressMode::Lines;
+    }
+}
+
+double Progress::Seconds() const
+{
+    return std::chrono::duration<double>(Clock::now() - m_start).count();
+}
+
+void Progress::Update(const RecordingProgress& progress)
+{
+    const double now = Seconds();
+    const bool isLast = progress.framesDone >= progress.framesTotal;
+    const double since = m_lastWritten < 0.0 ? 1e9 : now - m_lastWritten;
+    const std::int64_t tenth =
+        10 * progress.framesDone / std::max<std::int64_t>(1, progress.framesTotal);
+    if (m_mode == ProgressMode::Bar && (isLast || since >= kSecondsBetweenBars))
+    {
+        const std::string bar = ProgressBarText(progress, now, TerminalColumns(stderr));
+        const std::string rest(m_shownLength > bar.size() ? m_shownLength - bar.size() : 0, ' ');
+        std::fprintf(stderr, "\r%s%s", bar.c_str(), rest.c_str());
+        m_shownLength = bar.size();
+        m_lastWritten = now;
+    }
+    else if (m_mode == ProgressMode::Lines && tenth > m_lastTenth)
+    {
+        WriteMessage(ProgressLineText(progress, now));
+        m_lastTenth = tenth;
+    }
+    else if (m_mode == ProgressMode::Json && (isLast || since >= kSecondsBetweenObjects))
+    {
+        WriteMessage(ProgressJsonText(progress, now));
+        m_lastWritten = now;
+    }
+}
+
+void Progress::Clear()
+{
+    if (m_shownLength > 0)
+    {
+        std::fprintf(stderr, "\r%s\r", std::string(m_shownLength, ' ').c_str());
+        m_shownLength = 0;
+    }
+}
+
+void Progress::Finish(const FilmReport& report)
+{
+    Clear();
+    if (m_mode == ProgressMode::Json)
+    {
+        WriteMessage(ReportJsonText(report));
+    }
+    else if (m_mode != ProgressMode::None)
+    {
+        WriteMessage(ReportText(report));
+    }
+}
+
+} // namespace boxreel

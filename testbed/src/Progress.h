@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <recorder/Recording.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+/// How far a film is, on standard error: a bar for a person at a terminal, lines for a log, JSON
+/// objects for a program. Never touches standard output.
+namespace boxreel
+{
+
+enum class ProgressMode
+{
+    Auto, ///< Bar on a terminal, Lines elsewhere
+    Bar,
+    Lines,
+    Json,
+    None,
+};
+
+/// What was made, for the last line.
+struct FilmReport
+{
+    std::filesystem::path file;
+    std::int64_t frames = 0;
+    int width = 0;  ///< [px]
+    int height = 0; ///< [px]
+    double framesPerSecond = 60.0;
+    double seconds = 0.0;    ///< that making it took
+    std::int64_t bytes = -1; ///< of the file; -1: not one file
+};
+
+/// The texts, without line ends. `seconds`: since the first frame was begun.
+std::string ProgressBarText(const RecordingProgress& progress, double seconds, int columns);
+std::string ProgressLineText(const RecordingProgress& progress, double seconds);
+std::string ProgressJsonText(const RecordingProgress& progress, double seconds);
+std::string ReportText(const FilmReport& report);
+std::string ReportJsonText(const FilmReport& report);
+
+class Progress
+{
+public:
+    explicit Progress(ProgressMode mode);
+
+    /// Writes when there is news: a few times a second, or once every tenth of the film.
+    void Update(const RecordingProgress& progress);
+
+    /// Clears what a line feed has not ended yet, so that a message starts in a column of its own.
+    void Clear();
+
+    /// The last line.
+    void Finish(const FilmReport& report);
+
+    double Seconds() const; ///< since construction
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    ProgressMode m_mode;
+    Clock::time_point m_start = Clock::now();
+    double m_lastWritten = -1.0;   // seconds since the start
+    std::int64_t m_lastTenth = 0;  // of the film, in lines
+    std::size_t m_shownLength = 0; // of the bar that stands in the terminal's last line
+};
+
+} // namespace boxreel

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "SceneSession.h"
+
+#include "SceneBounds.h"
+#include "SceneLabels.h"
+
+#include <debugdraw/DrawCollector.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+Camera FixedCamera(const FixedView& view, int width, int height)
+{
+    Camera camera;
+    camera.width = width;
+    camera.height = height;
+    camera.centerX = view.centerX;
+    camera.centerY = view.centerY;
+    camera.pixelsPerMeter = height / view.height;
+    return camera;
+}
+
+/// A number with `decimals` digits after the point, whatever the locale of the program.
+std::string Decimals(double value, int decimals)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+double StepSeconds(const Rational& stepsPerSecond)
+{
+    return double(stepsPerSecond.den) / double(stepsPerSecond.num);
+}
+
+/// A scene states a time step in single precision: 1/60 is meant when the nearest float to it is
+/// there.
+Rational RateOf(float32 timeStep)
+{
+    const std::int64_t thousandths =
+        std::max<std::int64_t>(1, std::llround(1000.0 / double(timeStep)));
+    const std::int64_t common = std::gcd<std::int64_t>(thousandths, 1000);
+    return Rational{thousandths / common, 1000 / common};
+}
+
+} // namespace
+
+SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look)
+    : m_scene(std::move(scene)), m_title(std::move(title)), m_look(look)
+{
+    m_stepSettings = m_scene->PreferredSteps();
+    m_stepsPerSecond = look.stepsPerSecond.value_or(RateOf(m_stepSettings.timeStep));
+    m_stepSettings.timeStep = static_cast<float32>(StepSeconds(m_stepsPerSecond));
+    m_stepSettings.velocityIterations =
+        look.velocityIterations.value_or(m_stepSettings.velocityIterations);
+    m_stepSettings.positionIterations =
+        look.positionIterations.value_or(m_stepSettings.positionIterations);
+    if (look.view)
+    {
+        m_fixedCamera = FixedCamera(*look.view, look.width, look.height);
+    }
+    else
+    {
+        m_fitCamera.emplace(look.width, look.height, BoundsAtStart(m_scene->World()));
+    }
+}
+
+Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& look)
+{
+    if (source.entry != nullptr)
+    {
+        source.scene = source.entry->create(SceneSettings{look.seed});
+    }
+    SceneSession session(std::move(source.scene), std::move(source.title), look);
+    if (look.hud)
+    {
+        Result<Hud> hud = Hud::Create(look.width, look.height);
+        if (!hud)
+        {
+            return hud.GetError();
+        }
+        session.m_hud.emplace(std::move(*hud));
+    }
+    return session;
+}
+
+void SceneSession::AdvanceTo(std::int64_t step)
+{
+    while (m_step < step)
+    {
+        StepOnce();
+    }
+}
+
+void SceneSession::StepOnce()
+{
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    m_scene->Step(m_stepSettings);
+    ++m_step;
+    if (m_look.hudMilliseconds)
+    {
+        const double taken =
+            std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        m_stepMilliseconds = m_step == 1 ? taken : 0.9 * m_stepMilliseconds + 0.1 * taken;
+    }
+    if (m_fitCamera)
+    {
+        m_fitCamera->Update(BoundsOfMovers(m_scene->World()), StepSeconds(m_stepsPerSecond));
+    }
+}
+
+void SceneSession::Fill(FrameContent& content)
+{
+    b2World& world = m_scene->World();
+    DrawCollector collector(content.list);
+    collector.SetFlags(m_look.drawFlags);
+    world.SetDebugDraw(&collector);
+    world.DrawDebugData();
+    world.SetDebugDraw(nullptr);
+    content.camera = m_fitCamera ? m_fitCamera->View() : m_fixedCamera;
+    if (m_look.labels)
+    {
+        AddBodyNumbers(world, content.camera.pixelsPerMeter, content.list);
+    }
+    if (m_hud)
+    {
+        content.overlay = m_hud->Build(DescribeState());
+    }
+}
+
+HudContent SceneSession::DescribeState() const
+{
+    const b2World& world = World();
+    HudContent content;
+    content.title = m_title;
+    content.rows = {{"time", Decimals(double(m_step) * StepSeconds(m_stepsPerSecond), 3) + " s"},
+                    {"step", std::to_string(m_step)},
+                    {"bodies", std::to_string(world.GetBodyCount())},
+                    {"contacts", std::to_string(world.GetContactCount())}};
+    if (m_look.hudMilliseconds)
+    {
+        content.rows.emplace_back("ms per step", Decimals(m_stepMilliseconds, 2));
+    }
+    return content;
+}
+
+} // namespace boxreel

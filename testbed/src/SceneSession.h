@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "SceneSearch.h"
+
+#include <debugdraw/Camera.h>
+#include <debugdraw/Result.h>
+#include <recorder/FrameClock.h>
+#include <recorder/Recording.h>
+#include <render/Overlay.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+/// A scene being shown: simulated step by step, looked at by a camera, described by a panel. Films,
+/// stills and golden candidates all come from here, which is why a still has the very pixels that a
+/// film has at that time. Knows no files and no pixels of its own; never prints.
+namespace boxreel
+{
+
+/// A camera that stays where it is.
+struct FixedView
+{
+    double centerX = 0.0; ///< [m]
+    double centerY = 0.0; ///< [m]
+    double height = 50.0; ///< of the visible area [m], above 0
+    friend bool operator==(const FixedView&, const FixedView&) = default;
+};
+
+/// How a scene is simulated and what its picture shows.
+struct SceneLook
+{
+    int width = 1280;                       ///< [px]
+    int height = 720;                       ///< [px]
+    std::optional<Rational> stepsPerSecond; ///< none of these three: as the scene prefers,
+    std::optional<int> velocityIterations;  ///< which is 60, 8 and 3 unless it says otherwise
+    std::optional<int> positionIterations;
+    std::uint32_t seed = 1;
+    std::optional<FixedView> view; ///< none: the camera keeps in view what moves
+    std::uint32_t drawFlags = b2Draw::e_shapeBit | b2Draw::e_jointBit;
+    bool labels = false;          ///< the number of each body at its centre of mass
+    bool hud = false;             ///< a panel with time, step and counts
+    bool hudMilliseconds = false; ///< and the time a step took, which no two runs share
+};
+
+class SceneSession
+{
+public:
+    static Result<SceneSession> Open(SceneSource source, const SceneLook& look);
+
+    /// Simulates up to `step` (0: as created). Steps that lie behind are no mistake: nothing
+    /// happens.
+    void AdvanceTo(std::int64_t step);
+
+    /// What the picture of this step shows. Expects an empty list.
+    void Fill(FrameContent& content);
+
+    std::int64_t Step() const { return m_step; }
+    const Rational& StepsPerSecond() const { return m_stepsPerSecond; }
+    const std::string& Title() const { return m_title; }
+    const b2World& World() const { return m_scene->World(); }
+
+private:
+    SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look);
+    void StepOnce();
+    HudContent DescribeState() const;
+
+    std::unique_ptr<Scene> m_scene;
+    std::string m_title;
+    SceneLook m_look;
+    Rational m_stepsPerSecond;
+    StepSettings m_stepSettings;
+    Camera m_fixedCamera;                 // used when the look names a view
+    std::optional<FitCamera> m_fitCamera; // used when it does not
+    std::optional<Hud> m_hud;
+    std::int64_t m_step = 0;
+    double m_stepMilliseconds = 0.0; // of the last step, smoothed
+};
+
+} // namespace boxreel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// While one exists, SIGINT, SIGTERM and SIGHUP ask for an orderly stop instead of ending the
+/// program; a second one of the kind ends it at once. A signal that the parent process has switched
+/// off (nohup, a job in the background) stays off. A write beyond a limit of file size becomes an
+/// error of that write. One at a time, in the main thread.
+namespace boxreel
+{
+
+class StopSignals
+{
+public:
+    StopSignals();
+    ~StopSignals();
+    StopSignals(const StopSignals&) = delete;
+    StopSignals& operator=(const StopSignals&) = delete;
+
+    /// The signal that came, or 0.
+    static int Caught();
+};
+
+} // namespace boxreel

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "CommandLine.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+/// The request of a command line written as a person would, words apart by spaces.
+Result<Request> Parse(const std::string& line)
+{
+    std::istringstream words(line);
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word;)
+    {
+        arguments.push_back(word);
+    }
+    return ParseCommandLine(arguments);
+}
+
+template <class Options>
+Options Parsed(const std::string& line)
+{
+    Result<Request> request = Parse(line);
+    if (!request)
+    {
+        ADD_FAILURE() << line << ": " << request.GetError().message;
+        return {};
+    }
+    return std::get<Options>(*request);
+}
+
+std::string Refusal(const std::string& line)
+{
+    const Result<Request> request = Parse(line);
+    if (request)
+    {
+        return "accepted: " + line;
+    }
+    EXPECT_EQ(request.GetError().kind, ErrorKind::Unusable) << line;
+    return request.GetError().message;
+}
+
+TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
+{
+    const RecordOptions options = Parsed<RecordOptions>("record pyramid -o pyramid.mp4");
+    EXPECT_EQ(options.scene, "pyramid");
+    EXPECT_EQ(options.output, "pyramid.mp4");
+    EXPECT_FALSE(options.seconds || options.frames) << "ten seconds, unless said";
+    EXPECT_EQ(options.framesPerSecond, (Rational{60, 1}));
+    EXPECT_EQ(options.speed, (Rational{1, 1}));
+    EXPECT_EQ(options.quality, Quality::Standard);
+    EXPECT_EQ(options.progress, ProgressMode::Auto);
+    EXPECT_FALSE(options.force);
+    EXPECT_EQ(options.look.width, 1280);
+    EXPECT_EQ(options.look.height, 720);
+    EXPECT_FALSE(options.look.stepsPerSecond || options.look.velocityIterations ||
+                 options.look.positionIterations)
+        << "as the scene prefers";
+    EXPECT_EQ(options.look.seed, 1u);
+    EXPECT_FALSE(options.look.view) << "the camera keeps in view what moves";
+    EXPECT_FALSE(options.look.hud);
+}
+
+TEST(CommandLine, RecordReadsEveryOption)
+{
+    const RecordOptions options =
+        Parsed<RecordOptions>("record --seconds 2.5 --fps 29.97 --hz 240 --size 640x480 --speed "
+                              "0.25 --seed 7 --quality lossless --force "
+                              "--progress json --velocity-iterations 10 --position-iterations 4 "
+                              "--camera -5,2.5,20 --draw shapes,aabbs "
+                              "--labels --hud -o film.mkv bridge");
+    EXPECT_EQ(options.scene, "bridge");
+    EXPECT_EQ(options.seconds, Duration{2'500'000'000});
+    EXPECT_EQ(options.framesPerSecond, (Rational{2997, 100}));
+    EXPECT_EQ(options.speed, (Rational{1, 4}));
+    EXPECT_EQ(options.quality, Quality::Lossless);
+    EXPECT_EQ(options.progress, ProgressMode::Json);
+    EXPECT_TRUE(options.force);
+    EXPECT_EQ(options.look.width, 640);
+    EXPECT_EQ(options.look.height, 480);
+    EXPECT_EQ(options.look.stepsPerSecond, (Rational{240, 1}));
+    EXPECT_EQ(options.look.seed, 7u);
+    EXPECT_EQ(options.look.velocityIterations, 10);
+    EXPECT_EQ(options.look.positionIterations, 4);
+    EXPECT_EQ(options.look.view, (FixedView{-5.0, 2.5, 20.0}));
+    EXPECT_EQ(options.look.drawFlags, std::uint32_t(b2Draw::e_shapeBit | b2Draw::e_aabbBit));
+    EXPECT_TRUE(options.look.labels);
+    EXPECT_TRUE(options.look.hud);
+}
+
+TEST(CommandLine, MillisecondsOfAStepComeWithThePanel)
+{
+    EXPECT_TRUE(Parsed<ShotOptions>("shot bridge --at 1s -o a.png --hud-ms").look.hud);
+}
+
+TEST(CommandLine, ShotTakesATimeOrAStep)
+{
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --at 500ms -o a.png").at, Duration{500'000'000});
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 180 -o a.png").step, 180);
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 0 -o a.png").step, 0);
+}
+
+TEST(CommandLine, GoldenTakesNamesAndFolders)
+{
+    const GoldenOptions verify =
+        Parsed<GoldenOptions>("golden verify pyramid bridge --references r --output o");
+    EXPECT_FALSE(verify.accept);
+    EXPECT_THAT(verify.names, testing::ElementsAre("pyramid", "bridge"));
+    EXPECT_EQ(verify.references, "r");
+    EXPECT_EQ(verify.output, "o");
+    EXPECT_TRUE(Parsed<GoldenOptions>("golden accept").accept);
+}
+
+TEST(CommandLine, DiffTakesTwoPicturesAndAPreset)
+{
+    const DiffOptions diff = Parsed<DiffOptions>("diff a.png b.png --preset exact -o d.png");
+    EXPECT_EQ(diff.expected, "a.png");
+    EXPECT_EQ(diff.actual, "b.png");
+    EXPECT_EQ(diff.output, "d.png");
+    EXPECT_EQ(diff.settings.preset, "exact");
+    EXPECT_EQ(Parsed<DiffOptions>("diff a.png b.png").settings.preset, "same-machine");
+}
+
+TEST(CommandLine, AMistypedWordSuggestsTheNearest)
+{
+    EXPECT_EQ(
+        Refusal("recrod pyramid"),
+        "Unknown command 'recrod'; did you mean 'record'? `boxreel --help` shows what there is.");
+    EXPECT_EQ(Refusal("record pyramid --secnds 5"),
+              "Unknown option '--secnds'; did you mean '--seconds'? `boxreel record --help` shows "
+              "what there is.");
+    EXPECT_EQ(Refusal("golden verfy"), "Unknown command 'verfy'; did you mean 'verify'? `boxreel "
+                                       "golden --help` shows what there is.");
+    EXPECT_EQ(Refusal("shot --sise=3x3"), "Unknown option '--sise'; did you mean '--size'? "
+                                          "`boxreel shot --help` shows what there is.");
+}
+
+TEST(CommandLine, WhatIsLikeNothingSuggestsTheHelp)
+{
+    EXPECT_EQ(Refusal("list --xylophone"),
+              "Unknown option '--xylophone'; `boxreel list --help` shows what there is.");
+    EXPECT_EQ(Refusal("list -x"),
+              "Unknown option '-x'; `boxreel list --help` shows what there is.");
+    EXPECT_EQ(Refusal("shot a b --at 1s -o x.png"),
+              "'b' is one word too many; `boxreel shot --help` shows what there is.");
+}
+
+TEST(CommandLine, WhatIsMissingIsNamed)
+{
+    EXPECT_THAT(Refusal("record"), HasSubstr("Say which scene"));
+    EXPECT_THAT(Refusal("record pyramid"), HasSubstr("-o film.mp4"));
+    EXPECT_THAT(Refusal("shot"), HasSubstr("Say which scene"));
+    EXPECT_THAT(Refusal("shot pyramid -o a.png"), HasSubstr("--at 3s or --step 180"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s"), HasSubstr("-o picture.png"));
+    EXPECT_THAT(Refusal("diff a.png"), HasSubstr("Name two pictures"));
+    EXPECT_EQ(Refusal("golden"),
+              "Say what to do: verify, accept; `boxreel golden --help` tells more.");
+    EXPECT_EQ(Refusal("record pyramid -o"), "--output needs a value.");
+    EXPECT_EQ(Refusal("record pyramid --seed="), "--seed needs a value.");
+}
+
+TEST(CommandLine, ContradictionsAreRefused)
+{
+    EXPECT_THAT(Refusal("record pyramid -o a.mp4 --seconds 3 --frames 10"),
+                HasSubstr("--seconds and --frames"));
+    EXPECT_THAT(Refusal("shot pyramid -o a.png --at 3s --step 10"), HasSubstr("--at and --step"));
+    EXPECT_EQ(Refusal("shot pyramid -o a.png --at 3s --at 4s"),
+              "--at is given more than once; give it once.");
+}
+
+TEST(CommandLine, ValuesOutOfRangeAreRefused)
+{
+    const std::string record = "record pyramid -o a.mp4 ";
+    for (const char* bad : {"--seconds 0",
+                            "--seconds -1",
+                            "--seconds nan",
+                            "--seconds 10x",
+                            "--frames 0",
+                            "--frames 1000000000000",
+                            "--frames 1.5",
+                            "--fps 0",
+                            "--fps -60",
+                            "--fps inf",
+                            "--fps 100000",
+                            "--hz 0",
+                            "--hz 60hz",
+                            "--speed 0",
+                            "--speed -1",
+                            "--size 0x720",
+                            "--size 9999x720",
+                            "--size 1280",
+                            "--seed -1",
+                            "--seed 4294967296",
+                            "--quality best",
+                            "--progress fancy",
+                            "--velocity-iterations 0",
+                            "--position-iterations 9999",
+                            "--camera 1,2",
+                            "--camera 1,2,0",
+                            "--camera 1,2,-5",
+                            "--camera 1,2,nan",
+                            "--camera 1e9,0,5",
+                            "--camera fot",
+                            "--draw",
+                            "--draw shapes,,joints",
+                            "--draw everything"})
+    {
+        const std::string option = std::string(bad).substr(0, std::string(bad).find(' '));
+        EXPECT_THAT(Refusal(record + bad), testing::StartsWith(option)) << bad;
+    }
+    EXPECT_THAT(Refusal("shot pyramid -o a.png --at -3s"), testing::StartsWith("--at -3s"));
+    EXPECT_THAT(Refusal("shot pyramid -o a.png --step -1"), testing::StartsWith("--step -1"));
+    EXPECT_THAT(Refusal("diff a.png b.png --preset sloppy"), HasSubstr("sloppy"));
+}
+
+TEST(CommandLine, EveryRefusalIsOneSentence)
+{
+    for (const char* line :
+         {"recrod", "record", "record pyramid --size 0x0 -o a.mp4", "list --nmaes", "golden"})
+    {
+        EXPECT_EQ(Refusal(line).find('\n'), std::string::npos) << line;
+    }
+}
+
+TEST(CommandLine, NothingAtAllShowsTheHelp)
+{
+    EXPECT_THAT(Parsed<TextRequest>("").text, HasSubstr("record"));
+}
+
+TEST(CommandLine, HelpNamesEveryCommand)
+{
+    const std::string help = Parsed<TextRequest>("--help").text;
+    for (const char* command :
+         {"list", "record", "shot", "diff", "golden", "--version", "Examples:"})
+    {
+        EXPECT_THAT(help, HasSubstr(command));
+    }
+}
+
+TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
+{
+    const std::vector<std::string> look{"--size",
+                                        "--camera",
+                                        "--draw",
+                                        "--labels",
+                                        "--hud",
+                                        "--hud-ms",
+                                        "--hz",
+                                        "--seed",
+                                        "--velocity-iterations",
+                                        "--position-iterations"};
+    std::vector<std::string> record{"-o,--output", "--seconds", "--frames", "--fps",
+                                    "--speed",     "--quality", "--force",  "--progress"};
+    std::vector<std::string> shot{"-o,--output", "--at", "--step", "--force"};
+    record.insert(record.end(), look.begin(), look.end());
+    shot.insert(shot.end(), look.begin(), look.end());
+    const std::pair<std::string, std::vector<std::string>> commands[] = {
+        {"list", {"--names"}},
+        {"record", record},
+        {"shot", shot},
+        {"diff", {"-o,--output", "--preset", "--force"}},
+        {"golden", {"verify", "accept"}},
+        {"golden verify", {"--references", "--output"}},
+        {"golden accept", {"--references", "--output"}},
+    };
+    for (const auto& [command, options] : commands)
+    {
+        const std::string help = Parsed<TextRequest>(command + " --help").text;
+        EXPECT_THAT(help, HasSubstr("  boxreel " + command)) << "an example of " << command;
+        for (const std::string& option : options)
+        {
+            EXPECT_THAT(help, HasSubstr("\n  " + option)) << command;
+        }
+        EXPECT_EQ(Parsed<TextRequest>("help " + command).text, help);
+    }
+}
+
+TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
+{
+    EXPECT_THAT(Parsed<TextRequest>("--help").text, HasSubstr("Usage: boxreel COMMAND\n"));
+    EXPECT_THAT(Parsed<TextRequest>("record --help").text,
+                HasSubstr("Usage: boxreel record SCENE [OPTIONS]\n"));
+    EXPECT_THAT(Parsed<TextRequest>("diff --help").text,
+                HasSubstr("Usage: boxreel diff A B [OPTIONS]\n"));
+    EXPECT_THAT(Parsed<TextRequest>("golden verify --help").text,
+                HasSubstr("Usage: boxreel golden verify [SCENES...] [OPTIONS]\n"));
+}
+
+TEST(CommandLine, HelpFitsATerminalOfHundredColumns)
+{
+    for (const char* command :
+         {"", "list", "record", "shot", "diff", "golden", "golden verify", "golden accept"})
+    {
+        std::istringstream help(Parsed<TextRequest>(std::string(command) + " --help").text);
+        for (std::string line; std::getline(help, line);)
+        {
+            EXPECT_LE(line.size(), 100u) << line;
+        }
+    }
+}
+
+TEST(CommandLine, VersionIsOneLine)
+{
+    EXPECT_EQ(Parsed<TextRequest>("--version").text, "boxreel " BOXREEL_VERSION "\n");
+}
+
+} // namespace
+} // namespace boxreel

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// The real program: exit codes, messages, and what lies in the folder afterwards.
+#include "Subprocess.h"
+
+#include <render/Png.h>
+#include <scenes/Scene.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <unistd.h>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Command : public testing::Test
+{
+protected:
+    Outcome Run(const std::vector<std::string>& arguments) const
+    {
+        return RunBoxreel(arguments, folder.Path());
+    }
+
+    /// Runs what cannot work: the code, one sentence that names the culprit, nothing left behind.
+    void ExpectRefusal(const std::vector<std::string>& arguments, int code,
+                       const std::string& culprit) const
+    {
+        const std::vector<std::string> before = folder.Files();
+        const Outcome outcome = Run(arguments);
+        const std::string line = testing::PrintToString(arguments);
+        EXPECT_EQ(outcome.code, code) << line << "\n" << outcome.errors;
+        EXPECT_THAT(outcome.errors, testing::StartsWith("boxreel: ")) << line;
+        EXPECT_THAT(outcome.errors, HasSubstr(culprit)) << line;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
+            << line << "\n"
+            << outcome.errors;
+        EXPECT_EQ(outcome.output, "") << line;
+        EXPECT_EQ(folder.Files(), before) << line;
+    }
+
+    std::string Write(const std::string& name, const std::string& content) const
+    {
+        std::ofstream(folder / name, std::ios::binary) << content;
+        return name;
+    }
+
+    std::string Picture(const std::string& name, int width, int height, std::uint8_t gray) const
+    {
+        Frame frame(width, height);
+        std::fill(frame.rgba.begin(), frame.rgba.end(), gray);
+        for (std::size_t i = 3; i < frame.rgba.size(); i += 4)
+        {
+            frame.rgba[i] = 255;
+        }
+        EXPECT_TRUE(WritePng(folder / name, frame));
+        return name;
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Command, ListNamesPrintsOneNameALineAndNothingElse)
+{
+    const Outcome outcome = Run({"list", "--names"});
+    std::string expected;
+    for (const SceneEntry& entry : AllScenes())
+    {
+        expected += std::string(entry.name) + "\n";
+    }
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.output, expected);
+    EXPECT_EQ(outcome.errors, "");
+}
+
+TEST_F(Command, ListShowsCategoryNameAndSummaryWithoutColoursInAFile)
+{
+    const Outcome outcome = Run({"list"});
+    EXPECT_EQ(outcome.code, 0);
+    for (const SceneEntry& entry : AllScenes())
+    {
+        EXPECT_THAT(outcome.output, HasSubstr(entry.name));
+        EXPECT_THAT(outcome.output, HasSubstr(entry.category));
+        EXPECT_THAT(outcome.output, HasSubstr(entry.summary));
+    }
+    EXPECT_THAT(outcome.output, testing::Not(HasSubstr("\x1b")));
+}
+
+TEST_F(Command, HelpAndVersionGoToStandardOutput)
+{
+    for (const char* option : {"--help", "--version"})
+    {
+        const Outcome outcome = Run({option});
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_THAT(outcome.output, HasSubstr("boxreel"));
+        EXPECT_EQ(outcome.errors, "");
+    }
+}
+
+TEST_F(Command, ShotWritesAPictureOfTheSizeAsked)
+{
+    const Outcome outcome =
+        Run({"shot", "pyramid", "--step", "30", "-o", "a.png", "--size", "321x123", "--hud"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output + outcome.errors, "");
+    EXPECT_THAT(folder.Files(), ElementsAre("a.png"));
+    const Result<Frame> frame = ReadPng(folder / "a.png");
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->width, 321);
+    EXPECT_EQ(frame->height, 123);
+}
+
+TEST_F(Command, ShotOfATimeIsTheShotOfItsStep)
+{
+    for (const char* at : {"500ms", "0.5s", "0.5"})
+    {
+        EXPECT_EQ(
+            Run({"shot", "bridge", "--at", at, "-o", "time.png", "--size", "160x90", "--force"})
+                .code,
+            0);
+        EXPECT_EQ(
+            Run({"shot", "bridge", "--step", "30", "-o", "step.png", "--size", "160x90", "--force"})
+                .code,
+            0);
+        EXPECT_EQ(ReadFile(folder / "time.png"), ReadFile(folder / "step.png"));
+    }
+}
+
+TEST_F(Command, LookOptionsChangeThePicture)
+{
+    const std::vector<std::string> plain{"shot",   "bridge",  "--step", "20",
+                                         "--size", "320x180", "-o"};
+    const auto shot = [&](const std::string& name, const std::vector<std::string>& extra) {
+        std::vector<std::string> arguments = plain;
+        arguments.push_back(name);
+        arguments.insert(arguments.end(), extra.begin(), extra.end());
+        EXPECT_EQ(Run(arguments).code, 0) << testing::PrintToString(arguments);
+        return ReadFile(folder / name);
+    };
+    const std::string picture = shot("plain.png", {});
+    EXPECT_EQ(picture, shot("again.png", {}));
+    EXPECT_NE(picture, shot("hud.png", {"--hud"}));
+    EXPECT_NE(picture, shot("camera.png", {"--camera", "0,0,30"}));
+    EXPECT_NE(picture, shot("draw.png", {"--draw", "shapes,joints,aabbs"}));
+    EXPECT_NE(picture, shot("labels.png", {"--labels"}));
+    EXPECT_NE(picture, shot("hz.png", {"--hz", "30"}));
+}
+
+TEST_F(Command, UnknownScenesSuggestTheNearest)
+{
+    ExpectRefusal({"shot", "pyrmid", "--at", "1s", "-o", "a.png"}, 1, "did you mean 'pyramid'?");
+    ExpectRefusal({"record", "brigde", "-o", "a.mp4"}, 1, "did you mean 'bridge'?");
+    ExpectRefusal({"golden", "verify", "xylophone", "--references", "."}, 1, "`boxreel list`");
+}
+
+TEST_F(Command, ScenefilesThatAreNoneAreRefused)
+{
+    ExpectRefusal({"shot", "missing.json", "--at", "1s", "-o", "a.png"}, 1, "missing.json");
+    Write("truncated.json", R"({"body":[{"name":"a","type":2,"fixture":[{"circle":)");
+    ExpectRefusal({"shot", "truncated.json", "--at", "1s", "-o", "a.png"}, 1, "truncated.json");
+    Write("foreign.json", "\x89PNG\r\n");
+    ExpectRefusal({"record", "foreign.json", "-o", "a.mp4"}, 1, "foreign.json");
+    Write("empty.json", "");
+    ExpectRefusal({"record", "empty.json", "-o", "a.mp4"}, 1, "empty.json");
+    std::filesystem::create_directory(folder / "folder.json");
+    ExpectRefusal({"record", "folder.json", "-o", "a.mp4"}, 1, "folder.json");
+}
+
+TEST_F(Command, OutputsThatCannotBeWrittenAreRefusedBeforeAnythingIsSimulated)
+{
+    // A simulation of this length would outlast the test's time limit.
+    const std::vector<std::string> longFilm{"--frames", "10000000", "-o"};
+    const auto record = [&](const std::string& output) {
+        std::vector<std::string> arguments{"record", "pyramid"};
+        arguments.insert(arguments.end(), longFilm.begin(), longFilm.end());
+        arguments.push_back(output);
+        return arguments;
+    };
+    std::filesystem::create_directory(folder / "folder.mp4");
+    Write("there.mp4", "a film");
+    Write("there.png", "a picture");
+    ExpectRefusal(record("film.xyz"), 1, "film.xyz");
+    ExpectRefusal(record("film"), 1, "film");
+    ExpectRefusal(record("folder.mp4"), 1, "folder.mp4");
+    ExpectRefusal(record("there.mp4"), 1, "--force");
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "there.png"}, 1, "--force");
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "picture.jpg"}, 1,
+                  "picture.jpg");
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "."}, 1, "folder");
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "none/a.png"}, 1, "none");
+    EXPECT_EQ(ReadFile(folder / "there.mp4"), "a film");
+    EXPECT_EQ(ReadFile(folder / "there.png"), "a picture");
+}
+
+TEST_F(Command, AFolderThatIsNotThereIsNamed)
+{
+    const Outcome outcome =
+        Run({"record", "pyramid", "--frames", "10000000", "-o", "none/film.mp4"});
+    EXPECT_THAT(outcome.code, testing::AnyOf(1, 4)) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("none"));
+    EXPECT_THAT(folder.Files(), IsEmpty());
+}
+
+TEST_F(Command, OddSizesAreRefusedWhereTheFormatCannotHoldThem)
+{
+    ExpectRefusal({"record", "pyramid", "--frames", "2", "--size", "321x180", "-o", "a.mp4"}, 1,
+                  "32");
+}
+
+TEST_F(Command, MistypedOptionsAndValuesAreRefused)
+{
+    ExpectRefusal({"recrod"}, 1, "did you mean 'record'?");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--secnds", "3"}, 1,
+                  "did you mean '--seconds'?");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--size", "0x720"}, 1, "--size 0x720");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--seconds", "nan"}, 1, "--seconds nan");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--seconds", ""}, 1, "--seconds");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--seconds", "1000000", "--fps", "1000"}, 1,
+                  "1000000000 frames");
+}
+
+TEST_F(Command, DiffTellsEqualFromDifferentFromUnreadable)
+{
+    Picture("a.png", 64, 48, 100);
+    Picture("same.png", 64, 48, 100);
+    Picture("other.png", 64, 48, 140);
+    Picture("small.png", 32, 48, 100);
+    EXPECT_EQ(Run({"diff", "a.png", "same.png"}).code, 0);
+    EXPECT_EQ(Run({"diff", "a.png", "other.png"}).code, 2);
+    const Outcome sizes = Run({"diff", "a.png", "small.png"});
+    EXPECT_EQ(sizes.code, 2);
+    EXPECT_THAT(sizes.output, testing::AllOf(HasSubstr("64x48"), HasSubstr("32x48")));
+    Write("foreign.png", "not a picture");
+    ExpectRefusal({"diff", "a.png", "foreign.png"}, 1, "foreign.png");
+    ExpectRefusal({"diff", "a.png", "missing.png"}, 1, "missing.png");
+    ExpectRefusal({"diff", "a.png", "other.png", "--preset", "sloppy"}, 1, "sloppy");
+}
+
+TEST_F(Command, DiffWritesThePictureOfTheDifferences)
+{
+    Picture("a.png", 64, 48, 100);
+    Picture("other.png", 64, 48, 140);
+    EXPECT_EQ(Run({"diff", "a.png", "other.png", "-o", "diff.png"}).code, 2);
+    const Result<Frame> difference = ReadPng(folder / "diff.png");
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(difference->width, 64);
+    ExpectRefusal({"diff", "a.png", "other.png", "-o", "diff.png"}, 1, "--force");
+}
+
+TEST_F(Command, StandardOutputThatIsFullIsAnError)
+{
+    if (!std::filesystem::exists("/dev/full"))
+    {
+        GTEST_SKIP() << "no /dev/full on this machine";
+    }
+    const std::string line = std::string("'") + BOXREEL_PROGRAM + "' list > /dev/full 2> " +
+                             (folder / "errors").string();
+    const int status = std::system(line.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 4);
+    EXPECT_THAT(ReadFile(folder / "errors"), HasSubstr("standard output"));
+}
+
+TEST_F(Command, GoldenNeedsAFolderOfReferences)
+{
+    ExpectRefusal({"golden", "verify"}, 1, "--references");
+    ExpectRefusal({"golden", "verify", "--references", "none"}, 1, "none");
+}
+
+TEST_F(Command, GoldenAcceptsThenVerifiesThenFindsAChange)
+{
+    const std::vector<std::string> verify{"golden", "verify",   "pyramid", "--references",
+                                          "r",      "--output", "o"};
+    EXPECT_EQ(Run({"golden", "accept", "pyramid", "--references", "r"}).code, 0);
+    const Outcome same = Run(verify);
+    EXPECT_EQ(same.code, 0) << same.output << same.errors;
+
+    Picture("black.png", 480, 270, 0);
+    std::filesystem::copy_file(folder / "black.png", folder / "r/frames/pyramid/2s.png",
+                               std::filesystem::copy_options::overwrite_existing);
+    const Outcome changed = Run(verify);
+    EXPECT_EQ(changed.code, 2);
+    EXPECT_THAT(changed.output, HasSubstr("FAIL  pyramid/2s"));
+    EXPECT_THAT(changed.output, HasSubstr("same  pyramid/0.5s"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "o"));
+
+    std::filesystem::remove(folder / "r/frames/pyramid/2s.png");
+    EXPECT_EQ(Run(verify).code, 2) << "a missing reference fails";
+}
+
+} // namespace
+} // namespace boxreel

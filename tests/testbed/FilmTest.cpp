@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Films as the program makes them: decoded and compared with its stills.
+#include "Subprocess.h"
+
+#include <recorder/VideoReader.h>
+#include <render/Png.h>
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Film : public testing::Test
+{
+protected:
+    Outcome Run(const std::vector<std::string>& arguments) const
+    {
+        return RunBoxreel(arguments, folder.Path());
+    }
+
+    std::vector<Frame> Decode(const std::string& name) const
+    {
+        std::vector<Frame> frames;
+        Result<VideoReader> reader = VideoReader::Open(folder / name);
+        if (!reader)
+        {
+            ADD_FAILURE() << reader.GetError().message;
+            return frames;
+        }
+        Frame frame;
+        Result<bool> more = reader->Next(frame);
+        while (more && *more)
+        {
+            frames.push_back(frame);
+            more = reader->Next(frame);
+        }
+        EXPECT_TRUE(more);
+        return frames;
+    }
+
+    Frame Shot(const std::string& scene, int step, const std::vector<std::string>& look) const
+    {
+        std::vector<std::string> arguments{"shot", scene,      "--step", std::to_string(step),
+                                           "-o",   "shot.png", "--force"};
+        arguments.insert(arguments.end(), look.begin(), look.end());
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        const Result<Frame> frame = ReadPng(folder / "shot.png");
+        EXPECT_TRUE(frame);
+        return frame ? *frame : Frame();
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Film, AShotHasTheVeryPixelsOfTheFilmAtThatTime)
+{
+    const std::vector<std::string> look{"--size", "320x180", "--hud"};
+    std::vector<std::string> record{"record", "newtons-cradle", "-o",      "film.mkv", "--frames",
+                                    "40",     "--quality",      "lossless"};
+    record.insert(record.end(), look.begin(), look.end());
+    const Outcome outcome = Run(record);
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    const std::vector<Frame> frames = Decode("film.mkv");
+    ASSERT_EQ(frames.size(), 40u);
+    EXPECT_EQ(frames[0], Shot("newtons-cradle", 0, look));
+    EXPECT_EQ(frames[17], Shot("newtons-cradle", 17, look));
+    EXPECT_EQ(frames[39], Shot("newtons-cradle", 39, look));
+    EXPECT_NE(frames[17], frames[39]) << "something moves";
+}
+
+TEST_F(Film, SlowMotionShowsEachStepAsOftenAsItLasts)
+{
+    const Outcome outcome = Run({"record", "bridge", "-o", "film.mkv", "--frames", "9", "--quality",
+                                 "lossless", "--size", "160x90", "--speed", "0.25"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    const std::vector<Frame> frames = Decode("film.mkv");
+    ASSERT_EQ(frames.size(), 9u);
+    EXPECT_EQ(frames[7], Shot("bridge", 1, {"--size", "160x90"}));
+    EXPECT_EQ(frames[8], Shot("bridge", 2, {"--size", "160x90"}));
+}
+
+TEST_F(Film, TwoRunsGiveTheSameBytes)
+{
+    for (const char* name : {"a.mkv", "b.mkv"})
+    {
+        EXPECT_EQ(Run({"record", "dominos", "-o", name, "--frames", "20", "--quality", "lossless",
+                       "--size", "320x180"})
+                      .code,
+                  0);
+    }
+    EXPECT_EQ(ReadFile(folder / "a.mkv"), ReadFile(folder / "b.mkv"));
+}
+
+TEST_F(Film, APictureSequenceIsNumbered)
+{
+    const Outcome outcome =
+        Run({"record", "chain", "-o", "f-####.png", "--frames", "3", "--size", "160x90"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(folder.Files().size(), 3u);
+}
+
+TEST_F(Film, EveryFormatHasTheFramesAsked)
+{
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
+    {
+        const Outcome outcome = Run({"record", "pyramid", "-o", name, "--seconds", "0.2", "--fps",
+                                     "50", "--size", "160x90"});
+        ASSERT_EQ(outcome.code, 0) << outcome.errors;
+        EXPECT_EQ(Decode(name).size(), 10u) << name;
+        EXPECT_THAT(outcome.errors,
+                    HasSubstr(std::string(name) + ": 10 frames of 160x90 at 50 fps"));
+        EXPECT_EQ(outcome.output, "");
+    }
+}
+
+TEST_F(Film, ForceOverwrites)
+{
+    for (const char* frames : {"5", "7"})
+    {
+        EXPECT_EQ(Run({"record", "pyramid", "-o", "film.mp4", "--force", "--frames", frames,
+                       "--size", "160x90"})
+                      .code,
+                  0);
+    }
+    EXPECT_EQ(Decode("film.mp4").size(), 7u);
+    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4"));
+}
+
+TEST_F(Film, ProgressIsJsonWhenAskedForAndSilentWhenNot)
+{
+    const std::vector<std::string> record{"record", "pyramid", "--frames",  "5",
+                                          "--size", "160x90",  "--progress"};
+    std::vector<std::string> json = record;
+    json.insert(json.end(), {"json", "-o", "a.mp4"});
+    const std::string errors = Run(json).errors;
+    EXPECT_THAT(errors, HasSubstr("{\"event\":\"progress\",\"frames\":5,\"total\":5,"));
+    EXPECT_THAT(errors, HasSubstr("{\"event\":\"done\",\"file\":\"a.mp4\",\"frames\":5,"));
+    std::vector<std::string> none = record;
+    none.insert(none.end(), {"none", "-o", "b.mp4"});
+    EXPECT_EQ(Run(none).errors, "");
+}
+
+/// Ends a long recording by a signal, once it has begun to write.
+void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
+{
+    for (int i = 0; i < 3000 && std::filesystem::is_empty(folder); ++i)
+    {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    kill(process, signal);
+}
+
+TEST_F(Film, ASignalStopsItAndLeavesNothingBehind)
+{
+    for (const int signal : {SIGINT, SIGTERM})
+    {
+        const Outcome outcome = RunBoxreel(
+            {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
+            folder.Path(), [&](int process) { StopWhenBegun(process, signal, folder.Path()); });
+        EXPECT_EQ(outcome.code, 128 + signal) << outcome.errors;
+        EXPECT_THAT(outcome.errors, HasSubstr("Stopped"));
+        EXPECT_THAT(folder.Files(), IsEmpty());
+    }
+}
+
+} // namespace
+} // namespace boxreel

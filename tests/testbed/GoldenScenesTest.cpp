@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Every scene against what was approved; `boxreel golden accept` approves.
+#include "GoldenScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace boxreel
+{
+namespace
+{
+
+class GoldenScenes : public testing::TestWithParam<const SceneEntry*>
+{};
+
+TEST_P(GoldenScenes, LookAndMoveAsApproved)
+{
+    const ReferenceStore store(BOXREEL_REFERENCES, BOXREEL_GOLDEN_OUTPUT);
+    Result<Renderer> renderer = CreateGoldenRenderer();
+    ASSERT_TRUE(renderer) << renderer.GetError().message;
+    const Result<std::vector<GoldenVerdict>> verdicts =
+        VerifyGoldenScene(*GetParam(), store, *renderer);
+    ASSERT_TRUE(verdicts) << verdicts.GetError().message;
+    EXPECT_EQ(verdicts->size(), 3u);
+    for (const GoldenVerdict& verdict : *verdicts)
+    {
+        EXPECT_EQ(verdict.status, GoldenStatus::Same) << verdict.name << ": " << verdict.message;
+    }
+}
+
+std::vector<const SceneEntry*> EveryScene()
+{
+    std::vector<const SceneEntry*> scenes;
+    for (const SceneEntry& entry : AllScenes())
+    {
+        scenes.push_back(&entry);
+    }
+    return scenes;
+}
+
+std::string TestName(const testing::TestParamInfo<const SceneEntry*>& info)
+{
+    return SceneKey(info.param->name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(EveryScene()), TestName);
+
+} // namespace
+} // namespace boxreel

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "Subprocess.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace boxreel
+{
+namespace
+{
+
+/// Replaces this process, which is a fresh copy, by the program.
+[[noreturn]] void BecomeBoxreel(const std::vector<std::string>& arguments,
+                                const std::filesystem::path& folder,
+                                const std::filesystem::path& output,
+                                const std::filesystem::path& errors)
+{
+    std::vector<char*> words{const_cast<char*>("boxreel")};
+    for (const std::string& argument : arguments)
+    {
+        words.push_back(const_cast<char*>(argument.c_str()));
+    }
+    words.push_back(nullptr);
+    const int outputFile = open(output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+    const int errorFile = open(errors.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+    if (chdir(folder.c_str()) == 0 && dup2(outputFile, STDOUT_FILENO) >= 0 &&
+        dup2(errorFile, STDERR_FILENO) >= 0)
+    {
+        execv(BOXREEL_PROGRAM, words.data());
+    }
+    _exit(127);
+}
+
+} // namespace
+
+Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                   const std::function<void(int)>& whileRunning)
+{
+    const TemporaryFolder logs;
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        BecomeBoxreel(arguments, folder, logs / "output", logs / "errors");
+    }
+    if (whileRunning)
+    {
+        whileRunning(child);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    outcome.output = ReadFile(logs / "output");
+    outcome.errors = ReadFile(logs / "errors");
+    return outcome;
+}
+
+TemporaryFolder::TemporaryFolder()
+{
+    std::string pattern = (std::filesystem::temp_directory_path() / "boxreel-test-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+    {
+        throw std::runtime_error("cannot create a temporary folder like " + pattern);
+    }
+    m_path = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder()
+{
+    std::error_code ignored;
+    std::filesystem::remove_all(m_path, ignored);
+}
+
+std::vector<std::string> TemporaryFolder::Files() const
+{
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(m_path))
+    {
+        names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string ReadFile(const std::filesystem::path& file)
+{
+    std::ostringstream content;
+    content << std::ifstream(file, std::ios::binary).rdbuf();
+    return content.str();
+}
+
+} // namespace boxreel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Runs the real program the way a shell would, for tests of exit codes, messages and files.
+namespace boxreel
+{
+
+struct Outcome
+{
+    int code = -1; ///< exit code, or 128 + the signal that ended it
+    std::string output;
+    std::string errors;
+};
+
+/// Runs the program in `folder`. `whileRunning`, when given, is called with its process id once
+/// started.
+Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                   const std::function<void(int)>& whileRunning = {});
+
+/// A folder of its own for a test, removed with everything in it at the end.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
+    const std::filesystem::path& Path() const { return m_path; }
+    std::vector<std::string> Files() const; ///< names, sorted
+
+private:
+    std::filesystem::path m_path;
+};
+
+std::string ReadFile(const std::filesystem::path& file);
+
+} // namespace boxreel
