@@ -34,7 +34,7 @@ b2AABB RandomBox(Random& random)
 {
     b2AABB box;
     box.lowerBound = random.Point(10.0f);
-    box.upperBound = box.lowerBound + b2Vec2(random.Real(0.1f, 2.0f), random.Real(0.1f, 2.0f));
+    box.upperBound = box.lowerBound + b2Vec2{random.Real(0.1f, 2.0f), random.Real(0.1f, 2.0f)};
     return box;
 }
 } // namespace

@@ -97,7 +97,8 @@ TEST(EdgeManifold, NothingCatchesOnAFlatChain)
         const b2ChainShape chain = FlatChain(random, round % 2 == 0);
         const b2PolygonShape box = [&random] {
             b2PolygonShape polygon;
-            polygon.SetAsBox(random.Real(0.05f, 1.0f), random.Real(0.05f, 1.0f));
+            const float halfWidth = random.Real(0.05f, 1.0f);
+            polygon.SetAsBox(halfWidth, random.Real(0.05f, 1.0f));
             return polygon;
         }();
         const b2PolygonShape polygon = round % 4 == 3 ? random.Polygon(0.5f) : box;
@@ -274,8 +275,8 @@ TEST(EdgeManifold, KeepsItsIdsWhileABoxRests)
     EXPECT_EQ(first.type, b2Manifold::e_faceA);
     for (int i = 0; i < 2000; ++i)
     {
-        const b2Transform xf(b2Vec2(random.Real(-5.0f, 5.0f), 0.5f + random.Real(-0.01f, 0.01f)),
-                             b2Rot(random.Real(-1.0e-3f, 1.0e-3f)));
+        const b2Transform xf{b2Vec2{random.Real(-5.0f, 5.0f), 0.5f + random.Real(-0.01f, 0.01f)},
+                             b2Rot(random.Real(-1.0e-3f, 1.0e-3f))};
         b2Manifold manifold;
         box2d::CollideEdgeAndPolygon(&manifold, edge, box, xf);
         ASSERT_EQ(manifold.pointCount, 2);

@@ -248,8 +248,8 @@ TEST(Manifold, ReferenceFaceDoesNotFlipBetweenAlignedBoxes)
     Random random(62);
     for (int i = 0; i < 2000; ++i)
     {
-        const b2Transform xf(b2Vec2(random.Real(-0.2f, 0.2f), 1.0f + random.Real(-0.01f, 0.01f)),
-                             b2Rot(random.Real(-1.0e-4f, 1.0e-4f)));
+        const b2Transform xf{b2Vec2{random.Real(-0.2f, 0.2f), 1.0f + random.Real(-0.01f, 0.01f)},
+                             b2Rot(random.Real(-1.0e-4f, 1.0e-4f))};
         b2Manifold manifold;
         b2CollidePolygons(&manifold, &box, b2Transform(), &box, xf);
         ASSERT_EQ(manifold.type, b2Manifold::e_faceA);

@@ -108,7 +108,8 @@ TEST(RayCast, AgainstEdgesHitsBothSidesWithTheNormalAgainstTheRay)
     for (int i = 0; i < 20000; ++i)
     {
         b2EdgeShape edge;
-        edge.Set(random.Point(3.0f), random.Point(3.0f));
+        edge.m_vertex1 = random.Point(3.0f);
+        edge.m_vertex2 = random.Point(3.0f);
         const b2Transform xf = random.Transform(3.0f);
         const b2RayCastInput input = {xf.p + random.Point(4.0f), xf.p + random.Point(4.0f), 1.0f};
         Hit expected =

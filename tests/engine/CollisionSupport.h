@@ -81,7 +81,8 @@ public:
         }
         case 1: {
             auto edge = std::make_unique<b2EdgeShape>();
-            edge->Set(Point(size), Point(size));
+            edge->m_vertex1 = Point(size); // one after the other: arguments have no order
+            edge->m_vertex2 = Point(size);
             return edge;
         }
         default:

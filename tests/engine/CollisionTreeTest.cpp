@@ -25,7 +25,9 @@ b2AABB Box(const b2Vec2& center, float halfWidth, float halfHeight)
 b2AABB RandomBox(Random& random)
 {
     const float size = random.Integer(0, 20) == 0 ? 20.0f : 1.0f;
-    return Box(random.Point(50.0f), size * random.Real(0.0f, 1.0f), size * random.Real(0.0f, 1.0f));
+    const b2Vec2 center = random.Point(50.0f);
+    const b2Vec2 half = b2Abs(random.Point(size));
+    return Box(center, half.x, half.y);
 }
 
 std::string Invalid(const b2DynamicTree& tree)
