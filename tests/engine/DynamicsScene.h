@@ -93,13 +93,16 @@ public:
     b2World world;
 };
 
+/// What resting polygons keep between their corners: their two skins but for the slop.
+inline constexpr float32 kRestingGap = 2.0f * b2_polygonRadius - b2_linearSlop;
+
 /// A pile of unit boxes that stands on y = 0, lowest first.
 inline std::vector<b2Body*> Stack(Scene& scene, float32 x, int height)
 {
     std::vector<b2Body*> boxes;
     for (int i = 0; i < height; ++i)
     {
-        boxes.push_back(scene.Box(x, 0.5f + float32(i)));
+        boxes.push_back(scene.Box(x, 0.5f + kRestingGap + (1.0f + kRestingGap) * float32(i)));
     }
     return boxes;
 }

@@ -2,6 +2,8 @@
 #include "Access.h"
 #include "World.h"
 
+#include "../Collision/MassProperties.h"
+
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
@@ -179,6 +181,7 @@ void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
     SynchronizePose(data);
     data.transform.p = position; // exactly what was asked for
     ResetProxies(data);
+    WakeAttached(body);
 }
 
 namespace
@@ -198,8 +201,9 @@ void MoveCenter(BodyData& body, const b2Vec2& localCenter)
     body.linearVelocity += b2Cross(body.angularVelocity, shift);
 }
 
-// How far the shape reaches from the centre of mass, and how thin it is.
-void MeasureExtents(BodyData& body)
+} // namespace
+
+void World::MeasureExtents(BodyData& body)
 {
     body.minExtent = b2_maxFloat;
     body.maxExtent = 0.0f;
@@ -218,13 +222,35 @@ void MeasureExtents(BodyData& body)
     }
 }
 
+namespace
+{
+
+/// Smaller masses and inertias than this have no finite inverse, larger ones no finite product with
+/// a speed: such a body counts as one without, or with the most.
+constexpr float32 kLeastMass = 1e-30f;
+constexpr float32 kMostMass = 1e30f;
+
 void SetInertia(BodyData& body, float32 mass, float32 inertiaAboutCenter)
 {
-    body.mass = mass;
-    body.invMass = 1.0f / mass;
-    const bool turns = inertiaAboutCenter > 0.0f && (body.flags & kBodyFixedRotation) == 0;
-    body.inertia = turns ? inertiaAboutCenter : 0.0f;
-    body.invInertia = turns ? 1.0f / inertiaAboutCenter : 0.0f;
+    body.mass = mass >= kLeastMass ? b2Min(mass, kMostMass) : 1.0f;
+    body.invMass = 1.0f / body.mass;
+    const bool turns = inertiaAboutCenter >= kLeastMass && (body.flags & kBodyFixedRotation) == 0;
+    body.inertia = turns ? b2Min(inertiaAboutCenter, kMostMass) : 0.0f;
+    body.invInertia = turns ? 1.0f / body.inertia : 0.0f;
+}
+
+/// Of two bodies that become one: each turns about the common centre (Huygens and Steiner).
+MassProperties Sum(const MassProperties& a, const MassProperties& b)
+{
+    MassProperties sum;
+    sum.mass = a.mass + b.mass;
+    const double share = b.mass / sum.mass;
+    const double dx = b.centerX - a.centerX;
+    const double dy = b.centerY - a.centerY;
+    sum.centerX = a.centerX + share * dx;
+    sum.centerY = a.centerY + share * dy;
+    sum.centralInertia = a.centralInertia + b.centralInertia + share * a.mass * (dx * dx + dy * dy);
+    return sum;
 }
 
 } // namespace
@@ -235,34 +261,27 @@ void World::SetMassData(BodyData& body, const b2MassData& massData)
     {
         return;
     }
-    const float32 mass = massData.mass > 0.0f ? massData.mass : 1.0f;
-    SetInertia(body, mass, massData.I - mass * massData.center.LengthSquared());
+    // A body without mass does not turn.
+    const float32 aboutCenter = massData.I - massData.mass * massData.center.LengthSquared();
+    SetInertia(body, massData.mass, massData.mass > 0.0f ? aboutCenter : 0.0f);
     MoveCenter(body, massData.center);
     MeasureExtents(body);
 }
 
 void World::ResetMassData(BodyData& body)
 {
-    b2MassData total;
-    total.mass = 0.0f;
-    total.I = 0.0f;
-    total.center = b2Vec2(0.0f, 0.0f);
+    MassProperties total;
+    for (b2Fixture* f = body.fixtureList; f && body.IsDynamic(); f = f->GetNext())
+    {
+        if (f->GetDensity() > 0.0f)
+        {
+            const MassProperties part = ComputeMassProperties(*f->GetShape(), f->GetDensity());
+            total = part.mass > 0.0 ? Sum(total, part) : total;
+        }
+    }
     if (body.IsDynamic())
     {
-        for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
-        {
-            if (f->GetDensity() > 0.0f)
-            {
-                b2MassData part;
-                f->GetMassData(&part);
-                total.mass += part.mass;
-                total.center += part.mass * part.center;
-                total.I += part.I;
-            }
-        }
-        const float32 mass = total.mass > 0.0f ? total.mass : 1.0f;
-        total.center *= 1.0f / mass;
-        SetInertia(body, mass, total.I - mass * total.center.LengthSquared());
+        SetInertia(body, float32(total.mass), float32(total.centralInertia));
     }
     else
     {
@@ -271,7 +290,7 @@ void World::ResetMassData(BodyData& body)
         body.inertia = 0.0f;
         body.invInertia = 0.0f;
     }
-    MoveCenter(body, total.center);
+    MoveCenter(body, b2Vec2(float32(total.centerX), float32(total.centerY)));
     MeasureExtents(body);
 }
 
@@ -285,13 +304,14 @@ void World::SetMobility(b2Body& body, Mobility mobility)
     }
     const bool wasActive = data.IsActive();
     SetActive(body, false);
-    PutToSleep(body);
     data.mobility = mobility;
+    data.previous = data.pose;
+    data.sweepStart = 0.0f;
+    data.sleepTime = 0.0f;
     if (mobility == Mobility::Static)
     {
         data.linearVelocity.SetZero();
         data.angularVelocity = 0.0f;
-        data.previous = data.pose;
     }
     data.force.SetZero();
     data.torque = 0.0f;
@@ -329,6 +349,9 @@ void World::SetActive(b2Body& body, bool active)
         {
             DestroyProxies(*f);
         }
+        WakeAttached(body); // what hung from it falls
+        data.force.SetZero();
+        data.torque = 0.0f;
         data.flags &= ~std::uint32_t(kBodyActive);
         islands.Remove(body);
     }

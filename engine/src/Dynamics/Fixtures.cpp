@@ -105,7 +105,8 @@ b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
     {
         CreateProxies(*fixture);
     }
-    ResetMassData(data);
+    // What weighs nothing changes no mass, so one that was set by hand lasts.
+    fixture->GetDensity() > 0.0f ? ResetMassData(data) : MeasureExtents(data);
     return fixture;
 }
 
@@ -252,6 +253,8 @@ void World::UpdateSensor(b2Fixture& fixture)
         {
             c.flags ^= kContactSensor;
             UpdateActivity(*edge->contact);
+            Wake(*c.bodyA);
+            Wake(*c.bodyB);
         }
     }
 }

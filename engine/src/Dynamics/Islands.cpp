@@ -110,9 +110,11 @@ void Islands::ReportSleepTime(const BodyData& body)
     {
         island.seen = true;
         island.minSleepTime = body.sleepTime;
+        island.maxSleepTime = body.sleepTime;
         m_seen.push_back(body.island);
     }
     island.minSleepTime = b2Min(island.minSleepTime, body.sleepTime);
+    island.maxSleepTime = b2Max(island.maxSleepTime, body.sleepTime);
 }
 
 const Array<int32>& Islands::FindSleepy(float32 timeToSleep)
@@ -122,15 +124,15 @@ const Array<int32>& Islands::FindSleepy(float32 timeToSleep)
     {
         Island& island = m_islands[std::size_t(index)];
         island.seen = false;
-        if (island.first == nullptr || island.minSleepTime < timeToSleep)
+        if (island.first == nullptr || island.maxSleepTime < timeToSleep)
         {
             continue;
         }
         if (island.lostLinks > 0)
         {
-            Split(index); // every part of it is as sleepy as the whole
+            Split(index, timeToSleep); // what is not sleepy may be a part of its own
         }
-        else
+        else if (island.minSleepTime >= timeToSleep)
         {
             m_sleepy.push_back(index);
         }
@@ -139,7 +141,24 @@ const Array<int32>& Islands::FindSleepy(float32 timeToSleep)
     return m_sleepy;
 }
 
-void Islands::Split(int32 index)
+namespace
+{
+
+bool IsSleepy(const Islands::Island& island, float32 timeToSleep)
+{
+    for (b2Body* body = island.first; body; body = Data(*body).islandNext)
+    {
+        if (Data(*body).IsAwake() && Data(*body).sleepTime < timeToSleep)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+void Islands::Split(int32 index, float32 timeToSleep)
 {
     m_members.clear();
     for (b2Body* body = m_islands[std::size_t(index)].first; body; body = Data(*body).islandNext)
@@ -158,7 +177,10 @@ void Islands::Split(int32 index)
         {
             const int32 part = Create();
             Gather(*seed, part);
-            m_sleepy.push_back(part);
+            if (IsSleepy(m_islands[std::size_t(part)], timeToSleep))
+            {
+                m_sleepy.push_back(part);
+            }
         }
     }
 }

@@ -8,8 +8,8 @@ class b2Body;
 
 /// Which dynamic bodies hang together through touching contacts and joints, so that they fall
 /// asleep and wake together. Islands live from step to step: a new link merges two of them at once,
-/// a lost link is only counted, and the island is taken apart when it is about to sleep. Static and
-/// kinematic bodies belong to none.
+/// a lost link is only counted, and the island is taken apart when one of its bodies is ready to
+/// sleep. Static and kinematic bodies belong to none.
 namespace box2d
 {
 
@@ -23,6 +23,7 @@ public:
         int32 count = 0;
         int32 lostLinks = 0;         // since it was last taken apart
         float32 minSleepTime = 0.0f; // of its bodies, in the present step
+        float32 maxSleepTime = 0.0f;
         bool seen = false;           // a body of it was looked at in the present step
     };
 
@@ -43,7 +44,7 @@ public:
 private:
     int32 Create();
     void Append(int32 island, b2Body& body);
-    void Split(int32 island);
+    void Split(int32 island, float32 timeToSleep);
     void Gather(b2Body& seed, int32 island);
 
     Array<Island> m_islands;

@@ -181,6 +181,21 @@ void World::PutToSleep(int32 island)
     }
 }
 
+void World::WakeAttached(b2Body& body)
+{
+    const BodyData& data = Data(body);
+    for (b2ContactEdge* edge = data.contactList; edge; edge = edge->next)
+    {
+        Wake(*edge->other);
+        Wake(body);
+    }
+    for (b2JointEdge* edge = data.jointList; edge; edge = edge->next)
+    {
+        Wake(*edge->other);
+        Wake(body);
+    }
+}
+
 void World::WakeNeighbours(b2Body& bodyA, b2Body& bodyB)
 {
     BodyData& a = Data(bodyA);

@@ -79,6 +79,19 @@ void StepSolver::WakeJointNeighbours()
         b2Joint* joint = m_world.graph.Joints()[i];
         m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
     }
+    // A joint between a platform and something asleep is in no list.
+    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    {
+        b2Body* body = m_world.awakeBodies[i];
+        b2JointEdge* edge = body->GetType() == b2_kinematicBody ? body->GetJointList() : nullptr;
+        for (; edge; edge = edge->next)
+        {
+            if (edge->joint->IsActive())
+            {
+                m_world.WakeNeighbours(*body, *edge->other);
+            }
+        }
+    }
     m_world.graph.SortJoints();
 }
 
@@ -181,10 +194,16 @@ void StepSolver::IntegratePositions()
 }
 
 // Slow means slow in both velocity and what position correction did: something that is still being
-// pushed out of an overlap does not sleep.
+// pushed out of an overlap does not sleep. A platform is told how to move: it stays awake however
+// slow it is.
 float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
 {
     const float32 h = m_context.timeStep;
+    if (!body.IsDynamic())
+    {
+        const bool still = moved.v == b2Vec2(0.0f, 0.0f) && moved.w == 0.0f;
+        return still && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
+    }
     const float32 linear = h * b2_linearSleepTolerance;
     const float32 angular = h * b2_angularSleepTolerance;
     const bool slow =
@@ -327,7 +346,6 @@ void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIter
         ProfileScope velocity(profiling, profile.solveVelocity);
         solve.SolveVelocities(velocityIterations);
     }
-    solve.ReportImpulses();
     {
         ProfileScope position(profiling, profile.solvePosition);
         solve.IntegratePositions();
@@ -335,6 +353,7 @@ void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIter
     }
     solve.WriteBack();
     solve.LetRest();
+    solve.ReportImpulses(); // last, so that a listener may push, wake or stop bodies
     ProfileScope broadphase(profiling, profile.broadphase);
     FindNewContacts();
 }

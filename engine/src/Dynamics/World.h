@@ -43,6 +43,8 @@ public:
     void SetTransform(b2Body& body, const b2Vec2& position, float32 angle);
     void SetMassData(BodyData& body, const b2MassData& massData);
     void ResetMassData(BodyData& body);
+    /// How far the shapes reach from the centre of mass, and how thin they are.
+    static void MeasureExtents(BodyData& body);
     void SetMobility(b2Body& body, Mobility mobility);
     void SetActive(b2Body& body, bool active);
 
@@ -86,6 +88,9 @@ public:
     void UpdateActivity(b2Joint& joint);
     /// Wakes what is held by a contact or joint with something that moves.
     void WakeNeighbours(b2Body& bodyA, b2Body& bodyB);
+    /// After a change by hand: wakes the body with everything it has contacts or joints with, for
+    /// contacts between sleeping bodies are not looked at. One that has none sleeps on.
+    void WakeAttached(b2Body& body);
 
     // Step.cpp
     void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);

@@ -154,7 +154,9 @@ void b2Body::ApplyAngularImpulse(float32 impulse, bool wake)
 
 float32 b2Body::GetInertia() const
 {
-    return m_data.inertia + m_data.mass * m_data.localCenter.LengthSquared();
+    // What does not turn about its centre does not turn about its origin either.
+    return m_data.inertia > 0.0f ? m_data.inertia + m_data.mass * m_data.localCenter.LengthSquared()
+                                 : 0.0f;
 }
 
 void b2Body::GetMassData(b2MassData* data) const

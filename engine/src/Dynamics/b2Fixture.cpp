@@ -13,7 +13,6 @@ void b2Fixture::SetSensor(bool sensor)
 {
     if (sensor != m_isSensor)
     {
-        m_body->SetAwake(true);
         m_isSensor = sensor;
         box2d::Data(*m_body).world->UpdateSensor(*this);
     }
