@@ -201,6 +201,30 @@ TEST(EdgeManifold, SomeEdgeAnswersWhereverTheSkinsOverlap)
     EXPECT_GT(compared, 25000);
 }
 
+// A corner of the box exactly on a blunt vertex has a face on either side of it, each beyond the
+// normal of the other edge: neither may leave the answer to the other.
+TEST(EdgeManifold, CornerThatMeetsABluntVertexHeadOnIsHeld)
+{
+    const b2Vec2 vs[3] = {{-5.0f, -0.5f}, {0.0f, 0.0f}, {5.0f, -0.5f}};
+    b2ChainShape chain;
+    chain.CreateChain(vs, 3);
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.5f);
+    for (float x = -0.02f; x < 0.02f; x += 0.0005f)
+    {
+        for (float depth = -0.01f; depth < 0.05f; depth += 0.0005f)
+        {
+            const b2Transform xf(b2Vec2(x, 0.5f * b2Sqrt(2.0f) - depth), b2Rot(0.25f * b2_pi));
+            const std::vector<Contact> contacts = Collide(chain, box, xf);
+            ASSERT_FALSE(contacts.empty()) << x << " " << depth;
+            for (const Contact& contact : contacts)
+            {
+                ASSERT_GT(contact.world.normal.y, 0.9f) << x << " " << depth;
+            }
+        }
+    }
+}
+
 TEST(EdgeManifold, BoxAtTheCornerOfAPlatformIsPushedUpOnly)
 {
     // A square platform as a loop; the box stands on its top, overhanging the right side.
