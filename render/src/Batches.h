@@ -20,9 +20,10 @@ enum class ProgramKind : std::uint8_t
     Round,
     SmallPolygon,
     Polygon,
+    LargePolygon,
     Glyph,
 };
-inline constexpr std::size_t kProgramKinds = 5;
+inline constexpr std::size_t kProgramKinds = 6;
 
 /// The pixels that something can touch [px], y down, upper bounds excluded.
 struct PixelBounds

@@ -39,11 +39,11 @@ bool LooksLikeFont(const std::vector<char>& bytes)
 
 const FontAtlas& FontAtlas::Get()
 {
-    static const FontAtlas atlas;
+    static const FontAtlas atlas(kFontFile);
     return atlas;
 }
 
-FontAtlas::FontAtlas() : m_atlas(IM_NEW(ImFontAtlas)())
+FontAtlas::FontAtlas(const char* fontFile) : m_atlas(IM_NEW(ImFontAtlas)())
 {
     ImFontConfig config;
     // Letters stand on whole pixels, so each is rasterised once, exactly there: no blur from
@@ -52,7 +52,7 @@ FontAtlas::FontAtlas() : m_atlas(IM_NEW(ImFontAtlas)())
     config.OversampleV = 1;
     config.PixelSnapH = true;
     m_atlas->Flags |= ImFontAtlasFlags_NoMouseCursors;
-    std::vector<char> file = ReadWhole(kFontFile);
+    std::vector<char> file = ReadWhole(fontFile);
     if (LooksLikeFont(file))
     {
         config.FontDataOwnedByAtlas = false;

@@ -24,6 +24,9 @@ class FontAtlas
 {
 public:
     static const FontAtlas& Get();
+
+    /// With the built-in font when the file is missing or is none. For Get and tests.
+    explicit FontAtlas(const char* fontFile);
     ~FontAtlas();
     FontAtlas(const FontAtlas&) = delete;
     FontAtlas& operator=(const FontAtlas&) = delete;
@@ -42,8 +45,6 @@ public:
     ImFontAtlas* ImGuiAtlas() const { return m_atlas; }
 
 private:
-    FontAtlas();
-
     ImFontAtlas* m_atlas;
     const std::uint8_t* m_coverage = nullptr;
     int m_width = 0;

@@ -261,8 +261,10 @@ ShaderSource ShapeShader(const char* reach, const char* fragment)
             kVersion + kCoverage + kShapeInputs + fragment, 4};
 }
 
-ShaderSource PolygonShader(int outer, int inner)
+ShaderSource PolygonShader(CornerSlots slots)
 {
+    const int outer = int(slots.outer);
+    const int inner = int(slots.inner);
     const std::string head =
         kVersion + Define("OUTER", std::to_string(outer)) + Define("INNER", std::to_string(inner));
     return {head + kQuad + kPolygonVertex, head + kPolygonArea + kPolygonFragment,
@@ -270,6 +272,19 @@ ShaderSource PolygonShader(int outer, int inner)
 }
 
 } // namespace
+
+CornerSlots SlotsOf(ProgramKind polygon)
+{
+    switch (polygon)
+    {
+    case ProgramKind::SmallPolygon: // up to four corners, and two mitres cut off
+        return {6, 4};
+    case ProgramKind::Polygon:
+        return {8, 8};
+    default:
+        return {kMaxCorners, kMaxCorners};
+    }
+}
 
 ShaderSource InstancedShader(ProgramKind kind)
 {
@@ -280,9 +295,9 @@ ShaderSource InstancedShader(ProgramKind kind)
     case ProgramKind::Round:
         return ShapeShader("vec2(sizeIn.x + sizeIn.y, sizeIn.y)", kRoundFragment);
     case ProgramKind::SmallPolygon:
-        return PolygonShader(6, 4);
     case ProgramKind::Polygon:
-        return PolygonShader(12, 12);
+    case ProgramKind::LargePolygon:
+        return PolygonShader(SlotsOf(kind));
     case ProgramKind::Glyph:
         break;
     }

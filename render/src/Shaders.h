@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Batches.h"
+#include "Convex.h"
 
 #include <string>
 
@@ -17,6 +18,15 @@ struct ShaderSource
     std::string fragment;
     int vectors; ///< attributes of four floats an instance
 };
+
+/// Room for the corners of a polygon's outline, outside and inside. Pixels pay for all of it, so
+/// there are three sizes.
+struct CornerSlots
+{
+    std::size_t outer;
+    std::size_t inner;
+};
+CornerSlots SlotsOf(ProgramKind polygon);
 
 /// A quad an instance, corners from gl_VertexID (a strip of four).
 ShaderSource InstancedShader(ProgramKind kind);

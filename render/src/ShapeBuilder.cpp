@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ShapeBuilder.h"
 
+#include "Shaders.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -19,15 +21,15 @@ constexpr double kPixelReach = 0.7072;
 // steps would show.
 constexpr double kGuard = 4096.0;
 
-// Four corners closer than this to a rectangle [px] are drawn as one: a hundredth of a grey level
-// per hundredth of a pixel would be invisible, half a level is the most this costs.
+// Four corners closer than this to a rectangle [px] are drawn as one; it moves an edge by less than
+// one grey level in 255.
 constexpr double kBoxTolerance = 0.005;
 
-// The product of two slabs overstates a box that is small in both directions, and the half plane of
-// a tangent a small disc; below these half extents [px] the exact area of a polygon is taken
-// instead.
+// The product of two slabs overstates a box that is small in both directions, and a tangent's half
+// plane a small disc; below these half extents, outline included [px], the exact area of a polygon
+// is taken.
 constexpr double kSmallBox = 2.0;
-constexpr double kSmallDisc = 1.5;
+constexpr double kSmallDisc = 2.1;
 
 // A round line end of half width h covers pi/2 h^2, as much as a square one that is this much
 // longer (times h).
@@ -261,12 +263,15 @@ bool ShapeBuilder::AddDisc(Point center, double radius, std::optional<Point> axi
     const double inner = radius - half;
     const Point direction =
         axis && Length(*axis) > 0.0 ? (1.0 / Length(*axis)) * *axis : Point{1.0, 0.0};
-    if (outer < kSmallDisc + 0.625)
+    if (outer < kSmallDisc)
     {
         const Convex hole = inner > 0.0 ? TwelveGon(center, inner) : Convex{};
         const bool drawn = outer > 0.0 && EmitPolygon(TwelveGon(center, outer), hole, paint);
-        return drawn && (!axis || inner <= 0.0 ||
-                         AddLine(center, center + radius * direction, outlineWidth, paint.stroke));
+        if (drawn && axis && inner > 0.0)
+        {
+            AddLine(center, center + radius * direction, outlineWidth, paint.stroke);
+        }
+        return drawn;
     }
     return EmitRound({center, direction, {0.0, 0.0}}, outer, inner, axis ? half : 0.0, paint);
 }
@@ -413,9 +418,13 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     }
     // Pixels whose centre is this near the middle are all fill.
     const double core = InsideDistance(inner, quad.center) - kPixelReach;
-    const bool small = outer.count <= 6 && inner.count <= 4;
-    const std::size_t outerSlots = small ? 6 : kMaxCorners;
-    const std::size_t innerSlots = small ? 4 : kMaxCorners;
+    ProgramKind kind = ProgramKind::LargePolygon;
+    for (const ProgramKind smaller : {ProgramKind::Polygon, ProgramKind::SmallPolygon})
+    {
+        const CornerSlots room = SlotsOf(smaller);
+        kind = outer.count <= room.outer && inner.count <= room.inner ? smaller : kind;
+    }
+    const CornerSlots slots = SlotsOf(kind);
 
     std::array<float, 64> attributes;
     std::size_t used = 0;
@@ -428,8 +437,8 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     std::copy(paint.stroke.begin(), paint.stroke.end(), attributes.begin() + 8);
     std::copy(paint.fill.begin(), paint.fill.end(), attributes.begin() + 12);
     used = 16;
-    const auto putCorners = [&](const Convex& polygon, std::size_t slots) {
-        for (std::size_t i = 0; i < slots; ++i)
+    const auto putCorners = [&](const Convex& polygon, std::size_t room) {
+        for (std::size_t i = 0; i < room; ++i)
         {
             // Corners left over repeat the last: an edge of no length has no area below it.
             const Point corner =
@@ -438,10 +447,9 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
             put(corner.y);
         }
     };
-    putCorners(outer, outerSlots);
-    putCorners(inner, innerSlots);
-    m_batches.Add(small ? ProgramKind::SmallPolygon : ProgramKind::Polygon, *bounds,
-                  {attributes.data(), used});
+    putCorners(outer, slots.outer);
+    putCorners(inner, slots.inner);
+    m_batches.Add(kind, *bounds, {attributes.data(), used});
     return true;
 }
 

@@ -17,8 +17,7 @@
 /// double, made float at the end, so that the same list gives the same bits on any machine. Called
 /// by Renderer, once a frame; knows no GL.
 ///
-/// A shape's attributes (floats): Box and Round 16, SmallPolygon 36, Polygon 64, Glyph 12;
-/// Shaders.cpp has their meaning.
+/// What an instance's attributes mean is written beside the shaders, in Shaders.cpp.
 namespace boxreel
 {
 

@@ -157,3 +157,15 @@ TEST(FontAtlas, HasLettersOfWholePixelsSideBySide)
     EXPECT_GT(quads[4].y0, quads[0].y0 + 10);
     EXPECT_LT(quads[4].x0, 4.0f);
 }
+
+TEST(FontAtlas, FallsBackToABuiltInFont)
+{
+    for (const char* const file : {"/no/such/font.ttf", "/dev/null", "/proc/self/exe"})
+    {
+        const FontAtlas atlas(file);
+        std::vector<GlyphQuad> quads;
+        atlas.Layout("Hill", quads);
+        EXPECT_EQ(quads.size(), 4u) << file;
+        EXPECT_GT(atlas.Width() * atlas.Height(), 1000);
+    }
+}
