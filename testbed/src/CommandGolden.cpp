@@ -56,26 +56,26 @@ Result<Folders> ChooseFolders(const GoldenOptions& options)
     return folders;
 }
 
-Result<std::vector<const SceneEntry*>> ChooseScenes(const std::vector<std::string>& names)
+Result<std::vector<GoldenSelection>> Select(const std::vector<std::string>& names)
 {
-    std::vector<const SceneEntry*> scenes;
+    std::vector<GoldenSelection> selections;
     for (const std::string& name : names)
     {
-        const Result<const SceneEntry*> found = FindScene(name);
-        if (!found)
+        const Result<GoldenSelection> selection = SelectGolden(name);
+        if (!selection)
         {
-            return found.GetError();
+            return selection.GetError();
         }
-        scenes.push_back(*found);
+        selections.push_back(*selection);
     }
     if (names.empty())
     {
         for (const SceneEntry& entry : AllScenes())
         {
-            scenes.push_back(&entry);
+            selections.push_back({&entry, ""});
         }
     }
-    return scenes;
+    return selections;
 }
 
 std::string Count(std::size_t number, const std::string& things)
@@ -83,16 +83,16 @@ std::string Count(std::size_t number, const std::string& things)
     return std::to_string(number) + " " + things + (number == 1 ? "" : "s");
 }
 
-Result<int> Verify(const std::vector<const SceneEntry*>& scenes, const Folders& folders,
+Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders& folders,
                    Renderer& renderer)
 {
     const ReferenceStore store(folders.references, folders.output);
     std::size_t moments = 0;
     std::size_t failures = 0;
-    for (const SceneEntry* scene : scenes)
+    for (const GoldenSelection& selection : selections)
     {
         const Result<std::vector<GoldenVerdict>> verdicts =
-            VerifyGoldenScene(*scene, store, renderer);
+            VerifyGolden(selection, store, renderer);
         if (!verdicts)
         {
             return verdicts.GetError();
@@ -102,16 +102,16 @@ Result<int> Verify(const std::vector<const SceneEntry*>& scenes, const Folders& 
             const bool isSame = verdict.status == GoldenStatus::Same;
             ++moments;
             failures += isSame ? 0 : 1;
-            const Result<void> written = WriteOutput(
-                isSame ? "same  " + verdict.name + "\n"
-                       : Red("FAIL", stdout) + "  " + verdict.name + ": " + verdict.message + "\n");
+            const Result<void> written =
+                WriteOutput(isSame ? "same  " + verdict.name + "\n"
+                                   : Red("FAIL", stdout) + "  " + verdict.message + "\n");
             if (!written)
             {
                 return written.GetError();
             }
         }
     }
-    const std::string what = Count(moments, "moment") + " of " + Count(scenes.size(), "scene");
+    const std::string what = Count(moments, "moment");
     const Result<void> written = WriteOutput(
         failures == 0 ? what + ": all as approved\n"
                       : what + ": " + std::to_string(failures) + " not as approved, see '" +
@@ -123,23 +123,22 @@ Result<int> Verify(const std::vector<const SceneEntry*>& scenes, const Folders& 
     return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
 }
 
-Result<int> Accept(const std::vector<const SceneEntry*>& scenes, const Folders& folders,
+Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders& folders,
                    Renderer& renderer)
 {
     const ReferenceStore store(folders.references, folders.output);
     std::size_t moments = 0;
-    for (const SceneEntry* scene : scenes)
+    for (const GoldenSelection& selection : selections)
     {
-        const Result<int> accepted = AcceptGoldenScene(*scene, store, renderer);
+        const Result<int> accepted = AcceptGolden(selection, store, renderer);
         if (!accepted)
         {
             return accepted.GetError();
         }
         moments += static_cast<std::size_t>(*accepted);
     }
-    const Result<void> written =
-        WriteOutput(Count(moments, "moment") + " of " + Count(scenes.size(), "scene") +
-                    " accepted in '" + folders.references.string() + "'\n");
+    const Result<void> written = WriteOutput(Count(moments, "moment") + " accepted in '" +
+                                             folders.references.string() + "'\n");
     if (!written)
     {
         return written.GetError();
@@ -151,10 +150,10 @@ Result<int> Accept(const std::vector<const SceneEntry*>& scenes, const Folders& 
 
 Result<int> RunGolden(const GoldenOptions& options)
 {
-    const Result<std::vector<const SceneEntry*>> scenes = ChooseScenes(options.names);
-    if (!scenes)
+    const Result<std::vector<GoldenSelection>> selections = Select(options.names);
+    if (!selections)
     {
-        return scenes.GetError();
+        return selections.GetError();
     }
     const Result<Folders> folders = ChooseFolders(options);
     if (!folders)
@@ -166,8 +165,8 @@ Result<int> RunGolden(const GoldenOptions& options)
     {
         return renderer.GetError();
     }
-    return options.accept ? Accept(*scenes, *folders, *renderer)
-                          : Verify(*scenes, *folders, *renderer);
+    return options.accept ? Accept(*selections, *folders, *renderer)
+                          : Verify(*selections, *folders, *renderer);
 }
 
 } // namespace boxreel

@@ -170,7 +170,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
     CLI::App* accept = command->add_subcommand("accept", "Make what the scenes show the reference");
     for (CLI::App* action : {verify, accept})
     {
-        action->add_option("SCENES", golden.names, "Names of scenes; all when none is given")
+        action->add_option("NAMES", golden.names, "Such as pyramid or pyramid/2s; all when none is given")
             ->type_name("");
         AddPath(*action, "--references", "DIR", golden.references,
                 "Folder of what was approved (golden/references)");

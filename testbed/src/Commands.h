@@ -59,7 +59,7 @@ struct DiffOptions
 struct GoldenOptions
 {
     bool accept = false;            ///< else verify
-    std::vector<std::string> names; ///< of scenes; empty: all
+    std::vector<std::string> names; ///< "pyramid" or "pyramid/2s"; empty: all
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout

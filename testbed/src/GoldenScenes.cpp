@@ -48,15 +48,43 @@ Result<Renderer> CreateGoldenRenderer()
     return Renderer::Create({.width = kGoldenWidth, .height = kGoldenHeight});
 }
 
-Result<void> VisitGoldenMoments(const SceneEntry& entry, Renderer& renderer,
+Result<GoldenSelection> SelectGolden(const std::string& name)
+{
+    // The name of a scene may have a slash of its own.
+    if (const Result<const SceneEntry*> scene = FindScene(name))
+    {
+        return GoldenSelection{*scene, ""};
+    }
+    const std::size_t slash = name.rfind('/');
+    const Result<const SceneEntry*> scene = FindScene(name.substr(0, slash));
+    if (!scene)
+    {
+        return scene.GetError();
+    }
+    GoldenSelection selection{*scene, name.substr(slash + 1)};
+    std::string moments;
+    for (const Moment& moment : kMoments)
+    {
+        if (selection.moment == moment.name)
+        {
+            return selection;
+        }
+        moments += (moments.empty() ? "" : ", ") + std::string(moment.name);
+    }
+    return Error{ErrorKind::Unusable, "There is no moment '" + selection.moment + "' of '" +
+                                          name.substr(0, slash) + "'; give one of " + moments +
+                                          "."};
+}
+
+Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,
                                 const std::function<Result<void>(const GoldenCandidate&)>& visit)
 {
     SceneLook look;
     look.width = kGoldenWidth;
     look.height = kGoldenHeight;
     SceneSource source;
-    source.entry = &entry;
-    source.title = entry.name;
+    source.entry = selection.scene;
+    source.title = selection.scene->name;
     Result<SceneSession> session = SceneSession::Open(std::move(source), look);
     if (!session)
     {
@@ -64,9 +92,13 @@ Result<void> VisitGoldenMoments(const SceneEntry& entry, Renderer& renderer,
     }
     for (const Moment& moment : kMoments)
     {
+        if (!selection.moment.empty() && selection.moment != moment.name)
+        {
+            continue;
+        }
         session->AdvanceTo(StepAt(moment.time, session->StepsPerSecond()));
         const Result<GoldenCandidate> candidate =
-            CandidateOf(SceneSlug(entry.name) + "/" + moment.name, *session, renderer);
+            CandidateOf(SceneSlug(selection.scene->name) + "/" + moment.name, *session, renderer);
         if (!candidate)
         {
             return candidate.GetError();
@@ -80,8 +112,8 @@ Result<void> VisitGoldenMoments(const SceneEntry& entry, Renderer& renderer,
     return {};
 }
 
-Result<std::vector<GoldenVerdict>>
-VerifyGoldenScene(const SceneEntry& entry, const ReferenceStore& store, Renderer& renderer)
+Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection,
+                                                const ReferenceStore& store, Renderer& renderer)
 {
     std::vector<GoldenVerdict> verdicts;
     const auto verify = [&](const GoldenCandidate& candidate) -> Result<void> {
@@ -93,7 +125,7 @@ VerifyGoldenScene(const SceneEntry& entry, const ReferenceStore& store, Renderer
         verdicts.push_back(std::move(*verdict));
         return {};
     };
-    const Result<void> visited = VisitGoldenMoments(entry, renderer, verify);
+    const Result<void> visited = VisitGoldenMoments(selection, renderer, verify);
     if (!visited)
     {
         return visited.GetError();
@@ -101,15 +133,15 @@ VerifyGoldenScene(const SceneEntry& entry, const ReferenceStore& store, Renderer
     return verdicts;
 }
 
-Result<int> AcceptGoldenScene(const SceneEntry& entry, const ReferenceStore& store,
-                              Renderer& renderer)
+Result<int> AcceptGolden(const GoldenSelection& selection, const ReferenceStore& store,
+                         Renderer& renderer)
 {
     int accepted = 0;
     const auto accept = [&](const GoldenCandidate& candidate) -> Result<void> {
         ++accepted;
         return store.Accept(candidate);
     };
-    const Result<void> visited = VisitGoldenMoments(entry, renderer, accept);
+    const Result<void> visited = VisitGoldenMoments(selection, renderer, accept);
     if (!visited)
     {
         return visited.GetError();

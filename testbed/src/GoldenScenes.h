@@ -22,17 +22,27 @@ inline constexpr int kGoldenHeight = 270; // [px]
 /// A renderer for those pictures.
 Result<Renderer> CreateGoldenRenderer();
 
+/// What is asked for: a scene at all its moments, or at one.
+struct GoldenSelection
+{
+    const SceneEntry* scene = nullptr;
+    std::string moment; ///< such as "2s"; empty: all
+};
+
+/// "pyramid" or "pyramid/2s"; an Error (Unusable) for a scene or a moment that is not there.
+Result<GoldenSelection> SelectGolden(const std::string& name);
+
 /// Simulates the scene and hands over the candidates "pyramid/0.5s", "pyramid/2s", "pyramid/5s" in
-/// turn.
-Result<void> VisitGoldenMoments(const SceneEntry& entry, Renderer& renderer,
+/// turn, or the selected one.
+Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,
                                 const std::function<Result<void>(const GoldenCandidate&)>& visit);
 
 /// One verdict a moment.
-Result<std::vector<GoldenVerdict>>
-VerifyGoldenScene(const SceneEntry& entry, const ReferenceStore& store, Renderer& renderer);
+Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection,
+                                                const ReferenceStore& store, Renderer& renderer);
 
-/// Makes every moment of the scene the reference; returns how many.
-Result<int> AcceptGoldenScene(const SceneEntry& entry, const ReferenceStore& store,
-                              Renderer& renderer);
+/// Makes what the scene shows the reference; returns at how many moments.
+Result<int> AcceptGolden(const GoldenSelection& selection, const ReferenceStore& store,
+                         Renderer& renderer);
 
 } // namespace boxreel

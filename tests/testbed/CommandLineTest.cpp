@@ -291,7 +291,7 @@ TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
     EXPECT_THAT(Parsed<TextRequest>("diff --help").text,
                 HasSubstr("Usage: boxreel diff A B [OPTIONS]\n"));
     EXPECT_THAT(Parsed<TextRequest>("golden verify --help").text,
-                HasSubstr("Usage: boxreel golden verify [SCENES...] [OPTIONS]\n"));
+                HasSubstr("Usage: boxreel golden verify [NAMES...] [OPTIONS]\n"));
 }
 
 TEST(CommandLine, HelpFitsATerminalOfHundredColumns)

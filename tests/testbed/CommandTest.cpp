@@ -270,6 +270,9 @@ TEST_F(Command, GoldenNeedsAFolderOfReferences)
 {
     ExpectRefusal({"golden", "verify"}, 1, "--references");
     ExpectRefusal({"golden", "verify", "--references", "none"}, 1, "none");
+    ExpectRefusal({"golden", "verify", "pyramid/3s", "--references", "."}, 1, "0.5s, 2s, 5s");
+    ExpectRefusal({"golden", "verify", "pyrmid/2s", "--references", "."}, 1,
+                  "did you mean 'pyramid'?");
 }
 
 TEST_F(Command, GoldenAcceptsThenVerifiesThenFindsAChange)
@@ -291,6 +294,10 @@ TEST_F(Command, GoldenAcceptsThenVerifiesThenFindsAChange)
 
     std::filesystem::remove(folder / "r/frames/pyramid/2s.png");
     EXPECT_EQ(Run(verify).code, 2) << "a missing reference fails";
+
+    const Outcome moment = Run({"golden", "accept", "pyramid/2s", "--references", "r"});
+    EXPECT_THAT(moment.output, testing::StartsWith("1 moment accepted"));
+    EXPECT_EQ(Run(verify).code, 0) << "one moment was accepted";
 }
 
 } // namespace

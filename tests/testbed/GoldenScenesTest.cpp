@@ -20,7 +20,7 @@ TEST_P(GoldenScenes, LookAndMoveAsApproved)
     Result<Renderer> renderer = CreateGoldenRenderer();
     ASSERT_TRUE(renderer) << renderer.GetError().message;
     const Result<std::vector<GoldenVerdict>> verdicts =
-        VerifyGoldenScene(*GetParam(), store, *renderer);
+        VerifyGolden(GoldenSelection{GetParam(), ""}, store, *renderer);
     ASSERT_TRUE(verdicts) << verdicts.GetError().message;
     EXPECT_EQ(verdicts->size(), 3u);
     for (const GoldenVerdict& verdict : *verdicts)
