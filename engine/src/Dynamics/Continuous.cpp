@@ -116,6 +116,7 @@ public:
 
 private:
     void LookAt(b2Body& body);
+    void LookAtSleepers(b2Body& platform);
     void LookAt(b2Contact& contact);
     bool IsCandidate(const ContactData& c) const;
     bool IsValid(const Event& event) const;
@@ -152,10 +153,7 @@ void ImpactSolver::Run()
     for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
     {
         b2Body& body = *m_world.awakeBodies[i];
-        if (Data(body).IsDynamic())
-        {
-            LookAt(body);
-        }
+        Data(body).IsDynamic() ? LookAt(body) : LookAtSleepers(body);
     }
     m_world.stepComplete = true;
     while (!m_events.empty())
@@ -176,6 +174,18 @@ void ImpactSolver::LookAt(b2Body& body)
     for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
     {
         LookAt(*edge->contact);
+    }
+}
+
+/// What a platform is about to hit is asleep or looks at the contact itself.
+void ImpactSolver::LookAtSleepers(b2Body& platform)
+{
+    for (b2ContactEdge* edge = platform.GetContactList(); edge; edge = edge->next)
+    {
+        if (!edge->other->IsAwake())
+        {
+            LookAt(*edge->contact);
+        }
     }
 }
 
@@ -238,7 +248,8 @@ bool ImpactSolver::IsValid(const Event& event) const
 {
     const ContactData& c = Data(*event.contact);
     return Data(*c.bodyA).sweepVersion == event.versionA &&
-           Data(*c.bodyB).sweepVersion == event.versionB && c.toiCount < b2_maxSubSteps;
+           Data(*c.bodyB).sweepVersion == event.versionB && c.toiCount < b2_maxSubSteps &&
+           c.IsEnabled();
 }
 
 ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const

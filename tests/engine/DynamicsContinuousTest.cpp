@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsInvariants.h"
+#include "DynamicsScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+/// Nothing passes through what it should hit, however fast. A step moves a body by 2 m at most
+/// (b2_maxTranslation), so that 300 m/s are tried at 240 Hz as well.
+namespace
+{
+
+using namespace dynamics;
+
+struct Shot
+{
+    float32 speed;
+    float32 hertz;
+};
+
+void PrintTo(const Shot& shot, std::ostream* out)
+{
+    *out << shot.speed << " m/s at " << shot.hertz << " Hz";
+}
+
+class DynamicsBullets : public testing::TestWithParam<Shot>
+{};
+
+TEST_P(DynamicsBullets, StopAtAThinWall)
+{
+    for (const bool edge : {false, true})
+    {
+        for (int i = 0; i < 40; ++i)
+        {
+            Scene scene(b2Vec2(0.0f, 0.0f));
+            b2Body* wall = scene.Body(b2_staticBody, 10.0f, 0.0f);
+            if (edge)
+            {
+                b2EdgeShape shape;
+                shape.Set(b2Vec2(0.0f, -10.0f), b2Vec2(0.0f, 10.0f));
+                wall->CreateFixture(&shape, 0.0f);
+            }
+            else
+            {
+                Scene::AddBox(wall, 0.01f, 10.0f);
+            }
+            b2Body* ball = i % 2 == 0 ? scene.Ball(0.05f * float32(i), 0.0f, 0.05f)
+                                      : scene.Box(0.05f * float32(i), 0.0f, 0.05f, 0.03f);
+            ball->SetLinearVelocity(b2Vec2(GetParam().speed, 1.0f));
+            ball->SetAngularVelocity(float32(i % 5));
+            for (int step = 0; step < 60; ++step)
+            {
+                scene.world.Step(1.0f / GetParam().hertz, 8, 3);
+                ASSERT_LT(ball->GetPosition().x, 10.0f) << "start " << i << ", step " << step;
+            }
+            if (i % 2 == 0) // a box that hits with a corner spins and flies back
+            {
+                EXPECT_GT(ball->GetPosition().x, 9.9f);
+                EXPECT_NEAR(ball->GetLinearVelocity().x, 0.0f, 1e-3f);
+            }
+        }
+    }
+}
+
+TEST_P(DynamicsBullets, HitEachOther)
+{
+    for (int i = 0; i < 40; ++i)
+    {
+        Scene scene(b2Vec2(0.0f, 0.0f));
+        b2Body* left = scene.Ball(-5.0f - 0.05f * float32(i), 0.0f, 0.05f);
+        b2Body* right = scene.Ball(5.0f, 0.0f, 0.05f);
+        left->SetBullet(true);
+        left->SetLinearVelocity(b2Vec2(GetParam().speed, 0.0f));
+        right->SetLinearVelocity(b2Vec2(-GetParam().speed, 0.0f));
+        for (int step = 0; step < 60; ++step)
+        {
+            scene.world.Step(1.0f / GetParam().hertz, 8, 3);
+            ASSERT_LT(left->GetPosition().x, right->GetPosition().x) << i << ", step " << step;
+        }
+    }
+}
+
+TEST_P(DynamicsBullets, MoveASleepingBoxInsteadOfPassingIt)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    b2Body* box = scene.Box(10.0f, 0.0f, 0.02f, 0.5f);
+    box->SetAwake(false);
+    b2Body* ball = scene.Ball(0.3f, 0.0f, 0.05f);
+    ball->SetBullet(true);
+    ball->SetLinearVelocity(b2Vec2(GetParam().speed, 0.0f));
+    for (int step = 0; step < 60; ++step)
+    {
+        scene.world.Step(1.0f / GetParam().hertz, 8, 3);
+        ASSERT_LT(ball->GetPosition().x, box->GetPosition().x) << "step " << step;
+    }
+    EXPECT_GT(box->GetLinearVelocity().x, 1.0f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Speeds, DynamicsBullets,
+                         testing::Values(Shot{100.0f, 60.0f}, Shot{300.0f, 60.0f},
+                                         Shot{300.0f, 240.0f}));
+
+TEST(DynamicsContinuous, AThinSpinningRodDoesNotPassAnEdge)
+{
+    std::mt19937 random(5);
+    const auto real = [&](float32 low, float32 high) {
+        return low + (high - low) * float32(random() % 10001u) / 10000.0f;
+    };
+    for (int i = 0; i < 200; ++i)
+    {
+        Scene scene;
+        b2Body* wall = scene.Body(b2_staticBody, 0.0f, 0.0f);
+        b2EdgeShape edge;
+        edge.Set(b2Vec2(-40.0f, 0.0f), b2Vec2(40.0f, 0.0f));
+        wall->CreateFixture(&edge, 0.0f);
+        b2Body* rod = scene.Body(b2_dynamicBody, 0.0f, real(1.5f, 4.0f), real(0.0f, 3.0f));
+        Scene::AddBox(rod, 1.0f, 0.02f);
+        rod->SetLinearVelocity(b2Vec2(real(-10.0f, 10.0f), real(-100.0f, -20.0f)));
+        rod->SetAngularVelocity(real(-60.0f, 60.0f));
+        for (int step = 0; step < 120; ++step)
+        {
+            scene.Step();
+            ASSERT_GT(rod->GetPosition().y, 0.0f) << "case " << i << ", step " << step;
+        }
+    }
+}
+
+TEST(DynamicsContinuous, ARodThatIsThinAcrossTheAxesDoesNotPassEither)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    scene.Wall(5.0f, 0.01f);
+    for (int i = 0; i < 10; ++i)
+    {
+        b2Body* rod = scene.Body(b2_dynamicBody, 0.1f * float32(i), float32(2 * i - 9));
+        b2PolygonShape shape;
+        shape.SetAsBox(0.5f, 0.01f, b2Vec2(0.0f, 0.0f), 0.25f * b2_pi);
+        rod->CreateFixture(&shape, 1.0f);
+        rod->SetTransform(rod->GetPosition(), 0.25f * b2_pi); // upright
+        rod->SetLinearVelocity(b2Vec2(15.0f + float32(i), 0.0f));
+    }
+    for (int step = 0; step < 120; ++step)
+    {
+        scene.Step();
+        for (const b2Body* b = scene.world.GetBodyList(); b; b = b->GetNext())
+        {
+            ASSERT_LT(b->GetPosition().x, 5.1f) << "step " << step;
+        }
+    }
+}
+
+TEST(DynamicsContinuous, AFastPlatformTakesASleepingBallAlong)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    b2Body* ball = scene.Ball(1.0f, 0.0f, 0.1f);
+    ball->SetAwake(false);
+    b2Body* paddle = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
+    Scene::AddBox(paddle, 0.05f, 1.0f);
+    paddle->SetLinearVelocity(b2Vec2(110.0f, 0.0f));
+    for (int step = 0; step < 30; ++step)
+    {
+        scene.Step();
+        ASSERT_GT(ball->GetPosition().x, paddle->GetPosition().x) << "step " << step;
+    }
+}
+
+TEST(DynamicsContinuous, ABallBetweenTwoWallsStaysThere)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    for (const float32 x : {-0.5f, 0.5f})
+    {
+        b2Body* wall = scene.Body(b2_staticBody, x, 0.0f);
+        Scene::AddBox(wall, 0.01f, 100.0f, 0.0f, 1.0f);
+    }
+    b2Body* ball = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    Scene::AddBall(ball, 0.05f, 0.0f, 1.0f);
+    ball->SetLinearVelocity(b2Vec2(110.0f, 3.0f));
+    for (int step = 0; step < 300; ++step)
+    {
+        scene.Step();
+        ASSERT_LT(b2Abs(ball->GetPosition().x), 0.5f) << "step " << step;
+        ASSERT_TRUE(ball->GetPosition().IsValid());
+    }
+    EXPECT_LE(ball->GetLinearVelocity().Length(), 111.0f) << "it gains no energy";
+}
+
+TEST(DynamicsContinuous, CanBeSwitchedOff)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    scene.world.SetContinuousPhysics(false);
+    scene.Wall(5.0f, 0.01f);
+    b2Body* ball = scene.Ball(0.0f, 0.0f, 0.05f);
+    ball->SetLinearVelocity(b2Vec2(100.0f, 0.0f));
+    scene.Step(10);
+    EXPECT_GT(ball->GetPosition().x, 5.5f) << "which shows that the other tests test something";
+}
+
+TEST(DynamicsContinuous, ASensorIsPassed)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    scene.Wall(5.0f, 0.01f)->GetFixtureList()->SetSensor(true);
+    b2Body* ball = scene.Ball(0.0f, 0.0f, 0.05f);
+    ball->SetBullet(true);
+    ball->SetLinearVelocity(b2Vec2(100.0f, 0.0f));
+    scene.Step(6);
+    EXPECT_NEAR(ball->GetPosition().x, 10.0f, 1e-3f);
+}
+
+struct Counter : b2ContactListener
+{
+    void BeginContact(b2Contact*) override { ++begun; }
+    void EndContact(b2Contact*) override { ++ended; }
+    void PreSolve(b2Contact* contact, const b2Manifold*) override
+    {
+        ++preSolved;
+        if (disable)
+        {
+            contact->SetEnabled(false);
+        }
+    }
+    void PostSolve(b2Contact*, const b2ContactImpulse* impulse) override
+    {
+        ++postSolved;
+        largest = b2Max(largest, impulse->normalImpulses[0]);
+    }
+    int begun = 0, ended = 0, preSolved = 0, postSolved = 0;
+    float32 largest = 0.0f;
+    bool disable = false;
+};
+
+TEST(DynamicsContinuous, AnImpactWithinAStepIsReportedWithItsImpulse)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    Counter counter;
+    scene.world.SetContactListener(&counter);
+    scene.Wall(5.0f, 0.01f);
+    b2Body* ball = scene.Ball(0.0f, 0.0f, 0.05f);
+    ball->SetLinearVelocity(b2Vec2(100.0f, 0.0f));
+    scene.Step(10);
+    EXPECT_EQ(counter.begun, 1);
+    EXPECT_EQ(counter.ended, 0);
+    EXPECT_GE(counter.preSolved, 1);
+    EXPECT_NEAR(counter.largest, 100.0f * ball->GetMass(), 0.01f);
+}
+
+TEST(DynamicsContinuous, AContactDisabledAtTheImpactLetsTheBodyGoOnItsWay)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    Counter counter;
+    counter.disable = true;
+    scene.world.SetContactListener(&counter);
+    scene.Wall(5.0f, 0.01f);
+    b2Body* ball = scene.Ball(0.5f, 0.0f, 0.05f);
+    ball->SetLinearVelocity(b2Vec2(100.0f, 0.0f));
+    scene.Step(6);
+    EXPECT_NEAR(ball->GetPosition().x, 10.5f, 1e-3f);
+    EXPECT_EQ(counter.begun, 1);
+    EXPECT_EQ(counter.ended, 1);
+    EXPECT_EQ(counter.preSolved, 1) << "once for the one impact";
+    EXPECT_EQ(counter.postSolved, 0);
+}
+
+TEST(DynamicsContinuous, TwoBulletsWithADisabledContactAreAskedAboutOnce)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    Counter counter;
+    counter.disable = true;
+    scene.world.SetContactListener(&counter);
+    b2Body* left = scene.Ball(-1.0f, 0.0f, 0.05f);
+    b2Body* right = scene.Ball(1.1f, 0.0f, 0.05f);
+    left->SetBullet(true);
+    right->SetBullet(true);
+    left->SetLinearVelocity(b2Vec2(100.0f, 0.0f));
+    right->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));
+    scene.Step();
+    EXPECT_EQ(counter.preSolved, 1);
+    EXPECT_GT(left->GetPosition().x, right->GetPosition().x);
+}
+
+TEST(DynamicsContinuous, SubSteppingStopsAtEveryImpact)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    scene.world.SetSubStepping(true);
+    scene.Wall(1.2f, 0.01f);
+    scene.Wall(-1.2f, 0.01f);
+    b2Body* left = scene.Ball(0.0f, 1.0f, 0.05f);
+    b2Body* right = scene.Ball(0.0f, -1.0f, 0.05f);
+    left->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));
+    right->SetLinearVelocity(b2Vec2(110.0f, 0.0f));
+    scene.Step();
+    const bool leftStopped = b2Abs(left->GetLinearVelocity().x) < 1.0f;
+    const bool rightStopped = b2Abs(right->GetLinearVelocity().x) < 1.0f;
+    EXPECT_TRUE(rightStopped) << "the faster one hits first";
+    EXPECT_FALSE(leftStopped) << "the other waits for the next call";
+    scene.Step();
+    EXPECT_LT(b2Abs(left->GetLinearVelocity().x), 1.0f);
+    scene.Step(5);
+    EXPECT_LT(b2Abs(left->GetPosition().x), 1.2f);
+    EXPECT_LT(b2Abs(right->GetPosition().x), 1.2f);
+    EXPECT_EQ(WhyBroken(scene.world, false), "");
+}
+
+TEST(DynamicsContinuous, BulletsInAPileEndTheStep)
+{
+    Scene scene;
+    scene.Ground();
+    const std::vector<b2Body*> pile = Stack(scene, 0.0f, 8);
+    for (b2Body* box : pile)
+    {
+        box->SetBullet(true);
+    }
+    for (int i = 0; i < 20; ++i)
+    {
+        b2Body* bullet = scene.Ball(-10.0f, 0.3f + 0.4f * float32(i), 0.1f);
+        bullet->SetBullet(true);
+        bullet->SetLinearVelocity(b2Vec2(115.0f, 0.0f));
+    }
+    for (int step = 0; step < 120; ++step)
+    {
+        scene.Step();
+        ASSERT_EQ(WhyBroken(scene.world, true), "") << step;
+    }
+    for (const b2Body* b = scene.world.GetBodyList(); b; b = b->GetNext())
+    {
+        EXPECT_GT(b->GetPosition().y, -1.1f);
+    }
+}
+
+} // namespace
