@@ -447,7 +447,10 @@ float32 PushPair(Push& push, float32 rate)
         }
         return smaller;
     }
-    return b2Min(PushPoint(push, 0, rate), PushPoint(push, 1, rate));
+    // One after the other: the order of a call's arguments is each compiler's own.
+    const float32 first = PushPoint(push, 0, rate);
+    const float32 second = PushPoint(push, 1, rate);
+    return b2Min(first, second);
 }
 
 } // namespace
