@@ -86,7 +86,10 @@ private:
         {
             const float32 x = random.Between(-kLoadReach, kLoadReach);
             const float32 y = kDeckHeight + 3.0f + 0.75f * static_cast<float32>(i);
-            AddLoad(b2Vec2(x, y), i % 3, random.Between(0.4f, 0.6f), random.Between(-1.0f, 1.0f));
+            // One draw a statement: the order of arguments is each compiler's own.
+            const float32 size = random.Between(0.4f, 0.6f);
+            const float32 angle = random.Between(-1.0f, 1.0f);
+            AddLoad(b2Vec2(x, y), i % 3, size, angle);
         }
     }
 
