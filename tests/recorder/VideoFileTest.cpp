@@ -109,7 +109,8 @@ TEST_P(VideoFile, IsNotOverwrittenUnlessAllowed)
 TEST_P(VideoFile, HasTheSameBytesEveryTime)
 {
     const std::string extension = GetParam();
-    for (const Quality quality : {Quality::Draft, Quality::Standard, Quality::Lossless})
+    for (const Quality quality :
+         {Quality::Draft, Quality::Standard, Quality::High, Quality::Lossless})
     {
         VideoSettings settings = kSmall;
         settings.quality = quality;

@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
+#include <ostream>
 #include <string>
 
 /// Every format is decoded again and compared with the frames that were written.
@@ -36,6 +38,11 @@ struct Case
     int maxError; ///< over all pixels, of 255; 0: bit-equal
     double meanError;
 };
+
+void PrintTo(const Case& c, std::ostream* out)
+{
+    *out << c.name;
+}
 
 // The errors are those of 1-px lines in 4:2:0, where a line keeps its brightness and shares its
 // colour with its neighbours; measured, with a tenth to spare.
