@@ -138,6 +138,7 @@ void World::DestroyBody(b2Body& body)
         b2Joint* joint = data.jointList->joint;
         if (destructionListener)
         {
+            const Lock lock(*this);
             destructionListener->SayGoodbye(joint);
         }
         DestroyJoint(*joint);
@@ -151,6 +152,7 @@ void World::DestroyBody(b2Body& body)
         b2Fixture* fixture = data.fixtureList;
         if (destructionListener)
         {
+            const Lock lock(*this);
             destructionListener->SayGoodbye(fixture);
         }
         DestroyFixture(body, *fixture);

@@ -240,6 +240,7 @@ void World::DestroyContact(b2Contact& contact)
     {
         if (listener)
         {
+            const Lock lock(*this);
             listener->EndContact(&contact);
         }
         c.flags &= ~std::uint32_t(kContactTouching);

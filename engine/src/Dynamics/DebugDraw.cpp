@@ -129,6 +129,7 @@ void ForEachBody(b2Draw& draw, const Array<const b2Body*>& bodies, Function&& fu
 
 void World::Draw(b2Draw& draw) const
 {
+    const Lock lock(*this);
     const uint32 flags = draw.GetFlags();
     Array<const b2Body*> bodies; // oldest first
     for (const b2Body* b = bodyList; b; b = b->GetNext())

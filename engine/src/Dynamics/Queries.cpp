@@ -31,9 +31,9 @@ struct RayVisitor
             callback->ReportFixture(proxy->fixture, point, output.normal, output.fraction);
         if (answer >= 0.0f)
         {
-            maxFraction = b2Min(maxFraction, answer);
+            maxFraction = b2Min(maxFraction, answer); // what was clipped stays so
         }
-        return answer;
+        return maxFraction;
     }
 };
 
@@ -41,12 +41,14 @@ struct RayVisitor
 
 void World::Query(b2QueryCallback& callback, const b2AABB& box) const
 {
+    const Lock lock(*this);
     proxies.Query(box,
                   [&](b2FixtureProxy* proxy) { return callback.ReportFixture(proxy->fixture); });
 }
 
 void World::RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2Vec2& point2) const
 {
+    const Lock lock(*this);
     float32 maxFraction = 1.0f;
     for (const Mobility mobility : {Mobility::Static, Mobility::Kinematic, Mobility::Dynamic})
     {

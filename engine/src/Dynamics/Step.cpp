@@ -302,7 +302,7 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
     }
     profile = b2Profile();
     ProfileScope step(profiling, profile.step);
-    locked = true;
+    const Lock lock(*this);
     if (proxies.HasMoved())
     {
         ProfileScope broadphase(profiling, profile.broadphase);
@@ -330,7 +330,6 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
     {
         ClearForces();
     }
-    locked = false;
 }
 
 void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations)

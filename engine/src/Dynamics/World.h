@@ -141,8 +141,25 @@ public:
     bool subStepping = false;
     bool stepComplete = true; ///< false between the sub-steps of SetSubStepping
     bool autoClearForces = true;
-    bool locked = false;
+    mutable bool locked = false; ///< a callback of the program may run: nothing may come or go
     bool filtersChanged = false; ///< some contact has kContactFilter set
+};
+
+/// Keeps a world locked for as long as a callback of the program may run. Can be nested.
+class Lock
+{
+public:
+    explicit Lock(const World& world) : m_world(world), m_before(world.locked)
+    {
+        world.locked = true;
+    }
+    ~Lock() { m_world.locked = m_before; }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+private:
+    const World& m_world;
+    bool m_before;
 };
 
 /// Sine, cosine, transform and single-precision centre from the pose.

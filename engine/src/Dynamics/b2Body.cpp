@@ -256,21 +256,26 @@ void b2Body::Dump()
     b2Log("{\n");
     b2Log("  b2BodyDef bd;\n");
     b2Log("  bd.type = b2BodyType(%d);\n", int(GetType()));
-    b2Log("  bd.position.Set(%.9gf, %.9gf);\n", double(GetPosition().x), double(GetPosition().y));
-    b2Log("  bd.angle = %.9gf;\n", double(GetAngle()));
-    b2Log("  bd.linearVelocity.Set(%.9gf, %.9gf);\n", double(GetLinearVelocity().x),
+    b2Log("  bd.position.Set(%.8ef, %.8ef);\n", double(GetPosition().x), double(GetPosition().y));
+    b2Log("  bd.angle = %.8ef;\n", double(GetAngle()));
+    b2Log("  bd.linearVelocity.Set(%.8ef, %.8ef);\n", double(GetLinearVelocity().x),
           double(GetLinearVelocity().y));
-    b2Log("  bd.angularVelocity = %.9gf;\n", double(GetAngularVelocity()));
-    b2Log("  bd.linearDamping = %.9gf;\n", double(GetLinearDamping()));
-    b2Log("  bd.angularDamping = %.9gf;\n", double(GetAngularDamping()));
+    b2Log("  bd.angularVelocity = %.8ef;\n", double(GetAngularVelocity()));
+    b2Log("  bd.linearDamping = %.8ef;\n", double(GetLinearDamping()));
+    b2Log("  bd.angularDamping = %.8ef;\n", double(GetAngularDamping()));
     b2Log("  bd.allowSleep = bool(%d);\n", IsSleepingAllowed());
     b2Log("  bd.awake = bool(%d);\n", IsAwake());
     b2Log("  bd.fixedRotation = bool(%d);\n", IsFixedRotation());
     b2Log("  bd.bullet = bool(%d);\n", IsBullet());
     b2Log("  bd.active = bool(%d);\n", IsActive());
-    b2Log("  bd.gravityScale = %.9gf;\n", double(GetGravityScale()));
+    b2Log("  bd.gravityScale = %.8ef;\n", double(GetGravityScale()));
     b2Log("  bodies[%d] = m_world->CreateBody(&bd);\n", m_data.number);
+    box2d::Array<b2Fixture*> fixtures; // oldest first
     for (b2Fixture* f = m_data.fixtureList; f; f = f->GetNext())
+    {
+        fixtures.insert(fixtures.begin(), f);
+    }
+    for (b2Fixture* f : fixtures)
     {
         b2Log("  {\n");
         f->Dump(m_data.number);

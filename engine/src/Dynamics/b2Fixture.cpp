@@ -60,7 +60,7 @@ namespace
 
 void DumpPoint(const char* name, const b2Vec2& p)
 {
-    b2Log("    %s.Set(%.9gf, %.9gf);\n", name, double(p.x), double(p.y));
+    b2Log("    %s.Set(%.8ef, %.8ef);\n", name, double(p.x), double(p.y));
 }
 
 void DumpPoints(const b2Vec2* points, int32 count)
@@ -68,7 +68,7 @@ void DumpPoints(const b2Vec2* points, int32 count)
     b2Log("    b2Vec2 vs[%d];\n", count);
     for (int32 i = 0; i < count; ++i)
     {
-        b2Log("    vs[%d].Set(%.9gf, %.9gf);\n", i, double(points[i].x), double(points[i].y));
+        b2Log("    vs[%d].Set(%.8ef, %.8ef);\n", i, double(points[i].x), double(points[i].y));
     }
 }
 
@@ -90,7 +90,7 @@ void DumpShape(const b2Shape& shape)
     case b2Shape::e_circle: {
         const auto& circle = static_cast<const b2CircleShape&>(shape);
         b2Log("    b2CircleShape shape;\n");
-        b2Log("    shape.m_radius = %.9gf;\n", double(circle.m_radius));
+        b2Log("    shape.m_radius = %.8ef;\n", double(circle.m_radius));
         DumpPoint("shape.m_p", circle.m_p);
         break;
     }
@@ -111,12 +111,12 @@ void DumpShape(const b2Shape& shape)
         b2Log("    shape.CreateChain(vs, %d);\n", chain.m_count);
         if (chain.m_hasPrevVertex)
         {
-            b2Log("    shape.SetPrevVertex(b2Vec2(%.9gf, %.9gf));\n", double(chain.m_prevVertex.x),
+            b2Log("    shape.SetPrevVertex(b2Vec2(%.8ef, %.8ef));\n", double(chain.m_prevVertex.x),
                   double(chain.m_prevVertex.y));
         }
         if (chain.m_hasNextVertex)
         {
-            b2Log("    shape.SetNextVertex(b2Vec2(%.9gf, %.9gf));\n", double(chain.m_nextVertex.x),
+            b2Log("    shape.SetNextVertex(b2Vec2(%.8ef, %.8ef));\n", double(chain.m_nextVertex.x),
                   double(chain.m_nextVertex.y));
         }
         break;
@@ -129,9 +129,9 @@ void DumpShape(const b2Shape& shape)
 void b2Fixture::Dump(int32 bodyIndex)
 {
     b2Log("    b2FixtureDef fd;\n");
-    b2Log("    fd.friction = %.9gf;\n", double(m_friction));
-    b2Log("    fd.restitution = %.9gf;\n", double(m_restitution));
-    b2Log("    fd.density = %.9gf;\n", double(m_density));
+    b2Log("    fd.friction = %.8ef;\n", double(m_friction));
+    b2Log("    fd.restitution = %.8ef;\n", double(m_restitution));
+    b2Log("    fd.density = %.8ef;\n", double(m_density));
     b2Log("    fd.isSensor = bool(%d);\n", m_isSensor);
     b2Log("    fd.filter.categoryBits = uint16(%d);\n", m_filter.categoryBits);
     b2Log("    fd.filter.maskBits = uint16(%d);\n", m_filter.maskBits);

@@ -7,6 +7,8 @@
 #include <Box2D/Collision/b2Collision.h>
 #include <Box2D/Dynamics/b2Body.h>
 
+#include <algorithm>
+
 /// The public face of box2d::World: checks what the caller may do, then passes it on.
 
 b2World::b2World(const b2Vec2& gravity, bool doSleep)
@@ -293,18 +295,25 @@ void b2World::Dump()
     {
         return;
     }
-    b2Log("b2World* m_world = new b2World(b2Vec2(%.9gf, %.9gf));\n", double(GetGravity().x),
+    b2Log("b2World* m_world = new b2World(b2Vec2(%.8ef, %.8ef));\n", double(GetGravity().x),
           double(GetGravity().y));
     b2Log("std::map<int, b2Body*> bodies;\n");
     b2Log("std::map<int, b2Joint*> joints;\n");
+    // Oldest first, for the order of creation is a part of what a world does.
+    box2d::Array<b2Body*> bodies;
     for (b2Body* body = GetBodyList(); body; body = body->GetNext())
     {
-        body->Dump();
+        bodies.push_back(body);
     }
+    std::for_each(bodies.rbegin(), bodies.rend(), [](b2Body* body) { body->Dump(); });
+    box2d::Array<b2Joint*> joints;
     for (b2Joint* joint = GetJointList(); joint; joint = joint->GetNext())
     {
+        joints.push_back(joint);
+    }
+    std::for_each(joints.rbegin(), joints.rend(), [](b2Joint* joint) {
         b2Log("{\n");
         joint->Dump();
         b2Log("}\n");
-    }
+    });
 }

@@ -83,7 +83,7 @@ public:
 
     void SetGravity(const b2Vec2& gravity);
     b2Vec2 GetGravity() const;
-    /// True inside a step: nothing may be created or destroyed then.
+    /// True while a callback may run, in a step or a query: nothing may be created or destroyed then.
     bool IsLocked() const;
     void SetAutoClearForces(bool flag);
     bool GetAutoClearForces() const;
