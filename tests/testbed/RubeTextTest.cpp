@@ -405,6 +405,15 @@ TEST(RubeText, NestedTooDeeplyIsRefused)
     }
 }
 
+TEST(RubeText, MayNestAsDeeplyAsTheLimitAndNoDeeper)
+{
+    const auto nested = [](std::size_t lists) {
+        return R"({"body":[],"x":)" + std::string(lists, '[') + std::string(lists, ']') + "}";
+    };
+    EXPECT_TRUE(Parse(nested(63))); // and the outermost object
+    EXPECT_THAT(Complaint(nested(64)), HasSubstr("64 deep"));
+}
+
 TEST(RubeText, WithTooManyValuesIsRefused)
 {
     std::string text = R"({"body":[)";
