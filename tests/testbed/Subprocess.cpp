@@ -15,6 +15,9 @@ namespace boxreel
 namespace
 {
 
+// What runs longer than any test means to is ended [s].
+constexpr unsigned kLongestRun = 100;
+
 /// Replaces this process, which is a fresh copy, by the program.
 [[noreturn]] void BecomeBoxreel(const std::vector<std::string>& arguments,
                                 const std::filesystem::path& folder,
@@ -29,6 +32,7 @@ namespace
     words.push_back(nullptr);
     const int outputFile = open(output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
     const int errorFile = open(errors.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+    alarm(kLongestRun);
     if (chdir(folder.c_str()) == 0 && dup2(outputFile, STDOUT_FILENO) >= 0 &&
         dup2(errorFile, STDERR_FILENO) >= 0)
     {
