@@ -54,6 +54,14 @@ std::uint32_t InitialFlags(const b2BodyDef& def)
     return flags;
 }
 
+constexpr const char* kWrongType =
+    "A body's type must be b2_staticBody, b2_kinematicBody or b2_dynamicBody.";
+
+bool IsType(b2BodyType type)
+{
+    return type == b2_staticBody || type == b2_kinematicBody || type == b2_dynamicBody;
+}
+
 float32 Finite(float32 value, float32 otherwise)
 {
     return b2IsValid(value) ? value : otherwise;
@@ -66,12 +74,12 @@ b2Vec2 Finite(const b2Vec2& value)
 
 void Fill(BodyData& body, const b2BodyDef& def)
 {
-    body.mobility = static_cast<Mobility>(def.type);
+    body.mobility = IsType(def.type) ? static_cast<Mobility>(def.type) : Mobility::Static;
     body.flags = InitialFlags(def) & ~std::uint32_t(kBodyAwake);
     const b2Vec2 position = Finite(def.position);
     body.pose = Pose{position.x, position.y, Finite(def.angle, 0.0f)};
     body.previous = body.pose;
-    if (def.type != b2_staticBody)
+    if (body.mobility != Mobility::Static)
     {
         body.linearVelocity = Finite(def.linearVelocity);
         body.angularVelocity = Finite(def.angularVelocity, 0.0f);
@@ -80,7 +88,7 @@ void Fill(BodyData& body, const b2BodyDef& def)
     body.angularDamping = b2Max(0.0f, Finite(def.angularDamping, 0.0f));
     body.gravityScale = Finite(def.gravityScale, 1.0f);
     body.userData = def.userData;
-    if (def.type == b2_dynamicBody)
+    if (body.IsDynamic())
     {
         body.mass = 1.0f;
         body.invMass = 1.0f;
@@ -90,7 +98,8 @@ void Fill(BodyData& body, const b2BodyDef& def)
 
 bool IsSound(const b2BodyDef& def)
 {
-    return B2_REQUIRE(def.position.IsValid() && b2IsValid(def.angle),
+    return B2_REQUIRE(IsType(def.type), kWrongType) &&
+           B2_REQUIRE(def.position.IsValid() && b2IsValid(def.angle),
                       "A body's position and angle must be finite: check b2BodyDef::position and "
                       "angle.") &&
            B2_REQUIRE(def.linearVelocity.IsValid() && b2IsValid(def.angularVelocity),
@@ -229,8 +238,8 @@ namespace
 
 /// Smaller masses and inertias than this have no finite inverse, larger ones no finite product with
 /// a speed: such a body counts as one without, or with the most.
-constexpr float32 kLeastMass = 1e-30f;
-constexpr float32 kMostMass = 1e30f;
+constexpr float32 kLeastMass = 1e-20f;
+constexpr float32 kMostMass = 1e20f;
 
 void SetInertia(BodyData& body, float32 mass, float32 inertiaAboutCenter)
 {

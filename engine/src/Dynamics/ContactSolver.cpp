@@ -108,8 +108,10 @@ void FillPoint(ContactConstraint& c, ContactPoint& p, const b2ManifoldPoint& fro
                float32 restitution, const SolverContext& context)
 {
     const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
-    p.normalImpulse = share * from.normalImpulse;
-    p.tangentImpulse = share * from.tangentImpulse;
+    // What is not finite is forgotten.
+    p.normalImpulse = from.normalImpulse <= b2_maxFloat ? share * from.normalImpulse : 0.0f;
+    p.tangentImpulse =
+        b2Abs(from.tangentImpulse) <= b2_maxFloat ? share * from.tangentImpulse : 0.0f;
     const b2Vec2 tangent = b2Cross(c.normal, 1.0f);
     const float32 mass = c.invMassA + c.invMassB;
     const float32 nA = b2Cross(p.armA, c.normal);

@@ -432,6 +432,10 @@ void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
         if (data.IsDynamic())
         {
             const SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
+            if (!IsFinite(s))
+            {
+                continue;
+            }
             data.pose.x += double(s.d.x);
             data.pose.y += double(s.d.y);
             data.pose.angle += double(s.angle);
@@ -458,6 +462,10 @@ void ImpactSolver::SolveVelocities(float32 timeLeft)
         }
         SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
         MoveByVelocity(s, timeLeft);
+        if (!IsFinite(s))
+        {
+            s = SolverBody(); // it stops rather than vanish
+        }
         data.linearVelocity = s.v;
         data.angularVelocity = s.w;
         data.pose.x += double(s.d.x);

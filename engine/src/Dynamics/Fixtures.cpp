@@ -51,6 +51,29 @@ bool IsSound(const b2FixtureDef& def)
                       "A fixture's restitution must be finite and not negative.");
 }
 
+/// Something with a place and a size that a tree can hold.
+bool IsSound(const b2Shape& shape)
+{
+    bool sound = shape.GetChildCount() > 0;
+    if (shape.GetType() == b2Shape::e_polygon)
+    {
+        const auto& polygon = static_cast<const b2PolygonShape&>(shape);
+        sound = polygon.GetVertexCount() >= 3;
+        for (int32 i = 0; i < polygon.GetVertexCount(); ++i)
+        {
+            sound = sound && polygon.GetVertex(i).IsValid();
+        }
+    }
+    for (int32 child = 0; sound && child < shape.GetChildCount(); ++child)
+    {
+        b2AABB box;
+        shape.ComputeAABB(&box, b2Transform(), child);
+        sound = box.IsValid();
+    }
+    return B2_REQUIRE(sound, "A fixture's shape needs points or a radius, all of them finite and "
+                             "the radius not negative.");
+}
+
 int32 ProxyBytes(b2Fixture& fixture)
 {
     return fixture.GetShape()->GetChildCount() * int32(sizeof(b2FixtureProxy));
@@ -75,7 +98,8 @@ int32 SizeOf(const b2Shape& shape)
 
 b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
 {
-    if (!B2_REQUIRE(def.shape != nullptr, "A fixture needs a shape: set b2FixtureDef::shape."))
+    if (!B2_REQUIRE(def.shape != nullptr, "A fixture needs a shape: set b2FixtureDef::shape.") ||
+        !IsSound(*def.shape))
     {
         return nullptr;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
+#include "JointDefinitions.h"
 #include "World.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
@@ -52,19 +53,6 @@ const JointKind* FindKind(b2JointType type)
     return 0 <= index && index < int32(std::size(kKinds)) ? &kKinds[index] : nullptr;
 }
 
-/// A gear needs two joints that have a coordinate, and two bodies of its own.
-bool IsSoundGear(const b2GearJointDef& def)
-{
-    const auto hasCoordinate = [](b2Joint* joint) {
-        return joint &&
-               (joint->GetType() == e_revoluteJoint || joint->GetType() == e_prismaticJoint);
-    };
-    return B2_REQUIRE(hasCoordinate(def.joint1) && hasCoordinate(def.joint2),
-                      "A gear joint needs two joints, each revolute or prismatic.") &&
-           B2_REQUIRE(def.joint1->GetBodyB() != def.joint2->GetBodyB(),
-                      "A gear joint's two joints must move two different bodies (their bodies B).");
-}
-
 void PushEdge(b2JointEdge& edge, b2Joint& joint, b2Body& body, b2Body& other)
 {
     BodyData& data = Data(body);
@@ -91,18 +79,13 @@ void RemoveEdge(b2JointEdge& edge, b2Body& body)
 
 b2Joint* World::CreateJoint(const b2JointDef& def)
 {
+    if (!IsSound(def) ||
+        !B2_REQUIRE(Data(*def.bodyA).world == this && Data(*def.bodyB).world == this,
+                    "A joint needs two bodies of this world."))
+    {
+        return nullptr;
+    }
     const JointKind* kind = FindKind(def.type);
-    if (!B2_REQUIRE(kind != nullptr,
-                    "b2World::CreateJoint: the definition's type is not that of a joint.") ||
-        !B2_REQUIRE(def.bodyA && def.bodyB, "A joint needs two bodies: set bodyA and bodyB.") ||
-        !B2_REQUIRE(def.bodyA != def.bodyB, "A joint needs two different bodies."))
-    {
-        return nullptr;
-    }
-    if (def.type == e_gearJoint && !IsSoundGear(static_cast<const b2GearJointDef&>(def)))
-    {
-        return nullptr;
-    }
     b2Joint* joint = kind->construct(allocator.Allocate(kind->size), &def);
     JointAccess::Number(*joint) = jointNumber++;
     JointAccess::Next(*joint) = jointList;

@@ -37,6 +37,29 @@ struct SolverBody
     }
 };
 
+/// Faster than this is a mistake [m/s], [rad/s]: it would overflow in products with masses and
+/// arms.
+inline constexpr float32 kFastest = 1e10f;
+
+/// Within the above; what is no number counts as nothing.
+inline float32 Bounded(float32 speed)
+{
+    const bool tooFast = b2Abs(speed) > kFastest;
+    return tooFast ? (speed > 0.0f ? kFastest : -kFastest) : (speed == speed ? speed : 0.0f);
+}
+
+inline b2Vec2 Bounded(const b2Vec2& velocity)
+{
+    return b2Vec2(Bounded(velocity.x), Bounded(velocity.y));
+}
+
+/// False when numbers have become too large for the solver after all; it then had better done
+/// nothing.
+inline bool IsFinite(const SolverBody& body)
+{
+    return b2IsValid(body.v.x + body.v.y + body.w + body.d.x + body.d.y + body.angle);
+}
+
 /// What joints and contacts need to know of the step.
 struct SolverContext
 {

@@ -41,6 +41,15 @@ private:
     b2Timer m_timer{};
 };
 
+/// Shorter steps than this count as none, longer ones as this long [s]: their squares and inverses
+/// would leave single precision.
+constexpr float32 kShortestStep = 1e-9f;
+constexpr float32 kLongestStep = 1e6f;
+
+/// Impulses grow with the step as long as they come from forces that last. Those of hits do not:
+/// after a very short step this much of them, and no more, is carried over.
+constexpr float32 kMostStepRatio = 10.0f;
+
 /// The stages of solving one step, over arrays that the world lends.
 class StepSolver
 {
@@ -49,7 +58,7 @@ public:
     {
         m_context.timeStep = timeStep;
         m_context.inverseStep = 1.0f / timeStep;
-        m_context.stepRatio = world.inverseStep * timeStep;
+        m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMostStepRatio);
         m_context.warmStarting = world.warmStarting;
     }
 
@@ -115,6 +124,8 @@ void StepSolver::IntegrateVelocities()
             s.v *= 1.0f / (1.0f + h * body.linearDamping);
             s.w *= 1.0f / (1.0f + h * body.angularDamping);
         }
+        s.v = Bounded(s.v);
+        s.w = Bounded(s.w);
         m_arrays.bodies[i + 1] = s;
     }
 }
@@ -218,7 +229,11 @@ void StepSolver::WriteBack()
     for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
     {
         BodyData& body = Data(*m_world.awakeBodies[i]);
-        const SolverBody& s = m_arrays.bodies[i + 1];
+        SolverBody& s = m_arrays.bodies[i + 1];
+        if (!IsFinite(s))
+        {
+            s = SolverBody(); // it stops rather than vanish
+        }
         body.linearVelocity = s.v;
         body.angularVelocity = s.w;
         body.sleepTime = SleepTimeAfter(body, s);
@@ -300,6 +315,10 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
     {
         return;
     }
+    (void)B2_REQUIRE(timeStep <= kLongestStep, "The time step must not exceed a million seconds.");
+    (void)B2_REQUIRE(velocityIterations >= 0 && positionIterations >= 0,
+                     "The numbers of iterations must not be negative.");
+    timeStep = timeStep < kShortestStep ? 0.0f : b2Min(timeStep, kLongestStep);
     profile = b2Profile();
     ProfileScope step(profiling, profile.step);
     const Lock lock(*this);

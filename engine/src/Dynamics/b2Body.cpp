@@ -2,6 +2,7 @@
 #include <Box2D/Dynamics/b2Body.h>
 
 #include "Access.h"
+#include "Solver.h"
 #include "World.h"
 
 #include <Box2D/Dynamics/b2Fixture.h>
@@ -37,6 +38,12 @@ bool IsFinite(const b2Vec2& a, const b2Vec2& b)
 {
     return B2_REQUIRE(a.IsValid() && b.IsValid(),
                       "Forces, impulses and their points must be finite.");
+}
+
+bool IsDamping(float32 damping)
+{
+    return B2_REQUIRE(b2IsValid(damping) && damping >= 0.0f,
+                      "A body's damping must be finite and not negative.");
 }
 
 bool IsFinite(float32 a)
@@ -139,8 +146,10 @@ void b2Body::ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point, bool
 {
     if (IsFinite(impulse, point) && TakesForces(*this, wake))
     {
-        m_data.linearVelocity += m_data.invMass * impulse;
-        m_data.angularVelocity += m_data.invInertia * b2Cross(point - m_data.worldCenter, impulse);
+        using box2d::Bounded;
+        const float32 turn = b2Cross(point - m_data.worldCenter, impulse);
+        m_data.linearVelocity = Bounded(m_data.linearVelocity + m_data.invMass * impulse);
+        m_data.angularVelocity = Bounded(m_data.angularVelocity + m_data.invInertia * turn);
     }
 }
 
@@ -148,7 +157,8 @@ void b2Body::ApplyAngularImpulse(float32 impulse, bool wake)
 {
     if (IsFinite(impulse) && TakesForces(*this, wake))
     {
-        m_data.angularVelocity += m_data.invInertia * impulse;
+        m_data.angularVelocity =
+            box2d::Bounded(m_data.angularVelocity + m_data.invInertia * impulse);
     }
 }
 
@@ -168,9 +178,11 @@ void b2Body::GetMassData(b2MassData* data) const
 
 void b2Body::SetMassData(const b2MassData* data)
 {
-    if (IsUnlocked(m_data) &&
-        B2_REQUIRE(b2IsValid(data->mass) && b2IsValid(data->I) && data->center.IsValid(),
-                   "b2Body::SetMassData needs finite mass data."))
+    if (IsUnlocked(m_data) && B2_REQUIRE(data != nullptr, "b2Body::SetMassData needs mass data.") &&
+        B2_REQUIRE(b2IsValid(data->mass) && data->mass >= 0.0f && b2IsValid(data->I) &&
+                       data->I >= 0.0f && data->center.IsValid(),
+                   "b2Body::SetMassData needs a mass and an inertia that are finite and not "
+                   "negative, and a finite centre of mass."))
     {
         m_data.world->SetMassData(m_data, *data);
     }
@@ -191,9 +203,36 @@ b2Vec2 b2Body::GetLinearVelocityFromLocalPoint(const b2Vec2& localPoint) const
     return GetLinearVelocityFromWorldPoint(GetWorldPoint(localPoint));
 }
 
+void b2Body::SetLinearDamping(float32 damping)
+{
+    if (IsDamping(damping))
+    {
+        m_data.linearDamping = damping;
+    }
+}
+
+void b2Body::SetAngularDamping(float32 damping)
+{
+    if (IsDamping(damping))
+    {
+        m_data.angularDamping = damping;
+    }
+}
+
+void b2Body::SetGravityScale(float32 scale)
+{
+    if (B2_REQUIRE(b2IsValid(scale), "A body's gravity scale must be finite."))
+    {
+        m_data.gravityScale = scale;
+    }
+}
+
 void b2Body::SetType(b2BodyType type)
 {
-    if (type != GetType() && IsUnlocked(m_data))
+    const bool known = type == b2_staticBody || type == b2_kinematicBody || type == b2_dynamicBody;
+    if (B2_REQUIRE(known, "A body's type must be b2_staticBody, b2_kinematicBody or "
+                          "b2_dynamicBody.") &&
+        type != GetType() && IsUnlocked(m_data))
     {
         m_data.world->SetMobility(*this, static_cast<box2d::Mobility>(type));
     }

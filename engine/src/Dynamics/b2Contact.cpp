@@ -18,9 +18,37 @@ void b2Contact::SetEnabled(bool flag)
                         : m_data.flags & ~std::uint32_t(box2d::kContactEnabled);
 }
 
+void b2Contact::SetFriction(float32 friction)
+{
+    if (B2_REQUIRE(b2IsValid(friction) && friction >= 0.0f,
+                   "A contact's friction must be finite and not negative."))
+    {
+        m_data.friction = friction;
+    }
+}
+
+void b2Contact::SetRestitution(float32 restitution)
+{
+    if (B2_REQUIRE(b2IsValid(restitution) && restitution >= 0.0f,
+                   "A contact's restitution must be finite and not negative."))
+    {
+        m_data.restitution = restitution;
+    }
+}
+
+void b2Contact::SetTangentSpeed(float32 speed)
+{
+    if (B2_REQUIRE(b2IsValid(speed), "A contact's tangent speed must be finite."))
+    {
+        m_data.tangentSpeed = speed;
+    }
+}
+
 void b2Contact::ResetFriction()
 {
-    m_data.friction = b2MixFriction(m_data.fixtureA->GetFriction(), m_data.fixtureB->GetFriction());
+    const float32 mixed =
+        b2MixFriction(m_data.fixtureA->GetFriction(), m_data.fixtureB->GetFriction());
+    m_data.friction = b2Min(mixed, b2_maxFloat); // the product overflows before its root is taken
 }
 
 void b2Contact::ResetRestitution()

@@ -49,6 +49,24 @@ void b2Fixture::SetDensity(float32 density)
     }
 }
 
+void b2Fixture::SetFriction(float32 friction)
+{
+    if (B2_REQUIRE(b2IsValid(friction) && friction >= 0.0f,
+                   "A fixture's friction must be finite and not negative."))
+    {
+        m_friction = friction;
+    }
+}
+
+void b2Fixture::SetRestitution(float32 restitution)
+{
+    if (B2_REQUIRE(b2IsValid(restitution) && restitution >= 0.0f,
+                   "A fixture's restitution must be finite and not negative."))
+    {
+        m_restitution = restitution;
+    }
+}
+
 const b2AABB& b2Fixture::GetAABB(int32 childIndex) const
 {
     b2Assert(0 <= childIndex && childIndex < m_shape->GetChildCount());

@@ -109,11 +109,11 @@ public:
     b2Vec2 GetLinearVelocityFromLocalPoint(const b2Vec2& localPoint) const;
 
     float32 GetLinearDamping() const { return m_data.linearDamping; }
-    void SetLinearDamping(float32 damping) { m_data.linearDamping = damping; }
+    void SetLinearDamping(float32 damping); ///< [1/s], >= 0
     float32 GetAngularDamping() const { return m_data.angularDamping; }
-    void SetAngularDamping(float32 damping) { m_data.angularDamping = damping; }
+    void SetAngularDamping(float32 damping); ///< [1/s], >= 0
     float32 GetGravityScale() const { return m_data.gravityScale; }
-    void SetGravityScale(float32 scale) { m_data.gravityScale = scale; }
+    void SetGravityScale(float32 scale);
 
     /// Costs as much as creating the body anew.
     void SetType(b2BodyType type);

@@ -78,10 +78,10 @@ public:
     float32 GetDensity() const { return m_density; }
     float32 GetFriction() const { return m_friction; }
     /// Existing contacts keep theirs.
-    void SetFriction(float32 friction) { m_friction = friction; }
+    void SetFriction(float32 friction);
     float32 GetRestitution() const { return m_restitution; }
     /// Existing contacts keep theirs.
-    void SetRestitution(float32 restitution) { m_restitution = restitution; }
+    void SetRestitution(float32 restitution);
 
     /// The box in the broad phase, larger than the shape. Of an active body only.
     const b2AABB& GetAABB(int32 childIndex) const;

@@ -124,6 +124,18 @@ inline float32 CarryOver(const SolverContext& context)
     return context.warmStarting ? context.stepRatio : 0.0f;
 }
 
+/// Keeps that share of an impulse; one that is not finite is forgotten.
+inline void Carry(float32& impulse, float32 share)
+{
+    impulse = b2IsValid(impulse) ? share * impulse : 0.0f;
+}
+
+inline void Carry(b2Vec2& impulse, float32 share)
+{
+    Carry(impulse.x, share);
+    Carry(impulse.y, share);
+}
+
 /// The lines every joint's Dump starts with.
 inline void DumpBodies(const char* definition, const b2Body& a, const b2Body& b,
                        bool collideConnected)
@@ -136,12 +148,12 @@ inline void DumpBodies(const char* definition, const b2Body& a, const b2Body& b,
 
 inline void DumpPoint(const char* name, const b2Vec2& p)
 {
-    b2Log("  jd.%s.Set(%.9gf, %.9gf);\n", name, double(p.x), double(p.y));
+    b2Log("  jd.%s.Set(%.8ef, %.8ef);\n", name, double(p.x), double(p.y));
 }
 
 inline void DumpNumber(const char* name, float32 value)
 {
-    b2Log("  jd.%s = %.9gf;\n", name, double(value));
+    b2Log("  jd.%s = %.8ef;\n", name, double(value));
 }
 
 inline void DumpFlag(const char* name, bool value)

@@ -41,7 +41,7 @@ void b2DistanceJoint::Prepare(const box2d::SolverContext& context)
     m_gamma = soft.gamma;
     m_bias = (length - m_length) * soft.biasRate;
     m_mass = box2d::InverseOrZero(k + m_gamma);
-    m_impulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
     f.ApplyImpulse(m_impulse * m_axis, m_armA, m_armB);
 }
 

@@ -24,8 +24,8 @@ void b2FrictionJoint::Prepare(const box2d::SolverContext& context)
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     m_armA = f.ArmA(m_localAnchorA);
     m_armB = f.ArmB(m_localAnchorB);
-    m_impulse *= box2d::CarryOver(context);
-    m_angularImpulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
+    box2d::Carry(m_angularImpulse, box2d::CarryOver(context));
     f.ApplyImpulse(m_impulse, m_armA, m_armB);
     f.ApplyAngularImpulse(m_angularImpulse);
 }

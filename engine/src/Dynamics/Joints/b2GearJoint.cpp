@@ -162,7 +162,7 @@ void b2GearJoint::Prepare(const box2d::SolverContext& context)
     Measure(m_side1);
     Measure(m_side2);
     m_mass = EffectiveMass();
-    m_impulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
     Apply(context, m_impulse, false);
 }
 

@@ -27,8 +27,8 @@ void b2MotorJoint::Prepare(const box2d::SolverContext& context)
     m_armB = f.ArmB(b2Vec2(0.0f, 0.0f));
     m_linearError = f.Offset() + m_armB - m_armA;
     m_angularError = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_angularOffset));
-    m_impulse *= box2d::CarryOver(context);
-    m_angularImpulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
+    box2d::Carry(m_angularImpulse, box2d::CarryOver(context));
     f.ApplyImpulse(m_impulse, m_armA, m_armB);
     f.ApplyAngularImpulse(m_angularImpulse);
 }

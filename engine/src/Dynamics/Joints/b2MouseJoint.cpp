@@ -32,7 +32,7 @@ void b2MouseJoint::Prepare(const box2d::SolverContext& context)
     // What is dragged about should not spin for long: a little of its turning is taken away each
     // step.
     f.b.w *= 0.98f;
-    m_impulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
     f.b.v += f.mB * m_impulse;
     f.b.w += f.iB * b2Cross(m_armB, m_impulse);
 }

@@ -94,10 +94,10 @@ void b2PrismaticJoint::Prepare(const box2d::SolverContext& context)
     m_axialMass = box2d::InverseOrZero(rows.AxialMatrix(f));
 
     const float32 share = box2d::CarryOver(context);
-    m_impulse *= share;
-    m_motorImpulse *= m_enableMotor ? share : 0.0f;
-    m_lowerImpulse *= m_enableLimit ? share : 0.0f;
-    m_upperImpulse *= m_enableLimit ? share : 0.0f;
+    box2d::Carry(m_impulse, share);
+    box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
+    box2d::Carry(m_lowerImpulse, m_enableLimit ? share : 0.0f);
+    box2d::Carry(m_upperImpulse, m_enableLimit ? share : 0.0f);
     rows.ApplyAxial(f, m_motorImpulse + m_lowerImpulse - m_upperImpulse);
     rows.Apply(f, m_impulse);
 }

@@ -67,7 +67,7 @@ void b2PulleyJoint::Prepare(const box2d::SolverContext& context)
     m_axisA = RopeDirection(m_ropeA + m_armA);
     m_axisB = RopeDirection(m_ropeB + m_armB);
     m_mass = box2d::InverseOrZero(PulleyMatrix(f, m_ratio, m_axisA, m_armA, m_axisB, m_armB));
-    m_impulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
     Pull(context, m_impulse);
 }
 

@@ -34,10 +34,10 @@ void b2RevoluteJoint::Prepare(const box2d::SolverContext& context)
     m_axialMass = box2d::InverseOrZero(f.iA + f.iB);
 
     const float32 share = box2d::CarryOver(context);
-    m_impulse *= share;
-    m_motorImpulse *= m_enableMotor ? share : 0.0f;
-    m_lowerImpulse *= m_enableLimit ? share : 0.0f;
-    m_upperImpulse *= m_enableLimit ? share : 0.0f;
+    box2d::Carry(m_impulse, share);
+    box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
+    box2d::Carry(m_lowerImpulse, m_enableLimit ? share : 0.0f);
+    box2d::Carry(m_upperImpulse, m_enableLimit ? share : 0.0f);
     f.ApplyImpulse(m_impulse, m_armA, m_armB);
     f.ApplyAngularImpulse(m_motorImpulse + m_lowerImpulse - m_upperImpulse);
 }
@@ -146,8 +146,9 @@ void b2RevoluteJoint::EnableLimit(bool flag)
 
 void b2RevoluteJoint::SetLimits(float32 lower, float32 upper)
 {
-    if (!B2_REQUIRE(lower <= upper,
-                    "b2RevoluteJoint::SetLimits: the lower limit must not exceed the upper one."))
+    if (!B2_REQUIRE(b2IsValid(lower) && b2IsValid(upper) && lower <= upper,
+                    "b2RevoluteJoint::SetLimits: the limits must be finite, the lower one not "
+                    "above the upper one."))
     {
         return;
     }
@@ -169,14 +170,20 @@ void b2RevoluteJoint::EnableMotor(bool flag)
 
 void b2RevoluteJoint::SetMotorSpeed(float32 speed)
 {
-    WakeBodies();
-    m_motorSpeed = speed;
+    if (B2_REQUIRE(b2IsValid(speed), "A joint's motor speed must be finite."))
+    {
+        WakeBodies();
+        m_motorSpeed = speed;
+    }
 }
 
 void b2RevoluteJoint::SetMaxMotorTorque(float32 torque)
 {
-    WakeBodies();
-    m_maxMotorTorque = torque;
+    if (B2_REQUIRE(torque >= 0.0f, "A joint's motor needs a largest torque that is not negative."))
+    {
+        WakeBodies();
+        m_maxMotorTorque = torque;
+    }
 }
 
 void b2RevoluteJoint::Dump()

@@ -25,7 +25,7 @@ void b2RopeJoint::Prepare(const box2d::SolverContext& context)
     }
     m_mass =
         m_length > 0.0f ? box2d::InverseOrZero(box2d::AxisMatrix(f, m_axis, m_armA, m_armB)) : 0.0f;
-    m_impulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
     f.ApplyImpulse(m_impulse * m_axis, m_armA, m_armB);
 }
 

@@ -50,8 +50,8 @@ void b2WeldJoint::Prepare(const box2d::SolverContext& context)
     m_bias = m_angleError * soft.biasRate;
     m_angularMass = inertia > 0.0f ? 1.0f / (inertia + m_gamma) : 0.0f;
 
-    m_impulse *= box2d::CarryOver(context);
-    m_angularImpulse *= box2d::CarryOver(context);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
+    box2d::Carry(m_angularImpulse, box2d::CarryOver(context));
     f.ApplyImpulse(m_impulse, m_armA, m_armB);
     f.ApplyAngularImpulse(m_angularImpulse);
 }

@@ -78,9 +78,9 @@ void b2WheelJoint::Prepare(const box2d::SolverContext& context)
     m_motorMass = box2d::InverseOrZero(f.iA + f.iB);
 
     const float32 share = box2d::CarryOver(context);
-    m_impulse *= share;
-    m_springImpulse *= m_frequencyHz > 0.0f ? share : 0.0f;
-    m_motorImpulse *= m_enableMotor ? share : 0.0f;
+    box2d::Carry(m_impulse, share);
+    box2d::Carry(m_springImpulse, m_frequencyHz > 0.0f ? share : 0.0f);
+    box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
     rigid.Apply(f, m_impulse);
     spring.Apply(f, m_springImpulse);
     f.ApplyAngularImpulse(m_motorImpulse);

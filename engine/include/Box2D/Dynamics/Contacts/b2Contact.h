@@ -34,15 +34,15 @@ public:
     int32 GetChildIndexB() const { return m_data.childB; }
 
     /// Overrides the mixed friction until reset.
-    void SetFriction(float32 friction) { m_data.friction = friction; }
+    void SetFriction(float32 friction);
     float32 GetFriction() const { return m_data.friction; }
     void ResetFriction();
     /// Overrides the mixed restitution until reset.
-    void SetRestitution(float32 restitution) { m_data.restitution = restitution; }
+    void SetRestitution(float32 restitution);
     float32 GetRestitution() const { return m_data.restitution; }
     void ResetRestitution();
     /// The surface speed of a conveyor belt [m/s].
-    void SetTangentSpeed(float32 speed) { m_data.tangentSpeed = speed; }
+    void SetTangentSpeed(float32 speed);
     float32 GetTangentSpeed() const { return m_data.tangentSpeed; }
 
     /// The manifold of the two shapes at the given transforms.

@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsInvariants.h"
+#include "DynamicsScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+/// What a caller can get wrong. With asserts on each mistake ends the program with a sentence that
+/// says what was wrong; with asserts off it is ignored or mended, and the world stays whole.
+namespace
+{
+
+using namespace dynamics;
+
+constexpr float32 kNaN = std::numeric_limits<float32>::quiet_NaN();
+constexpr float32 kInfinity = std::numeric_limits<float32>::infinity();
+
+/// Makes the mistake: with asserts on it must end with `sentence` (a part of it), with asserts off
+/// it must return.
+void ExpectMisuse(const char* sentence, const std::function<void()>& mistake)
+{
+#if BOXREEL_ASSERTS
+    EXPECT_DEATH(mistake(), sentence);
+#else
+    SCOPED_TRACE(sentence);
+    mistake();
+#endif
+}
+
+/// After a mistake the world must still be whole, and go on.
+void ExpectWhole(Scene& scene)
+{
+    EXPECT_EQ(WhyBroken(scene.world, false), "");
+    scene.Step(3);
+    EXPECT_EQ(WhyBroken(scene.world, true), "");
+}
+
+class DynamicsMisuse : public testing::Test
+{
+protected:
+    DynamicsMisuse()
+    {
+        testing::FLAGS_gtest_death_test_style = "fast";
+        ground = scene.Ground();
+        box = scene.Box(0.0f, 0.515f);
+        other = scene.Box(0.2f, 1.53f);
+    }
+    ~DynamicsMisuse() override { ExpectWhole(scene); }
+
+    Scene scene;
+    b2Body* ground = nullptr;
+    b2Body* box = nullptr;
+    b2Body* other = nullptr;
+};
+
+TEST_F(DynamicsMisuse, OfBodyDefinitions)
+{
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    for (const float32 bad : {kNaN, kInfinity, -kInfinity})
+    {
+        b2BodyDef wrong = def;
+        wrong.position.x = bad;
+        ExpectMisuse("position", [&] { scene.world.CreateBody(&wrong); });
+        wrong = def;
+        wrong.angle = bad;
+        ExpectMisuse("angle", [&] { scene.world.CreateBody(&wrong); });
+        wrong = def;
+        wrong.linearVelocity.y = bad;
+        ExpectMisuse("velocities", [&] { scene.world.CreateBody(&wrong); });
+        wrong = def;
+        wrong.angularVelocity = bad;
+        ExpectMisuse("velocities", [&] { scene.world.CreateBody(&wrong); });
+        wrong = def;
+        wrong.linearDamping = bad;
+        ExpectMisuse("damping", [&] { scene.world.CreateBody(&wrong); });
+        wrong = def;
+        wrong.gravityScale = bad;
+        ExpectMisuse("gravity scale", [&] { scene.world.CreateBody(&wrong); });
+    }
+    b2BodyDef wrong = def;
+    wrong.type = static_cast<b2BodyType>(3);
+    ExpectMisuse("type", [&] { scene.world.CreateBody(&wrong); });
+    ExpectMisuse("definition", [&] { EXPECT_EQ(scene.world.CreateBody(nullptr), nullptr); });
+}
+
+TEST_F(DynamicsMisuse, OfABodysSetters)
+{
+    for (const float32 bad : {kNaN, kInfinity, -kInfinity})
+    {
+        ExpectMisuse("finite", [&] { box->SetTransform(b2Vec2(bad, 0.0f), 0.0f); });
+        ExpectMisuse("finite", [&] { box->SetTransform(b2Vec2(0.0f, 0.0f), bad); });
+        ExpectMisuse("finite", [&] { box->SetLinearVelocity(b2Vec2(0.0f, bad)); });
+        ExpectMisuse("finite", [&] { box->SetAngularVelocity(bad); });
+        ExpectMisuse("damping", [&] { box->SetLinearDamping(bad); });
+        ExpectMisuse("damping", [&] { box->SetAngularDamping(bad); });
+        ExpectMisuse("gravity scale", [&] { box->SetGravityScale(bad); });
+        ExpectMisuse("finite", [&] { box->ApplyForce(b2Vec2(bad, 0.0f), b2Vec2(0.0f, 0.0f)); });
+        ExpectMisuse("finite", [&] { box->ApplyForce(b2Vec2(1.0f, 0.0f), b2Vec2(0.0f, bad)); });
+        ExpectMisuse("finite", [&] { box->ApplyForceToCenter(b2Vec2(bad, 0.0f)); });
+        ExpectMisuse("finite", [&] { box->ApplyTorque(bad); });
+        ExpectMisuse("finite", [&] { box->ApplyLinearImpulse(b2Vec2(bad, 0.0f), b2Vec2()); });
+        ExpectMisuse("finite", [&] { box->ApplyAngularImpulse(bad); });
+    }
+    ExpectMisuse("damping", [&] { box->SetLinearDamping(-60.0f); });
+    ExpectMisuse("damping", [&] { box->SetAngularDamping(-60.0f); });
+    ExpectMisuse("type", [&] { box->SetType(static_cast<b2BodyType>(3)); });
+}
+
+TEST_F(DynamicsMisuse, OfMassData)
+{
+    for (const float32 bad : {kNaN, kInfinity, -1.0f})
+    {
+        b2MassData data;
+        data.mass = bad;
+        data.center.SetZero();
+        data.I = 1.0f;
+        ExpectMisuse("mass", [&] { box->SetMassData(&data); });
+        data.mass = 1.0f;
+        data.I = bad;
+        ExpectMisuse("mass", [&] { box->SetMassData(&data); });
+    }
+    b2MassData data;
+    data.mass = 1.0f;
+    data.I = 1.0f;
+    data.center.Set(kNaN, 0.0f);
+    ExpectMisuse("mass", [&] { box->SetMassData(&data); });
+    ExpectMisuse("mass", [&] { box->SetMassData(nullptr); });
+    EXPECT_GT(box->GetMass(), 0.0f);
+}
+
+TEST_F(DynamicsMisuse, OfFixtureDefinitions)
+{
+    b2CircleShape circle;
+    circle.m_radius = 0.5f;
+    b2FixtureDef def;
+    ExpectMisuse("shape", [&] { EXPECT_EQ(box->CreateFixture(&def), nullptr); });
+    ExpectMisuse("definition", [&] { EXPECT_EQ(box->CreateFixture(nullptr), nullptr); });
+    def.shape = &circle;
+    for (const float32 bad : {kNaN, kInfinity, -1.0f})
+    {
+        b2FixtureDef wrong = def;
+        wrong.density = bad;
+        ExpectMisuse("density", [&] { box->CreateFixture(&wrong); });
+        wrong = def;
+        wrong.friction = bad;
+        ExpectMisuse("friction", [&] { box->CreateFixture(&wrong); });
+        wrong = def;
+        wrong.restitution = bad;
+        ExpectMisuse("restitution", [&] { box->CreateFixture(&wrong); });
+        b2Fixture* fixture = box->GetFixtureList();
+        ExpectMisuse("density", [&] { fixture->SetDensity(bad); });
+        ExpectMisuse("friction", [&] { fixture->SetFriction(bad); });
+        ExpectMisuse("restitution", [&] { fixture->SetRestitution(bad); });
+    }
+    ExpectMisuse("of this body", [&] { box->DestroyFixture(other->GetFixtureList()); });
+    ExpectMisuse("of this body", [&] { box->DestroyFixture(nullptr); });
+}
+
+TEST_F(DynamicsMisuse, OfShapesThatAreNone)
+{
+    const int32 proxies = scene.world.GetProxyCount();
+    for (const float32 bad : {kNaN, kInfinity, -1.0f})
+    {
+        b2CircleShape circle;
+        circle.m_radius = bad;
+        ExpectMisuse("shape", [&] { EXPECT_EQ(box->CreateFixture(&circle, 1.0f), nullptr); });
+    }
+    b2CircleShape far;
+    far.m_radius = 1.0f;
+    far.m_p.Set(kNaN, 0.0f);
+    ExpectMisuse("shape", [&] { EXPECT_EQ(box->CreateFixture(&far, 1.0f), nullptr); });
+    b2PolygonShape empty;
+    ExpectMisuse("shape", [&] { EXPECT_EQ(box->CreateFixture(&empty, 1.0f), nullptr); });
+    b2ChainShape chain;
+    ExpectMisuse("shape", [&] { EXPECT_EQ(box->CreateFixture(&chain, 1.0f), nullptr); });
+    EXPECT_EQ(scene.world.GetProxyCount(), proxies);
+}
+
+TEST_F(DynamicsMisuse, OfJointDefinitions)
+{
+    b2RevoluteJointDef def;
+    ExpectMisuse("two bodies", [&] { EXPECT_EQ(scene.world.CreateJoint(&def), nullptr); });
+    def.Initialize(box, box, b2Vec2(0.0f, 0.0f));
+    ExpectMisuse("different", [&] { EXPECT_EQ(scene.world.CreateJoint(&def), nullptr); });
+    ExpectMisuse("definition", [&] { EXPECT_EQ(scene.world.CreateJoint(nullptr), nullptr); });
+    b2JointDef none;
+    none.bodyA = box;
+    none.bodyB = other;
+    ExpectMisuse("type", [&] { EXPECT_EQ(scene.world.CreateJoint(&none), nullptr); });
+    Scene elsewhere;
+    def.Initialize(box, elsewhere.Box(0.0f, 0.0f), b2Vec2(0.0f, 0.0f));
+    ExpectMisuse("of this world", [&] { EXPECT_EQ(scene.world.CreateJoint(&def), nullptr); });
+    ExpectMisuse("joint", [&] { scene.world.DestroyJoint(nullptr); });
+    EXPECT_EQ(scene.world.GetJointCount(), 0);
+}
+
+TEST_F(DynamicsMisuse, OfNumbersInJointDefinitions)
+{
+    for (const float32 bad : {kNaN, kInfinity})
+    {
+        b2DistanceJointDef def;
+        def.Initialize(ground, box, b2Vec2(0.0f, 3.0f), b2Vec2(0.0f, 1.0f));
+        def.localAnchorB.x = bad;
+        ExpectMisuse("finite", [&] { EXPECT_EQ(scene.world.CreateJoint(&def), nullptr); });
+        def.localAnchorB.x = 0.0f;
+        def.length = bad;
+        ExpectMisuse("length", [&] { EXPECT_EQ(scene.world.CreateJoint(&def), nullptr); });
+        def.length = 1.0f;
+        def.frequencyHz = bad;
+        ExpectMisuse("frequency", [&] { EXPECT_EQ(scene.world.CreateJoint(&def), nullptr); });
+
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(ground, box, b2Vec2(0.0f, 1.0f));
+        hinge.motorSpeed = bad;
+        ExpectMisuse("motor", [&] { EXPECT_EQ(scene.world.CreateJoint(&hinge), nullptr); });
+        hinge.motorSpeed = 0.0f;
+        hinge.referenceAngle = bad;
+        ExpectMisuse("angle", [&] { EXPECT_EQ(scene.world.CreateJoint(&hinge), nullptr); });
+    }
+    b2RevoluteJointDef hinge;
+    hinge.Initialize(ground, box, b2Vec2(0.0f, 1.0f));
+    hinge.enableLimit = true;
+    hinge.lowerAngle = 1.0f;
+    hinge.upperAngle = -1.0f;
+    ExpectMisuse("limit", [&] { EXPECT_EQ(scene.world.CreateJoint(&hinge), nullptr); });
+    hinge.upperAngle = 2.0f;
+    auto* joint = static_cast<b2RevoluteJoint*>(scene.world.CreateJoint(&hinge));
+    ASSERT_NE(joint, nullptr);
+    ExpectMisuse("limit", [&] { joint->SetLimits(1.0f, -1.0f); });
+    ExpectMisuse("limit", [&] { joint->SetLimits(kNaN, kNaN); });
+    ExpectMisuse("motor", [&] { joint->SetMotorSpeed(kNaN); });
+    ExpectMisuse("motor", [&] { joint->SetMaxMotorTorque(kNaN); });
+    ExpectMisuse("motor", [&] { joint->SetMaxMotorTorque(-1.0f); });
+    EXPECT_EQ(joint->GetLowerLimit(), 1.0f);
+    EXPECT_EQ(joint->GetMotorSpeed(), 0.0f);
+    EXPECT_EQ(joint->GetMaxMotorTorque(), 0.0f);
+}
+
+TEST_F(DynamicsMisuse, OfTheWorldsNumbers)
+{
+    ExpectMisuse("gravity", [&] { scene.world.SetGravity(b2Vec2(kNaN, 0.0f)); });
+    ExpectMisuse("gravity", [] { b2World world(b2Vec2(0.0f, kInfinity)); });
+    ExpectMisuse("finite", [&] { scene.world.ShiftOrigin(b2Vec2(kNaN, 0.0f)); });
+    ExpectMisuse("time step", [&] { scene.world.Step(kNaN, 8, 3); });
+    ExpectMisuse("time step", [&] { scene.world.Step(kInfinity, 8, 3); });
+    ExpectMisuse("time step", [&] { scene.world.Step(-kStep, 8, 3); });
+    ExpectMisuse("iterations", [&] { scene.world.Step(kStep, -1, 3); });
+    ExpectMisuse("iterations", [&] { scene.world.Step(kStep, 8, -1); });
+    EXPECT_TRUE(scene.world.GetGravity().IsValid());
+}
+
+TEST_F(DynamicsMisuse, OfContactMaterials)
+{
+    scene.Step();
+    b2Contact* contact = box->GetContactList()->contact;
+    for (const float32 bad : {kNaN, kInfinity, -1.0f})
+    {
+        ExpectMisuse("friction", [&] { contact->SetFriction(bad); });
+        ExpectMisuse("restitution", [&] { contact->SetRestitution(bad); });
+    }
+    ExpectMisuse("tangent speed", [&] { contact->SetTangentSpeed(kNaN); });
+}
+
+TEST_F(DynamicsMisuse, OfTheWorldFromItsListeners)
+{
+    struct Meddler : b2ContactListener
+    {
+        void PreSolve(b2Contact* contact, const b2Manifold*) override { meddle(contact); }
+        std::function<void(b2Contact*)> meddle;
+    };
+    Meddler meddler;
+    scene.world.SetContactListener(&meddler);
+    const auto fromCallback = [&](const std::function<void()>& meddle) {
+        ExpectMisuse("callback", [&] {
+            meddler.meddle = [&](b2Contact*) { meddle(); };
+            scene.Step(3);
+        });
+        EXPECT_EQ(scene.world.GetBodyCount(), 3);
+        EXPECT_EQ(scene.world.GetJointCount(), 0);
+    };
+    b2BodyDef bodyDef;
+    b2CircleShape circle;
+    circle.m_radius = 0.1f;
+    b2DistanceJointDef jointDef;
+    jointDef.Initialize(box, other, box->GetPosition(), other->GetPosition());
+    fromCallback([&] { EXPECT_EQ(scene.world.CreateBody(&bodyDef), nullptr); });
+    fromCallback([&] { scene.world.DestroyBody(box); });
+    fromCallback([&] { EXPECT_EQ(scene.world.CreateJoint(&jointDef), nullptr); });
+    fromCallback([&] { EXPECT_EQ(box->CreateFixture(&circle, 1.0f), nullptr); });
+    fromCallback([&] { box->DestroyFixture(box->GetFixtureList()); });
+    fromCallback([&] { box->SetTransform(b2Vec2(9.0f, 9.0f), 0.0f); });
+    fromCallback([&] { box->SetType(b2_staticBody); });
+    fromCallback([&] { box->SetActive(false); });
+    fromCallback([&] { scene.world.Step(kStep, 8, 3); });
+    fromCallback([&] { scene.world.ShiftOrigin(b2Vec2(1.0f, 1.0f)); });
+    meddler.meddle = [](b2Contact*) {};
+    scene.Step();
+    scene.world.SetContactListener(nullptr);
+}
+
+TEST_F(DynamicsMisuse, OfTheWorldFromQueriesAndRayCasts)
+{
+    struct Destroyer : b2QueryCallback, b2RayCastCallback
+    {
+        bool ReportFixture(b2Fixture* fixture) override
+        {
+            world->DestroyBody(fixture->GetBody());
+            return true;
+        }
+        float32 ReportFixture(b2Fixture* fixture, const b2Vec2&, const b2Vec2&, float32) override
+        {
+            world->DestroyBody(fixture->GetBody());
+            return 1.0f;
+        }
+        b2World* world = nullptr;
+    };
+    Destroyer destroyer;
+    destroyer.world = &scene.world;
+    b2AABB all;
+    all.lowerBound.Set(-100.0f, -100.0f);
+    all.upperBound.Set(100.0f, 100.0f);
+    ExpectMisuse("callback", [&] { scene.world.QueryAABB(&destroyer, all); });
+    ExpectMisuse("callback",
+                 [&] { scene.world.RayCast(&destroyer, b2Vec2(0.0f, 9.0f), b2Vec2(0.0f, -9.0f)); });
+    EXPECT_EQ(scene.world.GetBodyCount(), 3);
+    EXPECT_FALSE(scene.world.IsLocked());
+}
+
+TEST_F(DynamicsMisuse, OfTheWorldFromFarewells)
+{
+    struct Destroyer : b2ContactListener, b2DestructionListener
+    {
+        void EndContact(b2Contact*) override { world->DestroyBody(victim); }
+        void SayGoodbye(b2Joint*) override { world->DestroyBody(victim); }
+        void SayGoodbye(b2Fixture*) override { world->DestroyBody(victim); }
+        b2World* world = nullptr;
+        b2Body* victim = nullptr;
+    };
+    scene.Step();
+    b2DistanceJointDef def;
+    def.Initialize(box, other, box->GetPosition(), other->GetPosition());
+    def.collideConnected = true;
+    scene.world.CreateJoint(&def);
+    Destroyer destroyer;
+    destroyer.world = &scene.world;
+    destroyer.victim = other;
+    scene.world.SetContactListener(&destroyer);
+    ExpectMisuse("callback", [&] { box->SetActive(false); });
+    scene.world.SetContactListener(nullptr);
+    scene.world.SetDestructionListener(&destroyer);
+    ExpectMisuse("callback", [&] { scene.world.DestroyBody(box); });
+    scene.world.SetDestructionListener(nullptr);
+}
+
+// ---- Odd numbers that are not forbidden
+
+TEST(DynamicsExtremes, ZeroIterationsMoveBodiesFreely)
+{
+    Scene scene;
+    b2Body* box = scene.Box(0.0f, 5.0f);
+    scene.world.Step(kStep, 0, 0);
+    EXPECT_NEAR(box->GetLinearVelocity().y, -10.0f * kStep, 1e-6f);
+}
+
+TEST(DynamicsExtremes, AStepWithoutTimeUpdatesContactsOnly)
+{
+    Scene scene;
+    scene.Ground();
+    b2Body* box = scene.Box(0.0f, 0.505f);
+    scene.world.Step(0.0f, 8, 3);
+    EXPECT_EQ(box->GetPosition(), b2Vec2(0.0f, 0.505f));
+    ASSERT_NE(box->GetContactList(), nullptr);
+    EXPECT_TRUE(box->GetContactList()->contact->IsTouching());
+}
+
+Scene* MachineWithEverything()
+{
+    auto* scene = new Scene;
+    b2Body* ground = scene->Ground();
+    Stack(*scene, 0.0f, 4);
+    b2Body* last = ground;
+    for (int i = 0; i < 4; ++i)
+    {
+        b2Body* link = scene->Box(5.0f + float32(i), 4.0f, 0.5f, 0.1f);
+        b2RevoluteJointDef def;
+        def.Initialize(last, link, b2Vec2(4.5f + float32(i), 4.0f));
+        def.enableMotor = i == 1;
+        def.motorSpeed = 3.0f;
+        def.maxMotorTorque = 100.0f;
+        def.enableLimit = i == 2;
+        def.lowerAngle = -0.5f;
+        def.upperAngle = 0.5f;
+        scene->world.CreateJoint(&def);
+        last = link;
+    }
+    b2DistanceJointDef spring;
+    spring.Initialize(ground, last, b2Vec2(8.5f, 9.0f), last->GetPosition());
+    spring.frequencyHz = 2.0f;
+    scene->world.CreateJoint(&spring);
+    b2Body* ball = scene->Ball(-5.0f, 3.0f, 0.2f);
+    ball->SetBullet(true);
+    ball->SetLinearVelocity(b2Vec2(100.0f, 0.0f));
+    return scene;
+}
+
+TEST(DynamicsExtremes, TimeStepsOfAnyLengthLeaveTheWorldFinite)
+{
+    const float32 steps[] = {1e-45f, 1e-38f, 1e-30f, 1e-20f, 1e-10f,
+                             1e-5f,  0.5f,   10.0f,  1e4f,   1e5f};
+    for (const float32 step : steps)
+    {
+        const std::unique_ptr<Scene> scene(MachineWithEverything());
+        for (int i = 0; i < 20; ++i)
+        {
+            scene->world.Step(i % 3 == 0 ? kStep : step, 8, 3);
+            ASSERT_EQ(WhyBroken(scene->world, false), "") << step << ", step " << i;
+        }
+    }
+}
+
+TEST(DynamicsExtremes, HugeNumbersOfEveryKindLeaveTheWorldFinite)
+{
+    std::mt19937 random(11);
+    const auto huge = [&] {
+        const float32 sizes[] = {1.0f, 1e3f, 1e10f, 1e19f, 1e30f, FLT_MAX};
+        return (random() % 2 == 0 ? 1.0f : -1.0f) * sizes[random() % 6];
+    };
+    for (int round = 0; round < 60; ++round)
+    {
+        const std::unique_ptr<Scene> scene(MachineWithEverything());
+        for (int i = 0; i < 30; ++i)
+        {
+            b2Body* body = scene->world.GetBodyList();
+            for (auto skip = random() % 10; skip > 0; --skip)
+            {
+                body = body->GetNext();
+            }
+            const b2Vec2 point(huge(), huge());
+            switch (random() % 7)
+            {
+            case 0:
+                body->SetLinearVelocity(point);
+                break;
+            case 1:
+                body->SetAngularVelocity(huge());
+                break;
+            case 2:
+                body->ApplyForce(point, b2Vec2(huge(), huge()));
+                body->ApplyForce(point, b2Vec2(huge(), huge()));
+                break;
+            case 3:
+                body->ApplyLinearImpulse(point, b2Vec2(huge(), huge()));
+                break;
+            case 4:
+                scene->world.SetGravity(point);
+                break;
+            case 5:
+                body->ApplyTorque(huge());
+                break;
+            default: {
+                b2MassData data;
+                data.mass = b2Abs(huge());
+                data.I = b2Abs(huge());
+                data.center.SetZero();
+                body->SetMassData(&data);
+                break;
+            }
+            }
+            scene->Step(2);
+            ASSERT_EQ(WhyBroken(scene->world, false), "") << "round " << round << ", call " << i;
+        }
+    }
+}
+
+TEST(DynamicsExtremes, DensitiesOfAnySizeLeaveTheWorldFinite)
+{
+    for (const float32 density : {1e-45f, 1e-38f, 1e-30f, 1e-10f, 1e10f, 1e30f, FLT_MAX})
+    {
+        Scene scene;
+        scene.Ground();
+        for (int i = 0; i < 3; ++i)
+        {
+            b2Body* body = scene.Body(b2_dynamicBody, 0.1f * float32(i), 1.0f + float32(i));
+            b2PolygonShape shape;
+            shape.SetAsBox(0.5f, 0.5f, b2Vec2(0.2f, 0.1f), 0.3f);
+            body->CreateFixture(&shape, i == 1 ? density : 1.0f);
+        }
+        for (int i = 0; i < 60; ++i)
+        {
+            scene.Step();
+            ASSERT_EQ(WhyBroken(scene.world, true), "") << density << ", step " << i;
+        }
+    }
+}
+
+TEST(DynamicsExtremes, FrictionOfAnySizeLeavesTheWorldFinite)
+{
+    Scene scene;
+    b2Body* ground = scene.Body(b2_staticBody, 0.0f, -1.0f);
+    Scene::AddBox(ground, 50.0f, 1.0f, FLT_MAX, 0.0f);
+    b2Body* box = scene.Body(b2_dynamicBody, 0.0f, 2.0f);
+    Scene::AddBox(box, 0.5f, 0.5f, FLT_MAX, 0.0f);
+    box->SetLinearVelocity(b2Vec2(5.0f, 0.0f));
+    for (int i = 0; i < 120; ++i)
+    {
+        scene.Step();
+        ASSERT_EQ(WhyBroken(scene.world, true), "") << i;
+    }
+    EXPECT_LT(box->GetPosition().x, 10.0f);
+}
+
+TEST(DynamicsExtremes, PlacesAsFarAsFloatsGoLeaveTheWorldFinite)
+{
+    for (const float32 place : {1e6f, 1e10f, 1e20f, 1e38f})
+    {
+        Scene scene;
+        scene.Ground();
+        Stack(scene, 0.0f, 2);
+        for (int i = 0; i < 4; ++i)
+        {
+            scene.Ball(i % 2 == 0 ? place : -place, place);
+        }
+        b2Body* body = scene.Box(0.0f, 5.0f);
+        scene.Step(3);
+        body->SetTransform(b2Vec2(place, -place), place);
+        scene.Step(3);
+        EXPECT_EQ(WhyBroken(scene.world, true), "") << place;
+        struct Ray : b2RayCastCallback
+        {
+            float32 ReportFixture(b2Fixture*, const b2Vec2&, const b2Vec2&, float32 f) override
+            {
+                return f;
+            }
+        } ray;
+        scene.world.RayCast(&ray, b2Vec2(-place, -place), b2Vec2(place, place));
+        body->SetTransform(b2Vec2(0.0f, 3.0f), 0.0f);
+        scene.Step(3);
+        EXPECT_EQ(WhyBroken(scene.world, true), "") << place;
+    }
+}
+
+} // namespace
