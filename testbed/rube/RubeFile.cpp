@@ -41,7 +41,7 @@ Result<std::string> ReadBounded(const std::filesystem::path& file)
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status))
     {
-        return Error{ErrorKind::Unusable, name + " does not exist; check the path"};
+        return Error{ErrorKind::Unusable, name + " does not exist; check the path."};
     }
     if (!std::filesystem::is_regular_file(status))
     {

@@ -67,7 +67,7 @@ private:
         if (++m_depth > kDeepest)
         {
             m_refusal = "nests lists and objects more than " + std::to_string(kDeepest) +
-                        " deep, which no scene file does; export it again";
+                        " deep, which no scene file does; export it again.";
         }
         return CountValue();
     }
@@ -94,7 +94,7 @@ Error SyntaxError(std::string_view text, std::size_t position, const std::string
 {
     if (position > text.size())
     {
-        return Unusable(source + " ends in the middle of its JSON text; copy or export it again");
+        return Unusable(source + " ends in the middle of its JSON text; copy or export it again.");
     }
     const std::size_t at = std::min(position > 0 ? position - 1 : 0, text.size());
     const std::string_view before = text.substr(0, at);
@@ -102,7 +102,7 @@ Error SyntaxError(std::string_view text, std::size_t position, const std::string
     const std::size_t lastBreak = before.rfind('\n');
     const std::size_t column = lastBreak == std::string_view::npos ? at + 1 : at - lastBreak;
     return Unusable(source + " is no JSON text: line " + std::to_string(line) + ", column " +
-                    std::to_string(column) + " cannot be read; export it again");
+                    std::to_string(column) + " cannot be read; export it again.");
 }
 
 // Long names would drown the message; control characters could garble the terminal.
@@ -361,7 +361,7 @@ void JsonValue::Complain(const std::string& isWrongHow) const
     AppendPath(m_content->root, &Node(m_node), path);
     const std::string place = path.empty() ? std::string("its outermost object") : path;
     m_content->complaint = Unusable(m_content->source + ": " + place + " " + isWrongHow +
-                                    "; correct it or export the scene again");
+                                    "; correct it or export the scene again.");
 }
 
 bool JsonValue::IsHopeless() const
