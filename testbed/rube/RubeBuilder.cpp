@@ -67,8 +67,8 @@ public:
         }
         if (m_findings > kMostFindings)
         {
-            m_leftOut.push_back("and so are " + std::to_string(m_findings - kMostFindings) +
-                                " more parts");
+            m_leftOut.push_back("And so are " + std::to_string(m_findings - kMostFindings) +
+                                " more parts.");
         }
     }
 
@@ -87,7 +87,7 @@ private:
     {
         if (++m_findings <= kMostFindings)
         {
-            m_leftOut.push_back(sentence);
+            m_leftOut.push_back(sentence + ".");
         }
     }
 
@@ -291,6 +291,10 @@ private:
         {
             BuildDistance(source, *distance, who);
         }
+        else if (const auto* prismatic = std::get_if<RubePrismatic>(&source.details))
+        {
+            BuildPrismatic(source, *prismatic, who);
+        }
         else
         {
             Report(who + " is left out: joints of this kind cannot be built");
@@ -327,12 +331,47 @@ private:
         }
         else
         {
-            Report("the limit of " + who + " is left out: its lower end is above its upper end");
+            ReportLimit(who);
         }
         definition.enableMotor = revolute.enableMotor;
         definition.motorSpeed = revolute.motorSpeed;
         definition.maxMotorTorque = revolute.maxMotorTorque;
         m_world.CreateJoint(&definition);
+    }
+
+    void BuildPrismatic(const RubeJoint& source, const RubePrismatic& prismatic,
+                        const std::string& who)
+    {
+        b2PrismaticJointDef definition;
+        FillCommon(source, definition);
+        definition.localAnchorA = source.anchorA;
+        definition.localAnchorB = source.anchorB;
+        definition.localAxisA = prismatic.axis;
+        if (!(definition.localAxisA.Normalize() > 0.0f))
+        {
+            Report(who + " is left out: its axis has no direction");
+            return;
+        }
+        definition.referenceAngle = prismatic.referenceAngle;
+        if (prismatic.lowerLimit <= prismatic.upperLimit)
+        {
+            definition.enableLimit = prismatic.enableLimit;
+            definition.lowerTranslation = prismatic.lowerLimit;
+            definition.upperTranslation = prismatic.upperLimit;
+        }
+        else
+        {
+            ReportLimit(who);
+        }
+        definition.enableMotor = prismatic.enableMotor;
+        definition.motorSpeed = prismatic.motorSpeed;
+        definition.maxMotorForce = prismatic.maxMotorForce;
+        m_world.CreateJoint(&definition);
+    }
+
+    void ReportLimit(const std::string& who)
+    {
+        Report("the limit of " + who + " is left out: its lower end is above its upper end");
     }
 
     // The manual warns of short lengths; shorter than the tolerance has no direction at all.

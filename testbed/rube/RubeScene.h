@@ -94,6 +94,18 @@ struct RubeDistance
     float32 dampingRatio = 0.0f;
 };
 
+struct RubePrismatic
+{
+    b2Vec2 axis = b2Vec2(1.0f, 0.0f); ///< in body A's frame, of any length
+    float32 referenceAngle = 0.0f;    ///< [rad]
+    bool enableLimit = false;
+    float32 lowerLimit = 0.0f; ///< [m]
+    float32 upperLimit = 0.0f; ///< [m]
+    bool enableMotor = false;
+    float32 motorSpeed = 0.0f;    ///< [m/s]
+    float32 maxMotorForce = 0.0f; ///< [N]
+};
+
 struct RubeJoint
 {
     std::string type; ///< as the file spells it
@@ -101,9 +113,10 @@ struct RubeJoint
     std::size_t bodyA = 0; ///< index into RubeScene::bodies
     std::size_t bodyB = 0;
     bool collideConnected = false;
-    b2Vec2 anchorA = b2Vec2(0.0f, 0.0f);                              ///< in body A's frame [m]
-    b2Vec2 anchorB = b2Vec2(0.0f, 0.0f);                              ///< in body B's frame [m]
-    std::variant<std::monostate, RubeRevolute, RubeDistance> details; ///< nothing for other kinds
+    b2Vec2 anchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
+    b2Vec2 anchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
+    /// Nothing for other kinds.
+    std::variant<std::monostate, RubeRevolute, RubeDistance, RubePrismatic> details;
 };
 
 struct RubeScene

@@ -183,6 +183,22 @@ RubeDistance ReadDistance(const JsonValue& value)
     return joint;
 }
 
+RubePrismatic ReadPrismatic(const JsonValue& value)
+{
+    RubePrismatic joint;
+    // Old files call the axis localAxis1.
+    const JsonValue axis = value.Member("localAxisA");
+    joint.axis = ReadVector(axis.Exists() ? axis : value.Member("localAxis1"));
+    joint.referenceAngle = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
+    joint.enableLimit = value.Member("enableLimit").Bool(false);
+    joint.lowerLimit = value.Member("lowerLimit").Number(0.0f, -kFarthest, kFarthest);
+    joint.upperLimit = value.Member("upperLimit").Number(0.0f, -kFarthest, kFarthest);
+    joint.enableMotor = value.Member("enableMotor").Bool(false);
+    joint.motorSpeed = value.Member("motorSpeed").Number(0.0f, -kFastest, kFastest);
+    joint.maxMotorForce = value.Member("maxMotorForce").Number(0.0f, 0.0f, kStrongest);
+    return joint;
+}
+
 std::size_t ReadBodyIndex(const JsonValue& joint, const char* name, std::size_t bodyCount)
 {
     const JsonValue index = joint.Required(name);
@@ -211,6 +227,10 @@ RubeJoint ReadJoint(const JsonValue& value, std::size_t bodyCount)
     else if (joint.type == "distance")
     {
         joint.details = ReadDistance(value);
+    }
+    else if (joint.type == "prismatic")
+    {
+        joint.details = ReadPrismatic(value);
     }
     return joint;
 }

@@ -3,6 +3,7 @@
 #include "StopSignals.h"
 #include "Terminal.h"
 
+#include <debugdraw/AtomicFile.h>
 #include <recorder/Recording.h>
 #include <render/Renderer.h>
 
@@ -72,10 +73,15 @@ FilmReport ReportOf(const RecordOptions& options, std::int64_t frameCount, doubl
 {
     FilmReport report;
     report.file = options.output;
-    report.frames = frameCount;
+    report.framesFilmed = frameCount;
     report.width = options.look.width;
     report.height = options.look.height;
-    report.framesPerSecond = options.framesPerSecond.ToDouble();
+    const Rational stored = StoredFrameRate(options.output, options.framesPerSecond);
+    report.framesPerSecond = stored.ToDouble();
+    // Both rates are exact fractions, and one is a whole multiple of the other.
+    const std::int64_t every =
+        options.framesPerSecond.num * stored.den / (options.framesPerSecond.den * stored.num);
+    report.frames = (frameCount + every - 1) / every;
     report.seconds = seconds;
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(options.output, error);
@@ -91,6 +97,7 @@ Result<int> RecordScene(const RecordOptions& options, std::int64_t frameCount, S
     {
         return writer.GetError();
     }
+    StopSignals::RemoveWhenEnded(PartPath(options.output));
     Result<Renderer> renderer =
         Renderer::Create({.width = options.look.width, .height = options.look.height});
     if (!renderer)

@@ -139,6 +139,11 @@ std::string ReportText(const FilmReport& report)
     std::string text =
         report.file.string() + Format(": %lld frames of %dx%d at %g fps", Printable(report.frames),
                                       report.width, report.height, report.framesPerSecond);
+    if (report.framesFilmed > report.frames)
+    {
+        text += Format(" (kept of %lld: a GIF shows at most 50 a second)",
+                       Printable(report.framesFilmed));
+    }
     if (report.bytes >= 0)
     {
         text += ", " + BytesText(report.bytes);

@@ -26,9 +26,10 @@ enum class ProgressMode
 struct FilmReport
 {
     std::filesystem::path file;
-    std::int64_t frames = 0;
-    int width = 0;  ///< [px]
-    int height = 0; ///< [px]
+    std::int64_t frames = 0;       ///< in the file
+    std::int64_t framesFilmed = 0; ///< more than those when the format cannot show so many a second
+    int width = 0;                 ///< [px]
+    int height = 0;                ///< [px]
     double framesPerSecond = 60.0;
     double seconds = 0.0;    ///< that making it took
     std::int64_t bytes = -1; ///< of the file; -1: not one file

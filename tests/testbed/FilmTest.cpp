@@ -19,6 +19,7 @@ namespace
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class Film : public testing::Test
 {
@@ -124,6 +125,16 @@ TEST_F(Film, EveryFormatHasTheFramesAsked)
     }
 }
 
+TEST_F(Film, AFastGifSaysHowManyFramesItKeeps)
+{
+    const Outcome outcome =
+        Run({"record", "pyramid", "-o", "film.gif", "--frames", "5", "--size", "160x90"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(Decode("film.gif").size(), 3u);
+    EXPECT_THAT(outcome.errors, HasSubstr("film.gif: 3 frames of 160x90 at 30 fps (kept of 5: a "
+                                          "GIF shows at most 50 a second)"));
+}
+
 TEST_F(Film, ForceOverwrites)
 {
     for (const char* frames : {"5", "7"})
@@ -172,6 +183,22 @@ TEST_F(Film, ASignalStopsItAndLeavesNothingBehind)
         EXPECT_THAT(outcome.errors, HasSubstr("Stopped"));
         EXPECT_THAT(folder.Files(), IsEmpty());
     }
+}
+
+TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesNothingBehind)
+{
+    const Outcome outcome = RunBoxreel(
+        {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
+        folder.Path(), [&](int process) {
+            // Both are waiting when it goes on: no time between them for the orderly stop.
+            StopWhenBegun(process, SIGSTOP, folder.Path());
+            kill(process, SIGINT);
+            kill(process, SIGTERM);
+            kill(process, SIGCONT);
+        });
+    EXPECT_TRUE(outcome.code == 128 + SIGINT || outcome.code == 128 + SIGTERM) << outcome.code;
+    EXPECT_THAT(outcome.errors, Not(HasSubstr("Stopped")));
+    EXPECT_THAT(folder.Files(), IsEmpty());
 }
 
 } // namespace

@@ -52,7 +52,7 @@ TEST(Progress, JsonIsOneObject)
 
 TEST(Progress, TheReportSaysWhatWasMade)
 {
-    const FilmReport report{"drop.mp4", 600, 1280, 720, 60.0, 4.25, 1'234'567};
+    const FilmReport report{"drop.mp4", 600, 600, 1280, 720, 60.0, 4.25, 1'234'567};
     EXPECT_EQ(ReportText(report),
               "drop.mp4: 600 frames of 1280x720 at 60 fps, 1.2 MB, made in 4.2 s");
     EXPECT_EQ(ReportJsonText(report),

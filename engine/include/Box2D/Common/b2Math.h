@@ -1,48 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Box2D/Common/b2Settings.h>
-
-#include <cmath>
+#include <Box2D/Common/b2Scalar.h>
 
 /// Vectors, matrices, rotations, transforms and sweeps in two dimensions. Small value types, all
-/// inline. Only IEEE basic operations and square roots are used, with sine, cosine and arc tangent
-/// of our own, so every compiler and C library gives the same bits.
-
-namespace box2d
-{
-/// Sine and cosine of an angle [rad]. The single-precision form is correct to 0.51 ulp, the double
-/// form to 3 ulp, for angles to a million; beyond, the error grows with the angle. An angle of zero
-/// gives exactly 0 and 1; one that is not finite gives NaN.
-void SinCos(float angle, float* sine, float* cosine);
-void SinCos(double angle, double* sine, double* cosine);
-
-/// The angle of the vector (x, y), from -pi to pi, to 3 ulp, with the signs and special cases of
-/// std::atan2.
-double Atan2(double y, double x);
-} // namespace box2d
-
-/// False for NaN and the infinities.
-inline bool b2IsValid(float32 x)
-{
-    return std::isfinite(x);
-}
-
-inline float32 b2Sqrt(float32 x)
-{
-    return std::sqrt(x);
-}
-
-/// 1 / sqrt(x), correct to one rounding of each: there is no approximation to be hidden here.
-inline float32 b2InvSqrt(float32 x)
-{
-    return 1.0f / std::sqrt(x);
-}
-
-inline float32 b2Atan2(float32 y, float32 x)
-{
-    return static_cast<float32>(box2d::Atan2(y, x));
-}
+/// inline. Functions of single numbers are in b2Scalar.h.
 
 /// A column vector with two components.
 struct b2Vec2
@@ -379,18 +341,6 @@ constexpr b2Transform b2MulT(const b2Transform& A, const b2Transform& B)
     return {b2MulT(A, B.p), b2MulT(A.q, B.q)};
 }
 
-template <typename T>
-constexpr T b2Abs(T a)
-{
-    return a > T(0) ? a : -a;
-}
-
-/// So that -0 becomes 0 and NaN stays what it is.
-inline float32 b2Abs(float32 a)
-{
-    return std::fabs(a);
-}
-
 inline b2Vec2 b2Abs(const b2Vec2& a)
 {
     return {b2Abs(a.x), b2Abs(a.y)};
@@ -401,21 +351,9 @@ inline b2Mat22 b2Abs(const b2Mat22& A)
     return {b2Abs(A.ex), b2Abs(A.ey)};
 }
 
-template <typename T>
-constexpr T b2Min(T a, T b)
-{
-    return a < b ? a : b;
-}
-
 constexpr b2Vec2 b2Min(const b2Vec2& a, const b2Vec2& b)
 {
     return {b2Min(a.x, b.x), b2Min(a.y, b.y)};
-}
-
-template <typename T>
-constexpr T b2Max(T a, T b)
-{
-    return a > b ? a : b;
 }
 
 constexpr b2Vec2 b2Max(const b2Vec2& a, const b2Vec2& b)
@@ -423,39 +361,9 @@ constexpr b2Vec2 b2Max(const b2Vec2& a, const b2Vec2& b)
     return {b2Max(a.x, b.x), b2Max(a.y, b.y)};
 }
 
-template <typename T>
-constexpr T b2Clamp(T a, T low, T high)
-{
-    return b2Max(low, b2Min(a, high));
-}
-
 constexpr b2Vec2 b2Clamp(const b2Vec2& a, const b2Vec2& low, const b2Vec2& high)
 {
     return b2Max(low, b2Min(a, high));
-}
-
-template <typename T>
-constexpr void b2Swap(T& a, T& b)
-{
-    T c = a;
-    a = b;
-    b = c;
-}
-
-constexpr bool b2IsPowerOfTwo(uint32 x)
-{
-    return x != 0 && (x & (x - 1)) == 0;
-}
-
-/// The smallest power of two above x: 1 for 0, 8 for 4 to 7; 0 when there is none in 32 bits.
-constexpr uint32 b2NextPowerOfTwo(uint32 x)
-{
-    uint32 power = 1;
-    while (power != 0 && power <= x)
-    {
-        power <<= 1;
-    }
-    return power;
 }
 
 /// The motion of a body during a step: its centre of mass moves on a straight line and it turns
