@@ -5,6 +5,7 @@
 
 #include <Box2D/Common/b2Draw.h>
 #include <Box2D/Common/b2Settings.h>
+#include <Box2D/Common/b2StackAllocator.h>
 #include <Box2D/Common/b2Timer.h>
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
@@ -18,6 +19,7 @@
 #include <Box2D/Collision/b2TimeOfImpact.h>
 
 #include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2ContactManager.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
 #include <Box2D/Dynamics/b2World.h>
@@ -36,3 +38,5 @@
 #include <Box2D/Dynamics/Joints/b2RopeJoint.h>
 #include <Box2D/Dynamics/Joints/b2WeldJoint.h>
 #include <Box2D/Dynamics/Joints/b2WheelJoint.h>
+
+#include <Box2D/Rope/b2Rope.h>

@@ -7,6 +7,7 @@
 #include "Proxies.h"
 
 #include <Box2D/Common/b2BlockAllocator.h>
+#include <Box2D/Dynamics/b2ContactManager.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
 #include <Box2D/Dynamics/b2WorldCallbacks.h>
 
@@ -134,6 +135,7 @@ public:
 
     float32 inverseStep = 0.0f; ///< of the last step [1/s], 0 before the first
     b2Profile profile;
+    mutable b2ContactManager contactManager; ///< what b2World::GetContactManager hands out
     bool profiling = false;
     bool allowSleep = true;
     bool warmStarting = true;

@@ -289,6 +289,13 @@ const b2Profile& b2World::GetProfile() const
     return m_world->profile;
 }
 
+const b2ContactManager& b2World::GetContactManager() const
+{
+    m_world->contactManager = {m_world->contactList, m_world->contactCount, m_world->filter,
+                               m_world->listener};
+    return m_world->contactManager;
+}
+
 void b2World::Dump()
 {
     if (IsLocked())

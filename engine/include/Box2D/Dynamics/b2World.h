@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Box2D/Common/b2Math.h>
+#include <Box2D/Dynamics/b2ContactManager.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
 #include <Box2D/Dynamics/b2WorldCallbacks.h>
 
@@ -90,6 +91,8 @@ public:
     /// Moves the origin of the whole world; what was at `newOrigin` is at zero afterwards.
     void ShiftOrigin(const b2Vec2& newOrigin);
     const b2Profile& GetProfile() const;
+    /// As things stand: a copy, filled by this call.
+    const b2ContactManager& GetContactManager() const;
     /// Writes the world as code to the log.
     void Dump();
 
