@@ -33,10 +33,15 @@ Error CannotOpen(const fs::path& path, int code)
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     switch (code)
     {
-    case ENOENT:
+    case ENOENT: {
+        // A folder that is there and yet takes no file, as /proc.
+        std::error_code ignored;
+        const bool isThere = fs::is_directory(folder, ignored);
         return CannotWrite(ErrorKind::Unusable, path,
                            "the folder " + folder.string() +
-                               " does not exist; create it or choose another");
+                               (isThere ? " takes no files; choose another"
+                                        : " does not exist; create it or choose another"));
+    }
     case ENOTDIR:
         return CannotWrite(ErrorKind::Unusable, path,
                            folder.string() + " is not a folder; choose another place");

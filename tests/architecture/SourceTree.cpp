@@ -28,7 +28,8 @@ const std::vector<Layer>& Layers()
         {"engine/Common", {}},
         {"engine/Collision", {"engine/Common"}},
         {"engine/Dynamics", {"engine/Common", "engine/Collision"}},
-        {"engine", {"engine/Common", "engine/Collision", "engine/Dynamics"}},
+        {"engine/Rope", {"engine/Common"}},
+        {"engine", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine/Rope"}},
         {"drawlist", {}},
         {"collector",
          {"drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
@@ -86,10 +87,12 @@ bool StartsWithAny(std::string_view text, const auto& beginnings)
     return std::ranges::any_of(beginnings, [&](std::string_view b) { return text.starts_with(b); });
 }
 
-/// The manual's three modules, from the path below include/Box2D/ or src/.
+/// The manual's three modules and the rope that stands beside them, from the path below
+/// include/Box2D/ or src/.
 std::string_view EngineLayer(std::string_view below)
 {
-    for (std::string_view module : {"engine/Common", "engine/Collision", "engine/Dynamics"})
+    for (std::string_view module :
+         {"engine/Common", "engine/Collision", "engine/Dynamics", "engine/Rope"})
     {
         const std::string_view folder = module.substr(std::string_view("engine/").size());
         if (below.starts_with(folder) && below.substr(folder.size()).starts_with('/'))

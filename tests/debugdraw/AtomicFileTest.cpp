@@ -175,6 +175,9 @@ TEST(AtomicFile, SaysWhatIsWrongWithAPlaceThatCannotBeWritten)
     std::filesystem::create_directory(folder / "sub");
     ExpectRefused(WriteWhole(folder / "none/a.png", "x", false), ErrorKind::Unusable,
                   "none does not exist");
+    // The one folder that every Linux has and that takes no files from anybody.
+    ExpectRefused(WriteWhole("/proc/boxreel.png", "x", false), ErrorKind::Unusable,
+                  "/proc takes no files");
     ExpectRefused(WriteWhole(folder / "file/a.png", "x", false), ErrorKind::Unusable,
                   "file is not a folder");
     ExpectRefused(WriteWhole(folder / "sub", "x", true), ErrorKind::Unusable, "it is a folder");

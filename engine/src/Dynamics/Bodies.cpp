@@ -144,13 +144,7 @@ void World::DestroyBody(b2Body& body)
     BodyData& data = Data(body);
     while (data.jointList)
     {
-        b2Joint* joint = data.jointList->joint;
-        if (destructionListener)
-        {
-            const Lock lock(*this);
-            destructionListener->SayGoodbye(joint);
-        }
-        DestroyJoint(*joint);
+        DestroyJointImplicitly(*data.jointList->joint);
     }
     while (data.contactList)
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "JointDefinitions.h"
 
+#include "Joints/JointChecks.h"
+
 #include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
 #include <Box2D/Dynamics/Joints/b2FrictionJoint.h>
 #include <Box2D/Dynamics/Joints/b2GearJoint.h>
@@ -19,56 +21,7 @@ namespace box2d
 namespace
 {
 
-// One overload a kind of joint, found by the type of the definition; the helpers first.
-
-bool AreAnchors(const b2Vec2& a, const b2Vec2& b)
-{
-    return B2_REQUIRE(a.IsValid() && b.IsValid(), "A joint's anchors must be finite.");
-}
-
-bool IsAxis(const b2Vec2& axis)
-{
-    return B2_REQUIRE(axis.IsValid() && axis.LengthSquared() > 0.0f,
-                      "A joint's axis must be finite and not zero.");
-}
-
-bool IsAngle(float32 angle)
-{
-    return B2_REQUIRE(b2IsValid(angle), "A joint's angles must be finite.");
-}
-
-bool IsLength(float32 length)
-{
-    return B2_REQUIRE(b2IsValid(length) && length >= 0.0f,
-                      "A joint's length must be finite and not negative.");
-}
-
-bool IsSpring(float32 frequencyHz, float32 dampingRatio)
-{
-    return B2_REQUIRE(b2IsValid(frequencyHz) && frequencyHz >= 0.0f && b2IsValid(dampingRatio) &&
-                          dampingRatio >= 0.0f,
-                      "A joint's frequency and damping ratio must be finite and not negative.");
-}
-
-bool AreLimits(bool enabled, float32 lower, float32 upper)
-{
-    return B2_REQUIRE(b2IsValid(lower) && b2IsValid(upper) && (!enabled || lower <= upper),
-                      "A joint's limits must be finite, the lower limit not above the upper one.");
-}
-
-// The largest force may be infinite: a motor that nothing stops.
-bool IsMotor(float32 speed, float32 largest)
-{
-    return B2_REQUIRE(b2IsValid(speed) && largest >= 0.0f,
-                      "A joint's motor needs a finite speed and a largest force or torque that is "
-                      "not negative.");
-}
-
-bool AreForces(float32 force, float32 torque)
-{
-    return B2_REQUIRE(force >= 0.0f && torque >= 0.0f,
-                      "A joint's largest force and torque must not be negative.");
-}
+// One overload a kind of joint, found by the type of the definition.
 
 bool IsSoundKind(const b2RevoluteJointDef& d)
 {
@@ -102,8 +55,8 @@ bool IsSoundKind(const b2PulleyJointDef& d)
 
 bool IsSoundKind(const b2MouseJointDef& d)
 {
-    return B2_REQUIRE(d.target.IsValid(), "A mouse joint's target must be finite.") &&
-           AreForces(d.maxForce, 0.0f) && IsSpring(d.frequencyHz, d.dampingRatio);
+    return IsTarget(d.target) && AreForces(d.maxForce, 0.0f) &&
+           IsSpring(d.frequencyHz, d.dampingRatio);
 }
 
 bool HasCoordinate(const b2Joint* joint)
@@ -118,7 +71,7 @@ bool IsSoundKind(const b2GearJointDef& d)
            B2_REQUIRE(d.joint1->GetBodyB() != d.joint2->GetBodyB(),
                       "A gear joint's two joints must move two different bodies (their bodies "
                       "B).") &&
-           B2_REQUIRE(b2IsValid(d.ratio), "A gear joint's ratio must be finite.");
+           IsGearRatio(d.ratio);
 }
 
 bool IsSoundKind(const b2WheelJointDef& d)
@@ -145,11 +98,8 @@ bool IsSoundKind(const b2RopeJointDef& d)
 
 bool IsSoundKind(const b2MotorJointDef& d)
 {
-    return B2_REQUIRE(d.linearOffset.IsValid() && b2IsValid(d.angularOffset),
-                      "A motor joint's offsets must be finite.") &&
-           AreForces(d.maxForce, d.maxTorque) &&
-           B2_REQUIRE(d.correctionFactor >= 0.0f && d.correctionFactor <= 1.0f,
-                      "A motor joint's correction factor must be between 0 and 1.");
+    return IsTarget(d.linearOffset) && IsAngle(d.angularOffset) &&
+           AreForces(d.maxForce, d.maxTorque) && IsShare(d.correctionFactor);
 }
 
 template <class Definition>

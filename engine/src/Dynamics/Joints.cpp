@@ -75,6 +75,23 @@ void RemoveEdge(b2JointEdge& edge, b2Body& body)
     }
 }
 
+/// A gear that is made of this joint, null when there is none. It hangs on the joint's body B.
+b2Joint* FindGear(b2Joint& joint)
+{
+    for (b2JointEdge* edge = joint.GetBodyB()->GetJointList(); edge; edge = edge->next)
+    {
+        if (edge->joint->GetType() == e_gearJoint)
+        {
+            auto* gear = static_cast<b2GearJoint*>(edge->joint);
+            if (gear->GetJoint1() == &joint || gear->GetJoint2() == &joint)
+            {
+                return gear;
+            }
+        }
+    }
+    return nullptr;
+}
+
 } // namespace
 
 b2Joint* World::CreateJoint(const b2JointDef& def)
@@ -104,8 +121,22 @@ b2Joint* World::CreateJoint(const b2JointDef& def)
     return joint;
 }
 
+void World::DestroyJointImplicitly(b2Joint& joint)
+{
+    if (destructionListener)
+    {
+        const Lock lock(*this);
+        destructionListener->SayGoodbye(&joint);
+    }
+    DestroyJoint(joint);
+}
+
 void World::DestroyJoint(b2Joint& joint)
 {
+    while (b2Joint* gear = FindGear(joint))
+    {
+        DestroyJointImplicitly(*gear);
+    }
     b2Body& a = *joint.GetBodyA();
     b2Body& b = *joint.GetBodyB();
     Wake(a);

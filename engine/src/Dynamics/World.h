@@ -67,7 +67,10 @@ public:
 
     // Joints.cpp
     b2Joint* CreateJoint(const b2JointDef& def);
+    /// With the gears that are made of it.
     void DestroyJoint(b2Joint& joint);
+    /// As a consequence of something else: the program is told.
+    void DestroyJointImplicitly(b2Joint& joint);
     void FlagJointContacts(b2Joint& joint);
 
     // Contacts.cpp

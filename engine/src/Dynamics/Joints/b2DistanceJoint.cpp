@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // Keep two anchors at length L:  C = |d| - L,  n = d / |d|
@@ -93,6 +94,33 @@ b2Vec2 b2DistanceJoint::GetReactionForce(float32 inv_dt) const
 float32 b2DistanceJoint::GetReactionTorque(float32) const
 {
     return 0.0f;
+}
+
+void b2DistanceJoint::SetLength(float32 length)
+{
+    if (box2d::IsLength(length) && length != m_length)
+    {
+        WakeBodies();
+        m_length = length;
+    }
+}
+
+void b2DistanceJoint::SetFrequency(float32 hz)
+{
+    if (box2d::IsSpring(hz, m_dampingRatio) && hz != m_frequencyHz)
+    {
+        WakeBodies();
+        m_frequencyHz = hz;
+    }
+}
+
+void b2DistanceJoint::SetDampingRatio(float32 ratio)
+{
+    if (box2d::IsSpring(m_frequencyHz, ratio) && ratio != m_dampingRatio)
+    {
+        WakeBodies();
+        m_dampingRatio = ratio;
+    }
 }
 
 void b2DistanceJoint::Dump()

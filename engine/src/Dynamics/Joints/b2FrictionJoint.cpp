@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2FrictionJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // The relative velocity of the anchors and the relative angular velocity are driven to zero, each
@@ -73,18 +74,18 @@ float32 b2FrictionJoint::GetReactionTorque(float32 inv_dt) const
 
 void b2FrictionJoint::SetMaxForce(float32 force)
 {
-    if (B2_REQUIRE(b2IsValid(force) && force >= 0.0f,
-                   "b2FrictionJoint::SetMaxForce needs a finite force that is not negative."))
+    if (box2d::AreForces(force, m_maxTorque) && force != m_maxForce)
     {
+        WakeBodies();
         m_maxForce = force;
     }
 }
 
 void b2FrictionJoint::SetMaxTorque(float32 torque)
 {
-    if (B2_REQUIRE(b2IsValid(torque) && torque >= 0.0f,
-                   "b2FrictionJoint::SetMaxTorque needs a finite torque that is not negative."))
+    if (box2d::AreForces(m_maxForce, torque) && torque != m_maxTorque)
     {
+        WakeBodies();
         m_maxTorque = torque;
     }
 }

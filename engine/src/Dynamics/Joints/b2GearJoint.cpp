@@ -2,6 +2,7 @@
 #include <Box2D/Dynamics/Joints/b2GearJoint.h>
 
 #include "../Access.h"
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 #include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
@@ -213,7 +214,7 @@ float32 b2GearJoint::GetReactionTorque(float32 inv_dt) const
 
 void b2GearJoint::SetRatio(float32 ratio)
 {
-    if (B2_REQUIRE(b2IsValid(ratio), "b2GearJoint::SetRatio needs a finite ratio."))
+    if (box2d::IsGearRatio(ratio))
     {
         m_ratio = ratio;
     }

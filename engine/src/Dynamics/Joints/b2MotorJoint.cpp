@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2MotorJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // Like friction, but towards a velocity that makes good a share of the error in one step:
@@ -78,7 +79,7 @@ float32 b2MotorJoint::GetReactionTorque(float32 inv_dt) const
 
 void b2MotorJoint::SetLinearOffset(const b2Vec2& linearOffset)
 {
-    if (linearOffset != m_linearOffset)
+    if (box2d::IsTarget(linearOffset) && linearOffset != m_linearOffset)
     {
         WakeBodies();
         m_linearOffset = linearOffset;
@@ -87,7 +88,7 @@ void b2MotorJoint::SetLinearOffset(const b2Vec2& linearOffset)
 
 void b2MotorJoint::SetAngularOffset(float32 angularOffset)
 {
-    if (angularOffset != m_angularOffset)
+    if (box2d::IsAngle(angularOffset) && angularOffset != m_angularOffset)
     {
         WakeBodies();
         m_angularOffset = angularOffset;
@@ -96,27 +97,27 @@ void b2MotorJoint::SetAngularOffset(float32 angularOffset)
 
 void b2MotorJoint::SetMaxForce(float32 force)
 {
-    if (B2_REQUIRE(b2IsValid(force) && force >= 0.0f,
-                   "b2MotorJoint::SetMaxForce needs a finite force that is not negative."))
+    if (box2d::AreForces(force, m_maxTorque) && force != m_maxForce)
     {
+        WakeBodies();
         m_maxForce = force;
     }
 }
 
 void b2MotorJoint::SetMaxTorque(float32 torque)
 {
-    if (B2_REQUIRE(b2IsValid(torque) && torque >= 0.0f,
-                   "b2MotorJoint::SetMaxTorque needs a finite torque that is not negative."))
+    if (box2d::AreForces(m_maxForce, torque) && torque != m_maxTorque)
     {
+        WakeBodies();
         m_maxTorque = torque;
     }
 }
 
 void b2MotorJoint::SetCorrectionFactor(float32 factor)
 {
-    if (B2_REQUIRE(factor >= 0.0f && factor <= 1.0f,
-                   "b2MotorJoint::SetCorrectionFactor needs a share between 0 and 1."))
+    if (box2d::IsShare(factor) && factor != m_correctionFactor)
     {
+        WakeBodies();
         m_correctionFactor = factor;
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2MouseJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 #include <Box2D/Dynamics/b2World.h>
@@ -79,8 +80,7 @@ float32 b2MouseJoint::GetReactionTorque(float32) const
 
 void b2MouseJoint::SetTarget(const b2Vec2& target)
 {
-    if (B2_REQUIRE(target.IsValid(), "b2MouseJoint::SetTarget needs a finite point.") &&
-        target != m_target)
+    if (box2d::IsTarget(target) && target != m_target)
     {
         m_bodyB->SetAwake(true);
         m_target = target;
@@ -90,6 +90,30 @@ void b2MouseJoint::SetTarget(const b2Vec2& target)
 void b2MouseJoint::ShiftOrigin(const b2Vec2& newOrigin)
 {
     m_target -= newOrigin;
+}
+
+void b2MouseJoint::SetMaxForce(float32 force)
+{
+    if (box2d::AreForces(force, 0.0f))
+    {
+        m_maxForce = force;
+    }
+}
+
+void b2MouseJoint::SetFrequency(float32 hz)
+{
+    if (box2d::IsSpring(hz, m_dampingRatio))
+    {
+        m_frequencyHz = hz;
+    }
+}
+
+void b2MouseJoint::SetDampingRatio(float32 ratio)
+{
+    if (box2d::IsSpring(m_frequencyHz, ratio))
+    {
+        m_dampingRatio = ratio;
+    }
 }
 
 void b2MouseJoint::Dump()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
@@ -234,8 +235,7 @@ void b2PrismaticJoint::EnableLimit(bool flag)
 
 void b2PrismaticJoint::SetLimits(float32 lower, float32 upper)
 {
-    if (!B2_REQUIRE(lower <= upper,
-                    "b2PrismaticJoint::SetLimits: the lower limit must not exceed the upper one."))
+    if (!box2d::AreLimits(true, lower, upper))
     {
         return;
     }
@@ -257,14 +257,20 @@ void b2PrismaticJoint::EnableMotor(bool flag)
 
 void b2PrismaticJoint::SetMotorSpeed(float32 speed)
 {
-    WakeBodies();
-    m_motorSpeed = speed;
+    if (box2d::IsMotor(speed, m_maxMotorForce))
+    {
+        WakeBodies();
+        m_motorSpeed = speed;
+    }
 }
 
 void b2PrismaticJoint::SetMaxMotorForce(float32 force)
 {
-    WakeBodies();
-    m_maxMotorForce = force;
+    if (box2d::IsMotor(m_motorSpeed, force))
+    {
+        WakeBodies();
+        m_maxMotorForce = force;
+    }
 }
 
 void b2PrismaticJoint::Dump()

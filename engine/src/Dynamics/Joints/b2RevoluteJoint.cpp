@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in
@@ -146,9 +147,7 @@ void b2RevoluteJoint::EnableLimit(bool flag)
 
 void b2RevoluteJoint::SetLimits(float32 lower, float32 upper)
 {
-    if (!B2_REQUIRE(b2IsValid(lower) && b2IsValid(upper) && lower <= upper,
-                    "b2RevoluteJoint::SetLimits: the limits must be finite, the lower one not "
-                    "above the upper one."))
+    if (!box2d::AreLimits(true, lower, upper))
     {
         return;
     }
@@ -170,7 +169,7 @@ void b2RevoluteJoint::EnableMotor(bool flag)
 
 void b2RevoluteJoint::SetMotorSpeed(float32 speed)
 {
-    if (B2_REQUIRE(b2IsValid(speed), "A joint's motor speed must be finite."))
+    if (box2d::IsMotor(speed, m_maxMotorTorque))
     {
         WakeBodies();
         m_motorSpeed = speed;
@@ -179,7 +178,7 @@ void b2RevoluteJoint::SetMotorSpeed(float32 speed)
 
 void b2RevoluteJoint::SetMaxMotorTorque(float32 torque)
 {
-    if (B2_REQUIRE(torque >= 0.0f, "A joint's motor needs a largest torque that is not negative."))
+    if (box2d::IsMotor(m_motorSpeed, torque))
     {
         WakeBodies();
         m_maxMotorTorque = torque;

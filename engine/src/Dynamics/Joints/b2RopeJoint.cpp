@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2RopeJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // The distance joint as an inequality:  C = |d| - L <= 0. While the rope is slack, the anchors may
@@ -75,6 +76,15 @@ float32 b2RopeJoint::GetReactionTorque(float32) const
 b2LimitState b2RopeJoint::GetLimitState() const
 {
     return m_impulse < 0.0f ? e_atUpperLimit : e_inactiveLimit;
+}
+
+void b2RopeJoint::SetMaxLength(float32 length)
+{
+    if (box2d::IsLength(length) && length != m_maxLength)
+    {
+        WakeBodies();
+        m_maxLength = length;
+    }
 }
 
 void b2RopeJoint::Dump()

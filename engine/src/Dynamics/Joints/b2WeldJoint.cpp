@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2WeldJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // A hinge whose angle is held too. Rigid: the three rows are solved together, with
@@ -119,6 +120,24 @@ b2Vec2 b2WeldJoint::GetReactionForce(float32 inv_dt) const
 float32 b2WeldJoint::GetReactionTorque(float32 inv_dt) const
 {
     return inv_dt * m_angularImpulse;
+}
+
+void b2WeldJoint::SetFrequency(float32 hz)
+{
+    if (box2d::IsSpring(hz, m_dampingRatio) && hz != m_frequencyHz)
+    {
+        WakeBodies();
+        m_frequencyHz = hz;
+    }
+}
+
+void b2WeldJoint::SetDampingRatio(float32 ratio)
+{
+    if (box2d::IsSpring(m_frequencyHz, ratio) && ratio != m_dampingRatio)
+    {
+        WakeBodies();
+        m_dampingRatio = ratio;
+    }
 }
 
 void b2WeldJoint::Dump()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2WheelJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
@@ -176,14 +177,38 @@ void b2WheelJoint::EnableMotor(bool flag)
 
 void b2WheelJoint::SetMotorSpeed(float32 speed)
 {
-    WakeBodies();
-    m_motorSpeed = speed;
+    if (box2d::IsMotor(speed, m_maxMotorTorque))
+    {
+        WakeBodies();
+        m_motorSpeed = speed;
+    }
 }
 
 void b2WheelJoint::SetMaxMotorTorque(float32 torque)
 {
-    WakeBodies();
-    m_maxMotorTorque = torque;
+    if (box2d::IsMotor(m_motorSpeed, torque))
+    {
+        WakeBodies();
+        m_maxMotorTorque = torque;
+    }
+}
+
+void b2WheelJoint::SetSpringFrequencyHz(float32 hz)
+{
+    if (box2d::IsSpring(hz, m_dampingRatio) && hz != m_frequencyHz)
+    {
+        WakeBodies();
+        m_frequencyHz = hz;
+    }
+}
+
+void b2WheelJoint::SetSpringDampingRatio(float32 ratio)
+{
+    if (box2d::IsSpring(m_frequencyHz, ratio) && ratio != m_dampingRatio)
+    {
+        WakeBodies();
+        m_dampingRatio = ratio;
+    }
 }
 
 void b2WheelJoint::Dump()

@@ -29,11 +29,11 @@ public:
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    void SetLength(float32 length) { m_length = length; }
+    void SetLength(float32 length);
     float32 GetLength() const { return m_length; }
-    void SetFrequency(float32 hz) { m_frequencyHz = hz; }
+    void SetFrequency(float32 hz);
     float32 GetFrequency() const { return m_frequencyHz; }
-    void SetDampingRatio(float32 ratio) { m_dampingRatio = ratio; }
+    void SetDampingRatio(float32 ratio);
     float32 GetDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 

@@ -28,11 +28,11 @@ public:
 
     void SetTarget(const b2Vec2& target);
     const b2Vec2& GetTarget() const { return m_target; }
-    void SetMaxForce(float32 force) { m_maxForce = force; }
+    void SetMaxForce(float32 force);
     float32 GetMaxForce() const { return m_maxForce; }
-    void SetFrequency(float32 hz) { m_frequencyHz = hz; }
+    void SetFrequency(float32 hz);
     float32 GetFrequency() const { return m_frequencyHz; }
-    void SetDampingRatio(float32 ratio) { m_dampingRatio = ratio; }
+    void SetDampingRatio(float32 ratio);
     float32 GetDampingRatio() const { return m_dampingRatio; }
     void ShiftOrigin(const b2Vec2& newOrigin) override;
     void Dump() override;

@@ -26,7 +26,7 @@ public:
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    void SetMaxLength(float32 length) { m_maxLength = length; }
+    void SetMaxLength(float32 length);
     float32 GetMaxLength() const { return m_maxLength; }
     b2LimitState GetLimitState() const; ///< e_atUpperLimit while the rope is taut
     void Dump() override;

@@ -45,9 +45,9 @@ public:
     float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
     float32 GetMotorTorque(float32 inv_dt) const; ///< [N m]
     float32 GetMotorTorque() const;               ///< for the length of the last step
-    void SetSpringFrequencyHz(float32 hz) { m_frequencyHz = hz; }
+    void SetSpringFrequencyHz(float32 hz);
     float32 GetSpringFrequencyHz() const { return m_frequencyHz; }
-    void SetSpringDampingRatio(float32 ratio) { m_dampingRatio = ratio; }
+    void SetSpringDampingRatio(float32 ratio);
     float32 GetSpringDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 

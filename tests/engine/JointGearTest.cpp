@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "JointScene.h"
+
+#include <set>
+
+/// Gears: q1 + ratio * q2 stays what it was, q an angle or a translation.
+namespace
+{
+
+using namespace dynamics;
+
+/// Two bodies without weight on two posts, each on a hinge or a slider along x, geared.
+struct Gearing : JointScene
+{
+    Gearing(bool firstSlides, bool secondSlides, float32 ratio) : JointScene(b2Vec2(0.0f, 0.0f))
+    {
+        world.SetDestructionListener(&listener);
+        Make(0, firstSlides);
+        Make(1, secondSlides);
+        b2GearJointDef def;
+        def.bodyA = bodies[0];
+        def.bodyB = bodies[1];
+        def.joint1 = joints[0];
+        def.joint2 = joints[1];
+        def.ratio = ratio;
+        gear = Create<b2GearJoint>(def);
+    }
+    ~Gearing() { world.SetDestructionListener(nullptr); }
+
+    void Make(int i, bool slides)
+    {
+        const float32 x = 10.0f * float32(i);
+        posts[i] = Post(x, 0.0f);
+        bodies[i] = Ball(x, 0.0f, 1.0f);
+        bodies[i]->SetSleepingAllowed(false);
+        isSlider[i] = slides;
+        if (slides)
+        {
+            b2PrismaticJointDef def;
+            def.Initialize(posts[i], bodies[i], posts[i]->GetPosition(), b2Vec2(1.0f, 0.0f));
+            joints[i] = world.CreateJoint(&def);
+        }
+        else
+        {
+            b2RevoluteJointDef def;
+            def.Initialize(posts[i], bodies[i], posts[i]->GetPosition());
+            joints[i] = world.CreateJoint(&def);
+        }
+    }
+
+    float32 Coordinate(int i) const
+    {
+        return isSlider[i] ? bodies[i]->GetPosition().x - posts[i]->GetPosition().x
+                           : bodies[i]->GetAngle();
+    }
+    float32 Rate(int i) const
+    {
+        return isSlider[i] ? bodies[i]->GetLinearVelocity().x : bodies[i]->GetAngularVelocity();
+    }
+    float32 Inertia(int i) const
+    {
+        return isSlider[i] ? bodies[i]->GetMass() : bodies[i]->GetInertia();
+    }
+    void Push(int i, float32 effort)
+    {
+        if (isSlider[i])
+        {
+            bodies[i]->ApplyForceToCenter(b2Vec2(effort, 0.0f));
+        }
+        else
+        {
+            bodies[i]->ApplyTorque(effort);
+        }
+    }
+
+    struct Listener : b2DestructionListener
+    {
+        void SayGoodbye(b2Joint* joint) override { gone.insert(joint); }
+        using b2DestructionListener::SayGoodbye;
+        std::set<b2Joint*> gone;
+    };
+    Listener listener;
+    b2Body* posts[2];
+    b2Body* bodies[2];
+    b2Joint* joints[2];
+    bool isSlider[2];
+    b2GearJoint* gear;
+};
+
+class GearJoint : public testing::TestWithParam<std::tuple<bool, bool, float32>>
+{
+protected:
+    Gearing g{std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
+    float32 ratio = std::get<2>(GetParam());
+};
+
+TEST_P(GearJoint, KeepsTheSumOfItsCoordinates)
+{
+    for (int i = 0; i < 300; ++i)
+    {
+        g.Push(0, 20.0f * g.Random());
+        g.Push(1, 20.0f * g.Random());
+        g.Step();
+        ASSERT_NEAR(g.Coordinate(0) + ratio * g.Coordinate(1), 0.0f, b2_linearSlop) << i;
+        ASSERT_EQ(WhyBroken(g.world, true), "");
+    }
+    EXPECT_GT(b2Abs(g.Coordinate(0)), 0.1f) << "it does move";
+}
+
+// alpha1 = effort / (I1 + I2 / ratio^2), for body 2 turns 1 / ratio times as fast.
+TEST_P(GearJoint, ADrivenSideCarriesTheInertiaOfTheOther)
+{
+    const float32 inertia = g.Inertia(0) + g.Inertia(1) / (ratio * ratio);
+    for (int i = 0; i < 30; ++i)
+    {
+        g.Push(0, 3.0f);
+        g.Step();
+    }
+    EXPECT_NEAR(g.Rate(0), 0.5f * 3.0f / inertia, 1e-3f);
+    EXPECT_NEAR(g.Rate(1), -g.Rate(0) / ratio, 1e-3f);
+}
+
+TEST_P(GearJoint, EffortsInTheRatioBalanceEachOther)
+{
+    for (int i = 0; i < 120; ++i)
+    {
+        g.Push(0, 3.0f);
+        g.Push(1, 3.0f * ratio);
+        g.Step();
+    }
+    EXPECT_NEAR(g.Coordinate(0), 0.0f, 1e-3f);
+    EXPECT_NEAR(g.Coordinate(1), 0.0f, 1e-3f);
+    // What the gear does to body B is against what pushes it.
+    const float32 effort = g.isSlider[1] ? g.gear->GetReactionForce(1.0f / kStep).x
+                                         : g.gear->GetReactionTorque(1.0f / kStep);
+    EXPECT_NEAR(effort, -3.0f * ratio, 0.01f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairings, GearJoint,
+                         testing::Combine(testing::Bool(), testing::Bool(),
+                                          testing::Values(1.0f, 2.5f, -0.5f, -3.0f)));
+
+TEST(GearJoints, SetRatioTakesEffectFromThereOn)
+{
+    Gearing g(false, false, 1.0f);
+    g.gear->SetRatio(-2.0f);
+    EXPECT_EQ(g.gear->GetRatio(), -2.0f);
+    EXPECT_EQ(g.gear->GetJoint1(), g.joints[0]);
+    EXPECT_EQ(g.gear->GetJoint2(), g.joints[1]);
+    g.Push(0, 50.0f);
+    g.Step(10);
+    EXPECT_NEAR(g.Rate(0), 2.0f * g.Rate(1), 1e-3f);
+}
+
+// Whatever of it is destroyed, a gear never outlives what it is made of, and the program is told.
+TEST(GearJoints, GoWithTheJointsAndBodiesTheyAreMadeOf)
+{
+    for (int what = 0; what < 6; ++what)
+    {
+        Gearing g(what % 2 == 0, what < 3, 1.5f);
+        g.Push(0, 10.0f);
+        g.Step(5);
+        const b2Joint* gear = g.gear;
+        switch (what)
+        {
+        case 0:
+        case 1:
+            g.world.DestroyJoint(g.joints[what]);
+            break;
+        case 2:
+        case 3:
+            g.world.DestroyBody(g.posts[what - 2]);
+            break;
+        default:
+            g.world.DestroyBody(g.bodies[what - 4]);
+            break;
+        }
+        EXPECT_EQ(g.listener.gone.count(const_cast<b2Joint*>(gear)), 1u) << what;
+        EXPECT_EQ(g.world.GetJointCount(), 1) << what;
+        EXPECT_EQ(WhyBroken(g.world, false), "") << what;
+        g.Step(5);
+        EXPECT_EQ(WhyBroken(g.world, true), "") << what;
+    }
+}
+
+TEST(GearJoints, DestroyedByHandAreNotSaidGoodbye)
+{
+    Gearing g(false, false, 1.0f);
+    g.world.DestroyJoint(g.gear);
+    EXPECT_TRUE(g.listener.gone.empty());
+    EXPECT_EQ(g.world.GetJointCount(), 2);
+    g.Push(0, 50.0f);
+    g.Step(10);
+    EXPECT_EQ(g.Rate(1), 0.0f) << "nothing is geared any more";
+}
+
+} // namespace

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "JointScene.h"
+
+/// Motor joints: drive a body to an offset from another with bounded force and torque.
+namespace
+{
+
+using namespace dynamics;
+
+struct Drive : JointScene
+{
+    Drive(float32 force, float32 torque, const b2Vec2& gravity = b2Vec2(0.0f, 0.0f))
+        : JointScene(gravity), load(Load(2.0f, 0.0f))
+    {
+        b2MotorJointDef def;
+        def.Initialize(Post(), load);
+        def.maxForce = force;
+        def.maxTorque = torque;
+        joint = Create<b2MotorJoint>(def);
+    }
+
+    b2Body* load;
+    b2MotorJoint* joint;
+};
+
+TEST(MotorJoint, StartsFromWhereTheBodiesAre)
+{
+    Drive drive(10.0f, 10.0f);
+    EXPECT_EQ(drive.joint->GetLinearOffset(), b2Vec2(2.0f, 0.0f));
+    EXPECT_EQ(drive.joint->GetAngularOffset(), 0.0f);
+    drive.Step(60);
+    EXPECT_EQ(drive.load->GetPosition(), b2Vec2(2.0f, 0.0f));
+}
+
+TEST(MotorJoint, MovesAndTurnsTheBodyToItsOffset)
+{
+    Drive drive(200.0f, 100.0f);
+    drive.joint->SetLinearOffset(b2Vec2(-1.0f, 3.0f));
+    drive.joint->SetAngularOffset(1.5f);
+    drive.Step(180);
+    EXPECT_NEAR(drive.load->GetPosition().x, -1.0f, 1e-3f);
+    EXPECT_NEAR(drive.load->GetPosition().y, 3.0f, 1e-3f);
+    EXPECT_NEAR(drive.load->GetAngle(), 1.5f, 1e-3f);
+}
+
+TEST(MotorJoint, UsesNoMoreForceAndTorqueThanItMay)
+{
+    Drive drive(4.0f, 0.5f);
+    drive.joint->SetLinearOffset(b2Vec2(1000.0f, 0.0f));
+    drive.joint->SetAngularOffset(100.0f);
+    drive.Step(30);
+    EXPECT_NEAR(drive.load->GetLinearVelocity().x, 0.5f * 4.0f, 1e-3f);
+    EXPECT_NEAR(drive.load->GetAngularVelocity(), 0.5f * 0.5f / drive.load->GetInertia(), 1e-3f);
+    EXPECT_NEAR(drive.joint->GetReactionForce().x, 4.0f, 1e-3f);
+    EXPECT_NEAR(drive.joint->GetReactionTorque(), 0.5f, 1e-4f);
+}
+
+TEST(MotorJoint, HoldsAWeightUpToItsForce)
+{
+    Drive strong(15.0f, 10.0f, b2Vec2(0.0f, -10.0f));
+    strong.Step(240);
+    EXPECT_NEAR(strong.load->GetPosition().y, 0.0f, 0.01f);
+    EXPECT_NEAR(strong.joint->GetReactionForce(1.0f / kStep).y, kGravity, 0.01f);
+
+    Drive weak(6.0f, 10.0f, b2Vec2(0.0f, -10.0f));
+    weak.Step(60);
+    EXPECT_NEAR(weak.load->GetLinearVelocity().y, -4.0f, 0.01f);
+}
+
+TEST(MotorJoint, ItsOffsetsMoveWithBodyA)
+{
+    JointScene scene(b2Vec2(0.0f, 0.0f));
+    b2Body* cart = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
+    b2Body* load = scene.Load(1.0f, 0.0f);
+    b2MotorJointDef def;
+    def.Initialize(cart, load);
+    def.maxForce = 1000.0f;
+    def.maxTorque = 1000.0f;
+    scene.Create<b2MotorJoint>(def);
+    cart->SetLinearVelocity(b2Vec2(2.0f, 0.0f));
+    scene.Step(120);
+    EXPECT_NEAR(load->GetPosition().x, cart->GetPosition().x + 1.0f, 0.01f);
+    EXPECT_NEAR(load->GetLinearVelocity().x, 2.0f, 1e-3f);
+}
+
+TEST(MotorJoint, TheCorrectionFactorIsTheShareOfAStep)
+{
+    Drive drive(1e6f, 1e6f);
+    drive.joint->SetCorrectionFactor(0.5f);
+    EXPECT_EQ(drive.joint->GetCorrectionFactor(), 0.5f);
+    drive.joint->SetLinearOffset(b2Vec2(2.8f, 0.0f));
+    drive.Step();
+    EXPECT_NEAR(drive.load->GetPosition().x, 2.4f, 1e-3f);
+    drive.Step();
+    EXPECT_NEAR(drive.load->GetPosition().x, 2.6f, 1e-3f);
+}
+
+TEST(MotorJoint, ChangesWakeTheBodiesTheSameValuesDoNot)
+{
+    Drive drive(10.0f, 10.0f);
+    drive.load->SetSleepingAllowed(true);
+    const auto rest = [&] {
+        drive.Step(300);
+        EXPECT_FALSE(drive.load->IsAwake());
+    };
+    rest();
+    drive.joint->SetLinearOffset(drive.joint->GetLinearOffset());
+    drive.joint->SetAngularOffset(drive.joint->GetAngularOffset());
+    EXPECT_FALSE(drive.load->IsAwake());
+    drive.joint->SetLinearOffset(b2Vec2(2.5f, 0.0f));
+    EXPECT_TRUE(drive.load->IsAwake());
+    rest();
+    drive.joint->SetAngularOffset(0.2f);
+    EXPECT_TRUE(drive.load->IsAwake());
+    rest();
+    drive.joint->SetMaxForce(20.0f);
+    EXPECT_TRUE(drive.load->IsAwake());
+    EXPECT_EQ(drive.joint->GetMaxForce(), 20.0f);
+    rest();
+    drive.joint->SetMaxTorque(20.0f);
+    EXPECT_TRUE(drive.load->IsAwake());
+    EXPECT_EQ(drive.joint->GetMaxTorque(), 20.0f);
+}
+
+} // namespace
