@@ -63,11 +63,19 @@ TEST_F(DynamicsMisuse, OfBodyDefinitions)
         wrong.angularVelocity = bad;
         ExpectMisuse("velocities", [&] { scene.world.CreateBody(&wrong); });
         wrong = def;
+        wrong.gravityScale = bad;
+        ExpectMisuse("gravity scale", [&] { scene.world.CreateBody(&wrong); });
+    }
+    for (const float32 bad : {kNaN, -1.0f, -kInfinity}) // plus infinity is a damping
+    {
+        b2BodyDef wrong = def;
         wrong.linearDamping = bad;
         ExpectMisuse("damping", [&] { scene.world.CreateBody(&wrong); });
         wrong = def;
-        wrong.gravityScale = bad;
-        ExpectMisuse("gravity scale", [&] { scene.world.CreateBody(&wrong); });
+        wrong.angularDamping = bad;
+        ExpectMisuse("damping", [&] { scene.world.CreateBody(&wrong); });
+        ExpectMisuse("damping", [&] { box->SetLinearDamping(bad); });
+        ExpectMisuse("damping", [&] { box->SetAngularDamping(bad); });
     }
     b2BodyDef wrong = def;
     wrong.type = static_cast<b2BodyType>(3);
@@ -83,8 +91,6 @@ TEST_F(DynamicsMisuse, OfABodysSetters)
         ExpectMisuse("finite", [&] { box->SetTransform(b2Vec2(0.0f, 0.0f), bad); });
         ExpectMisuse("finite", [&] { box->SetLinearVelocity(b2Vec2(0.0f, bad)); });
         ExpectMisuse("finite", [&] { box->SetAngularVelocity(bad); });
-        ExpectMisuse("damping", [&] { box->SetLinearDamping(bad); });
-        ExpectMisuse("damping", [&] { box->SetAngularDamping(bad); });
         ExpectMisuse("gravity scale", [&] { box->SetGravityScale(bad); });
         ExpectMisuse("finite", [&] { box->ApplyForce(b2Vec2(bad, 0.0f), b2Vec2(0.0f, 0.0f)); });
         ExpectMisuse("finite", [&] { box->ApplyForce(b2Vec2(1.0f, 0.0f), b2Vec2(0.0f, bad)); });
@@ -93,8 +99,6 @@ TEST_F(DynamicsMisuse, OfABodysSetters)
         ExpectMisuse("finite", [&] { box->ApplyLinearImpulse(b2Vec2(bad, 0.0f), b2Vec2()); });
         ExpectMisuse("finite", [&] { box->ApplyAngularImpulse(bad); });
     }
-    ExpectMisuse("damping", [&] { box->SetLinearDamping(-60.0f); });
-    ExpectMisuse("damping", [&] { box->SetAngularDamping(-60.0f); });
     ExpectMisuse("type", [&] { box->SetType(static_cast<b2BodyType>(3)); });
 }
 

@@ -288,7 +288,14 @@ TEST(DynamicsSleep, AnAnchorThatIsDeactivatedOrMovedWakesWhatHangsFromIt)
         scene.world.CreateJoint(&def);
         scene.Step(kTimeToRest);
         ASSERT_FALSE(load->IsAwake());
-        move ? anchor->SetTransform(b2Vec2(1.0f, 5.0f), 0.0f) : anchor->SetActive(false);
+        if (move)
+        {
+            anchor->SetTransform(b2Vec2(1.0f, 5.0f), 0.0f);
+        }
+        else
+        {
+            anchor->SetActive(false);
+        }
         scene.Step(30);
         EXPECT_TRUE(load->IsAwake());
         EXPECT_NE(load->GetPosition(), b2Vec2(0.0f, 2.0f));

@@ -84,8 +84,9 @@ void Fill(BodyData& body, const b2BodyDef& def)
         body.linearVelocity = Finite(def.linearVelocity);
         body.angularVelocity = Finite(def.angularVelocity, 0.0f);
     }
-    body.linearDamping = b2Max(0.0f, Finite(def.linearDamping, 0.0f));
-    body.angularDamping = b2Max(0.0f, Finite(def.angularDamping, 0.0f));
+    // Infinity is a damping: nothing moves. Not a number is none.
+    body.linearDamping = def.linearDamping >= 0.0f ? def.linearDamping : 0.0f;
+    body.angularDamping = def.angularDamping >= 0.0f ? def.angularDamping : 0.0f;
     body.gravityScale = Finite(def.gravityScale, 1.0f);
     body.userData = def.userData;
     if (body.IsDynamic())
@@ -105,9 +106,8 @@ bool IsSound(const b2BodyDef& def)
            B2_REQUIRE(def.linearVelocity.IsValid() && b2IsValid(def.angularVelocity),
                       "A body's velocities must be finite: check b2BodyDef::linearVelocity and "
                       "angularVelocity.") &&
-           B2_REQUIRE(b2IsValid(def.linearDamping) && def.linearDamping >= 0.0f &&
-                          b2IsValid(def.angularDamping) && def.angularDamping >= 0.0f,
-                      "A body's damping must be finite and not negative.") &&
+           B2_REQUIRE(def.linearDamping >= 0.0f && def.angularDamping >= 0.0f,
+                      "A body's damping must be a number and not negative.") &&
            B2_REQUIRE(b2IsValid(def.gravityScale), "A body's gravity scale must be finite.");
 }
 

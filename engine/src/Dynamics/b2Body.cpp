@@ -42,8 +42,7 @@ bool IsFinite(const b2Vec2& a, const b2Vec2& b)
 
 bool IsDamping(float32 damping)
 {
-    return B2_REQUIRE(b2IsValid(damping) && damping >= 0.0f,
-                      "A body's damping must be finite and not negative.");
+    return B2_REQUIRE(damping >= 0.0f, "A body's damping must be a number and not negative.");
 }
 
 bool IsFinite(float32 a)
@@ -80,13 +79,16 @@ void b2Body::DestroyFixture(b2Fixture* fixture)
     }
 }
 
-void b2Body::SetTransform(const b2Vec2& position, float32 angle)
+bool b2Body::SetTransform(const b2Vec2& position, float32 angle)
 {
-    if (IsUnlocked(m_data) && B2_REQUIRE(position.IsValid() && b2IsValid(angle),
-                                         "b2Body::SetTransform needs a finite position and angle."))
+    if (!IsUnlocked(m_data) ||
+        !B2_REQUIRE(position.IsValid() && b2IsValid(angle),
+                    "b2Body::SetTransform needs a finite position and angle."))
     {
-        m_data.world->SetTransform(*this, position, angle);
+        return false;
     }
+    m_data.world->SetTransform(*this, position, angle);
+    return true;
 }
 
 void b2Body::SetLinearVelocity(const b2Vec2& v)

@@ -34,8 +34,8 @@ struct b2BodyDef
     float32 angle = 0.0f;                       ///< [rad]
     b2Vec2 linearVelocity = b2Vec2(0.0f, 0.0f); ///< of the body's origin [m/s]
     float32 angularVelocity = 0.0f;             ///< [rad/s]
-    float32 linearDamping = 0.0f;               ///< [1/s], >= 0
-    float32 angularDamping = 0.0f;              ///< [1/s], >= 0
+    float32 linearDamping = 0.0f;               ///< [1/s], >= 0; infinity: no motion
+    float32 angularDamping = 0.0f;              ///< [1/s], >= 0; infinity: no motion
     bool allowSleep = true;
     bool awake = true;
     bool fixedRotation = false;
@@ -55,8 +55,9 @@ public:
     b2Fixture* CreateFixture(const b2Shape* shape, float32 density);
     void DestroyFixture(b2Fixture* fixture);
 
-    /// Moves the body's origin. Contacts are updated in the next step.
-    void SetTransform(const b2Vec2& position, float32 angle);
+    /// Moves the body's origin. Contacts are updated in the next step. False, and nothing is moved,
+    /// while the world is locked.
+    bool SetTransform(const b2Vec2& position, float32 angle);
     const b2Transform& GetTransform() const { return m_data.transform; }
     const b2Vec2& GetPosition() const { return m_data.transform.p; }
     /// Not normalised: grows with every turn.
@@ -109,7 +110,7 @@ public:
     b2Vec2 GetLinearVelocityFromLocalPoint(const b2Vec2& localPoint) const;
 
     float32 GetLinearDamping() const { return m_data.linearDamping; }
-    void SetLinearDamping(float32 damping); ///< [1/s], >= 0
+    void SetLinearDamping(float32 damping); ///< [1/s], >= 0; infinity stops it
     float32 GetAngularDamping() const { return m_data.angularDamping; }
     void SetAngularDamping(float32 damping); ///< [1/s], >= 0
     float32 GetGravityScale() const { return m_data.gravityScale; }

@@ -42,8 +42,8 @@ public:
 
     b2Vec2 GetGroundAnchorA() const { return m_groundAnchorA; }
     b2Vec2 GetGroundAnchorB() const { return m_groundAnchorB; }
-    float32 GetLengthA() const { return m_lengthA; } ///< as in the definition [m]
-    float32 GetLengthB() const { return m_lengthB; }
+    float32 GetLengthA() const { return GetCurrentLengthA(); } ///< of the rope at present [m]
+    float32 GetLengthB() const { return GetCurrentLengthB(); }
     float32 GetRatio() const { return m_ratio; }
     float32 GetCurrentLengthA() const; ///< [m]
     float32 GetCurrentLengthB() const;

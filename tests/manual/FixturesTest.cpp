@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include "../engine/DynamicsScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+/// The chapter about fixtures, section by section; sensors have a file of their own.
+namespace
+{
+
+using dynamics::kStep;
+using dynamics::Scene;
+
+/// Two dynamic boxes, one in the other, made from these definitions: are they in contact after a
+/// step?
+bool Collide(b2FixtureDef defA, b2FixtureDef defB)
+{
+    Scene scene(b2Vec2_zero);
+    b2PolygonShape shape;
+    shape.SetAsBox(0.5f, 0.5f);
+    defA.shape = &shape;
+    defB.shape = &shape;
+    scene.Body(b2_dynamicBody, 0.0f, 0.0f)->CreateFixture(&defA);
+    scene.Body(b2_dynamicBody, 0.4f, 0.0f)->CreateFixture(&defB);
+    scene.Step();
+    return scene.world.GetContactCount() > 0;
+}
+
+TEST(Fixtures, HoldWhatTheDefinitionSays)
+{
+    Scene scene;
+    int data = 0;
+    b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    EXPECT_EQ(body->GetFixtureList(), nullptr);
+    b2CircleShape shape;
+    shape.m_radius = 0.5f;
+    b2FixtureDef def;
+    def.shape = &shape;
+    def.density = 2.0f;
+    def.friction = 0.7f;
+    def.restitution = 0.4f;
+    def.isSensor = true;
+    def.userData = &data;
+    def.filter.groupIndex = 3;
+    b2Fixture* fixture = body->CreateFixture(&def);
+    EXPECT_EQ(fixture->GetShape()->GetType(), b2Shape::e_circle);
+    EXPECT_EQ(fixture->GetDensity(), 2.0f);
+    EXPECT_EQ(fixture->GetFriction(), 0.7f);
+    EXPECT_EQ(fixture->GetRestitution(), 0.4f);
+    EXPECT_TRUE(fixture->IsSensor());
+    EXPECT_EQ(fixture->GetUserData(), &data);
+    EXPECT_EQ(fixture->GetFilterData().groupIndex, 3);
+    EXPECT_EQ(fixture->GetBody(), body);
+    EXPECT_EQ(scene.world.GetProxyCount(), 1);
+}
+
+TEST(FixtureCreation, TheListingsCreateAndDestroyOne)
+{
+    Scene scene;
+    b2Body* myBody = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    b2PolygonShape myShape;
+    myShape.SetAsBox(1.0f, 1.0f);
+    b2FixtureDef fixtureDef;
+    fixtureDef.shape = &myShape;
+    fixtureDef.density = 1.0f;
+    b2Fixture* myFixture = myBody->CreateFixture(&fixtureDef);
+    EXPECT_EQ(myBody->GetFixtureList(), myFixture);
+    EXPECT_FLOAT_EQ(myBody->GetMass(), 4.0f);
+    myBody->DestroyFixture(myFixture);
+    EXPECT_EQ(myBody->GetFixtureList(), nullptr);
+}
+
+TEST(FixtureCreation, SeveralFixturesMakeACompoundWhoseMassesAdd)
+{
+    Scene scene;
+    b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    b2Fixture* first = Scene::AddBox(body, 0.5f, 0.5f);
+    Scene::AddBox(body, 1.0f, 0.5f);
+    EXPECT_FLOAT_EQ(body->GetMass(), 3.0f);
+    body->DestroyFixture(first);
+    EXPECT_FLOAT_EQ(body->GetMass(), 2.0f);
+}
+
+TEST(Density, CountsFromTheNextResetOfTheMassDataOn)
+{
+    Scene scene;
+    b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    b2Fixture* fixture = Scene::AddBox(body, 0.5f, 0.5f);
+    fixture->SetDensity(5.0f);
+    EXPECT_FLOAT_EQ(body->GetMass(), 1.0f);
+    body->ResetMassData();
+    EXPECT_FLOAT_EQ(body->GetMass(), 5.0f);
+}
+
+/// The deceleration of a box that slides on the ground over that of free fall.
+float32 SlidingFriction(float32 ofGround, float32 ofBox, float32 density = 1.0f)
+{
+    Scene scene;
+    Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -1.0f), 50.0f, 1.0f, ofGround);
+    b2Body* box = scene.Body(b2_dynamicBody, 0.0f, 0.5f + dynamics::kRestingGap);
+    Scene::AddBox(box, 0.5f, 0.5f, ofBox)->SetDensity(density);
+    box->ResetMassData();
+    scene.Step(30);
+    box->SetLinearVelocity(b2Vec2(8.0f, 0.0f));
+    scene.Step(30);
+    return (8.0f - box->GetLinearVelocity().x) / (0.5f * 10.0f);
+}
+
+TEST(Friction, IsTheGeometricMeanOfTheTwo)
+{
+    Scene scene;
+    b2Fixture* fixtureA = Scene::AddBox(scene.Body(b2_dynamicBody, 0.0f, 0.0f), 1.0f, 1.0f, 0.9f);
+    b2Fixture* fixtureB = Scene::AddBox(scene.Body(b2_dynamicBody, 0.0f, 1.0f), 1.0f, 1.0f, 0.4f);
+    float32 friction;
+    friction = sqrtf(fixtureA->GetFriction() * fixtureB->GetFriction());
+    EXPECT_FLOAT_EQ(b2MixFriction(0.9f, 0.4f), friction);
+    scene.Step();
+    ASSERT_NE(scene.world.GetContactList(), nullptr);
+    EXPECT_FLOAT_EQ(scene.world.GetContactList()->GetFriction(), friction);
+    EXPECT_NEAR(SlidingFriction(0.9f, 0.4f), friction, 0.02f);
+}
+
+TEST(Friction, OfZeroOnEitherSideTurnsItOff)
+{
+    EXPECT_NEAR(SlidingFriction(0.0f, 1.0f), 0.0f, 1e-4f);
+}
+
+TEST(Friction, IsProportionalToTheNormalForce)
+{
+    // Ten times the weight gives ten times the force, so the same deceleration.
+    EXPECT_NEAR(SlidingFriction(0.5f, 0.5f, 10.0f), SlidingFriction(0.5f, 0.5f, 1.0f), 1e-3f);
+}
+
+/// How high the lower side of a ball comes again that fell five metres.
+float32 Rebound(float32 ofGround, float32 ofBall, float32 height = 5.0f)
+{
+    Scene scene;
+    Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -1.0f), 50.0f, 1.0f, 0.2f, ofGround);
+    b2Body* ball = scene.Body(b2_dynamicBody, 0.0f, 0.5f + height);
+    Scene::AddBall(ball, 0.5f, 0.2f, ofBall);
+    bool bounced = false;
+    float32 highest = 0.0f;
+    for (int i = 0; i < 180; ++i)
+    {
+        scene.Step();
+        bounced = bounced || ball->GetContactList() != nullptr;
+        if (bounced && ball->GetLinearVelocity().y > 0.0f)
+        {
+            highest = b2Max(highest, ball->GetPosition().y - 0.5f);
+        }
+    }
+    return highest;
+}
+
+TEST(Restitution, OfZeroDoesNotBounceAndOfOneBouncesBackToTheTop)
+{
+    EXPECT_LT(Rebound(0.0f, 0.0f), 0.1f);
+    EXPECT_NEAR(Rebound(0.0f, 1.0f), 5.0f, 0.4f);
+}
+
+TEST(Restitution, IsTheLargerOfTheTwo)
+{
+    Scene scene;
+    b2Fixture* fixtureA =
+        Scene::AddBox(scene.Body(b2_dynamicBody, 0.0f, 0.0f), 1.0f, 1.0f, 0.2f, 0.1f);
+    b2Fixture* fixtureB =
+        Scene::AddBox(scene.Body(b2_dynamicBody, 0.0f, 1.0f), 1.0f, 1.0f, 0.2f, 0.8f);
+    float32 restitution;
+    restitution = b2Max(fixtureA->GetRestitution(), fixtureB->GetRestitution());
+    EXPECT_EQ(restitution, 0.8f);
+    scene.Step();
+    ASSERT_NE(scene.world.GetContactList(), nullptr);
+    EXPECT_EQ(scene.world.GetContactList()->GetRestitution(), restitution);
+}
+
+TEST(Restitution, SlowImpactsDoNotBounce)
+{
+    // A fall from here ends below the threshold.
+    const float32 height = 0.4f * b2_velocityThreshold * b2_velocityThreshold / 20.0f;
+    EXPECT_LT(Rebound(1.0f, 1.0f, height), 0.5f * height + b2_linearSlop);
+}
+
+TEST(Filtering, FollowsTheRuleOfCategoriesAndMasks)
+{
+    b2FixtureDef playerFixtureDef, monsterFixtureDef;
+    playerFixtureDef.filter.categoryBits = 0x0002;
+    monsterFixtureDef.filter.categoryBits = 0x0004;
+    playerFixtureDef.filter.maskBits = 0x0004;
+    monsterFixtureDef.filter.maskBits = 0x0002;
+    EXPECT_TRUE(Collide(playerFixtureDef, monsterFixtureDef));
+    EXPECT_FALSE(Collide(playerFixtureDef, playerFixtureDef));
+    EXPECT_FALSE(Collide(monsterFixtureDef, monsterFixtureDef));
+}
+
+TEST(Filtering, AgreesWithTheRuleForEveryPairOfMasks)
+{
+    for (int bits = 0; bits < 16; ++bits)
+    {
+        b2FixtureDef fixtureA, fixtureB;
+        fixtureA.filter.categoryBits = (bits & 1) ? 0x8000 : 0x0002;
+        fixtureB.filter.categoryBits = (bits & 2) ? 0x8000 : 0x0002;
+        fixtureA.filter.maskBits = (bits & 4) ? 0x8000 : 0x0002;
+        fixtureB.filter.maskBits = (bits & 8) ? 0x8000 : 0x0002;
+        uint16 catA = fixtureA.filter.categoryBits;
+        uint16 maskA = fixtureA.filter.maskBits;
+        uint16 catB = fixtureB.filter.categoryBits;
+        uint16 maskB = fixtureB.filter.maskBits;
+        bool expected = false;
+        if ((catA & maskB) != 0 && (catB & maskA) != 0)
+        {
+            expected = true; // fixtures can collide
+        }
+        EXPECT_EQ(Collide(fixtureA, fixtureB), expected) << bits;
+    }
+}
+
+TEST(Filtering, APositiveGroupAlwaysCollidesAndANegativeOneNever)
+{
+    b2FixtureDef fixture1Def, fixture2Def, fixture3Def, fixture4Def;
+    fixture1Def.filter.groupIndex = 2;
+    fixture2Def.filter.groupIndex = 2;
+    fixture3Def.filter.groupIndex = -8;
+    fixture4Def.filter.groupIndex = -8;
+    EXPECT_TRUE(Collide(fixture1Def, fixture2Def));
+    EXPECT_FALSE(Collide(fixture3Def, fixture4Def));
+    // Groups come before categories.
+    fixture1Def.filter.maskBits = 0;
+    EXPECT_TRUE(Collide(fixture1Def, fixture2Def));
+    // Of different groups, categories and masks decide.
+    EXPECT_TRUE(Collide(fixture2Def, fixture3Def));
+    EXPECT_FALSE(Collide(fixture1Def, fixture3Def));
+}
+
+TEST(Filtering, StaticAndKinematicFixturesCollideWithDynamicOnesOnly)
+{
+    for (const b2BodyType typeA : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
+    {
+        for (const b2BodyType typeB : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
+        {
+            Scene scene(b2Vec2_zero);
+            Scene::AddBox(scene.Body(typeA, 0.0f, 0.0f), 1.0f, 1.0f);
+            Scene::AddBox(scene.Body(typeB, 0.5f, 0.0f), 1.0f, 1.0f);
+            scene.Step();
+            const bool expected = typeA == b2_dynamicBody || typeB == b2_dynamicBody;
+            EXPECT_EQ(scene.world.GetContactCount() > 0, expected) << typeA << " " << typeB;
+        }
+    }
+}
+
+TEST(Filtering, FixturesOfOneBodyNeverCollideEvenInAPositiveGroup)
+{
+    Scene scene;
+    b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    b2Filter always;
+    always.groupIndex = 1;
+    Scene::AddBox(body, 1.0f, 1.0f)->SetFilterData(always);
+    Scene::AddBall(body, 1.0f)->SetFilterData(always);
+    scene.Step(3);
+    EXPECT_EQ(scene.world.GetContactCount(), 0);
+}
+
+TEST(Filtering, BodiesOnAJointCollideWhenTheJointSaysSo)
+{
+    for (const bool collideConnected : {false, true})
+    {
+        Scene scene(b2Vec2_zero);
+        b2Body* a = scene.Box(0.0f, 0.0f);
+        b2Body* b = scene.Box(0.9f, 0.0f);
+        b2RevoluteJointDef def;
+        def.Initialize(a, b, b2Vec2(0.45f, 0.0f));
+        def.collideConnected = collideConnected;
+        scene.world.CreateJoint(&def);
+        scene.Step();
+        EXPECT_EQ(scene.world.GetContactCount() > 0, collideConnected);
+    }
+}
+
+TEST(Filtering, NewFilterDataTakesEffectInTheNextStep)
+{
+    Scene scene;
+    scene.Ground();
+    b2Body* box = scene.Box(0.0f, 0.5f);
+    scene.Step(10);
+    ASSERT_EQ(scene.world.GetContactCount(), 1);
+    b2Fixture* fixture = box->GetFixtureList();
+    b2Filter filter = fixture->GetFilterData();
+    filter.maskBits = 0;
+    fixture->SetFilterData(filter);
+    EXPECT_EQ(scene.world.GetContactCount(), 1);
+    scene.Step();
+    EXPECT_EQ(scene.world.GetContactCount(), 0);
+    filter.maskBits = 0xFFFF;
+    fixture->SetFilterData(filter);
+    EXPECT_EQ(scene.world.GetContactCount(), 0);
+    scene.Step();
+    EXPECT_EQ(scene.world.GetContactCount(), 1);
+}
+
+} // namespace
