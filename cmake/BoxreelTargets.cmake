@@ -18,6 +18,9 @@ function(boxreel_configure target)
                                              -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${BOXREEL_SANITIZE})
   endif()
+  if(BOXREEL_FUZZ) # the fuzzer sees which branches an input takes
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
 endfunction()
 
 # boxreel_add_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]): the library boxreel::NAME of the

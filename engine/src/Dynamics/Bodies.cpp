@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
+#include "Reach.h"
 #include "World.h"
 
 #include "../Collision/MassProperties.h"
@@ -15,6 +16,8 @@ namespace box2d
 
 void SynchronizePose(BodyData& body)
 {
+    body.pose =
+        Pose{WithinReach(body.pose.x), WithinReach(body.pose.y), WithinReach(body.pose.angle)};
     double sine = 0.0;
     double cosine = 1.0;
     SinCos(body.pose.angle, &sine, &cosine);
@@ -76,7 +79,7 @@ void Fill(BodyData& body, const b2BodyDef& def)
 {
     body.mobility = IsType(def.type) ? static_cast<Mobility>(def.type) : Mobility::Static;
     body.flags = InitialFlags(def) & ~std::uint32_t(kBodyAwake);
-    const b2Vec2 position = Finite(def.position);
+    const b2Vec2 position = IsWithinReach(def.position) ? def.position : b2Vec2(0.0f, 0.0f);
     body.pose = Pose{position.x, position.y, Finite(def.angle, 0.0f)};
     body.previous = body.pose;
     if (body.mobility != Mobility::Static)
@@ -100,9 +103,9 @@ void Fill(BodyData& body, const b2BodyDef& def)
 bool IsSound(const b2BodyDef& def)
 {
     return B2_REQUIRE(IsType(def.type), kWrongType) &&
-           B2_REQUIRE(def.position.IsValid() && b2IsValid(def.angle),
-                      "A body's position and angle must be finite: check b2BodyDef::position and "
-                      "angle.") &&
+           B2_REQUIRE(IsWithinReach(def.position) && IsWithinReach(def.angle),
+                      "A body's position and angle must be finite and within 1e15 of zero: check "
+                      "b2BodyDef::position and angle.") &&
            B2_REQUIRE(def.linearVelocity.IsValid() && b2IsValid(def.angularVelocity),
                       "A body's velocities must be finite: check b2BodyDef::linearVelocity and "
                       "angularVelocity.") &&

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
+#include "Reach.h"
 #include "World.h"
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
@@ -61,17 +62,17 @@ bool IsSound(const b2Shape& shape)
         sound = polygon.GetVertexCount() >= 3;
         for (int32 i = 0; i < polygon.GetVertexCount(); ++i)
         {
-            sound = sound && polygon.GetVertex(i).IsValid();
+            sound = sound && IsWithinReach(polygon.GetVertex(i));
         }
     }
     for (int32 child = 0; sound && child < shape.GetChildCount(); ++child)
     {
         b2AABB box;
         shape.ComputeAABB(&box, b2Transform(), child);
-        sound = box.IsValid();
+        sound = box.IsValid() && IsWithinReach(box.lowerBound) && IsWithinReach(box.upperBound);
     }
     return B2_REQUIRE(sound, "A fixture's shape needs points or a radius, all of them finite and "
-                             "the radius not negative.");
+                             "within 1e15 m, and the radius not negative.");
 }
 
 int32 ProxyBytes(b2Fixture& fixture)

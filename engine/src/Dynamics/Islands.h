@@ -24,7 +24,7 @@ public:
         int32 lostLinks = 0;         // since it was last taken apart
         float32 minSleepTime = 0.0f; // of its bodies, in the present step
         float32 maxSleepTime = 0.0f;
-        bool seen = false;           // a body of it was looked at in the present step
+        bool seen = false; // a body of it was looked at in the present step
     };
 
     void Add(b2Body& body);    // as an island of its own

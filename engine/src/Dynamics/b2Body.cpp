@@ -2,6 +2,7 @@
 #include <Box2D/Dynamics/b2Body.h>
 
 #include "Access.h"
+#include "Reach.h"
 #include "Solver.h"
 #include "World.h"
 
@@ -82,8 +83,8 @@ void b2Body::DestroyFixture(b2Fixture* fixture)
 bool b2Body::SetTransform(const b2Vec2& position, float32 angle)
 {
     if (!IsUnlocked(m_data) ||
-        !B2_REQUIRE(position.IsValid() && b2IsValid(angle),
-                    "b2Body::SetTransform needs a finite position and angle."))
+        !B2_REQUIRE(box2d::IsWithinReach(position) && box2d::IsWithinReach(angle),
+                    "b2Body::SetTransform needs a finite position and angle within 1e15 of zero."))
     {
         return false;
     }
@@ -167,8 +168,8 @@ void b2Body::ApplyAngularImpulse(float32 impulse, bool wake)
 float32 b2Body::GetInertia() const
 {
     // What does not turn about its centre does not turn about its origin either.
-    return m_data.inertia > 0.0f ? m_data.inertia + m_data.mass * m_data.localCenter.LengthSquared()
-                                 : 0.0f;
+    const float32 ofOrigin = m_data.mass * m_data.localCenter.LengthSquared();
+    return m_data.inertia > 0.0f ? b2Min(m_data.inertia + ofOrigin, b2_maxFloat) : 0.0f;
 }
 
 void b2Body::GetMassData(b2MassData* data) const
@@ -182,7 +183,7 @@ void b2Body::SetMassData(const b2MassData* data)
 {
     if (IsUnlocked(m_data) && B2_REQUIRE(data != nullptr, "b2Body::SetMassData needs mass data.") &&
         B2_REQUIRE(b2IsValid(data->mass) && data->mass >= 0.0f && b2IsValid(data->I) &&
-                       data->I >= 0.0f && data->center.IsValid(),
+                       data->I >= 0.0f && box2d::IsWithinReach(data->center),
                    "b2Body::SetMassData needs a mass and an inertia that are finite and not "
                    "negative, and a finite centre of mass."))
     {

@@ -2,6 +2,7 @@
 #include <Box2D/Dynamics/b2World.h>
 
 #include "Access.h"
+#include "Reach.h"
 #include "World.h"
 
 #include <Box2D/Collision/b2Collision.h>
@@ -277,7 +278,8 @@ void b2World::ShiftOrigin(const b2Vec2& newOrigin)
 {
     if (B2_REQUIRE(!IsLocked(),
                    "b2World::ShiftOrigin must not be called from inside a callback.") &&
-        B2_REQUIRE(newOrigin.IsValid(), "b2World::ShiftOrigin needs a finite point."))
+        B2_REQUIRE(box2d::IsWithinReach(newOrigin),
+                   "b2World::ShiftOrigin needs a finite point within 1e15 m."))
     {
         m_world->ShiftOrigin(newOrigin);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../Reach.h"
+
 #include <Box2D/Common/b2Math.h>
 
 /// What the numbers of a joint must be, for its definition and for its setters alike. Each says the
@@ -10,12 +12,14 @@ namespace box2d
 
 inline bool AreAnchors(const b2Vec2& a, const b2Vec2& b)
 {
-    return B2_REQUIRE(a.IsValid() && b.IsValid(), "A joint's anchors must be finite.");
+    return B2_REQUIRE(IsWithinReach(a) && IsWithinReach(b),
+                      "A joint's anchors must be finite and within 1e15 m.");
 }
 
 inline bool IsTarget(const b2Vec2& point)
 {
-    return B2_REQUIRE(point.IsValid(), "A joint's target or offset must be finite.");
+    return B2_REQUIRE(IsWithinReach(point),
+                      "A joint's target or offset must be finite and within 1e15 m.");
 }
 
 inline bool IsAxis(const b2Vec2& axis)
@@ -31,8 +35,8 @@ inline bool IsAngle(float32 angle)
 
 inline bool IsLength(float32 length)
 {
-    return B2_REQUIRE(b2IsValid(length) && length >= 0.0f,
-                      "A joint's length must be finite and not negative.");
+    return B2_REQUIRE(IsWithinReach(length) && length >= 0.0f,
+                      "A joint's length must be finite, within 1e15 m and not negative.");
 }
 
 inline bool IsSpring(float32 frequencyHz, float32 dampingRatio)

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "WorldCalls.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <vector>
+
+/// Thousands of calls of the public interface in random order, after each of which the world's
+/// books must balance; and what the fuzzer once kept because it reached something new.
+namespace
+{
+
+using Bytes = std::vector<std::uint8_t>;
+
+void Replay(const Bytes& bytes)
+{
+    fuzz::WorldCalls calls(bytes);
+    for (int call = 0; !calls.Done(); ++call)
+    {
+        const char* name = calls.Call();
+        const std::string why = calls.WhyBroken();
+        ASSERT_EQ(why, "") << "call " << call << ": " << name;
+    }
+}
+
+/// Tame when `first` is even, wild when it is odd.
+Bytes RandomBytes(unsigned seed, std::uint8_t first)
+{
+    std::mt19937 random(seed);
+    Bytes bytes(6000);
+    for (std::uint8_t& byte : bytes)
+    {
+        byte = std::uint8_t(random());
+    }
+    bytes[0] = first;
+    return bytes;
+}
+
+TEST(RandomCalls, KeepTheBooksOfTheWorldInOrder)
+{
+    for (unsigned seed = 1; seed <= 40 && !HasFailure(); ++seed)
+    {
+        SCOPED_TRACE(seed);
+        Replay(RandomBytes(seed, 0));
+    }
+}
+
+TEST(RandomCalls, WithWildNumbersAndForbiddenCallsInCallbacksLeaveTheWorldWholeAndFinite)
+{
+#if BOXREEL_ASSERTS
+    GTEST_SKIP() << "Asserts are on: the first wild call would end the program with its sentence.";
+#endif
+    for (unsigned seed = 1; seed <= 40 && !HasFailure(); ++seed)
+    {
+        SCOPED_TRACE(seed);
+        Replay(RandomBytes(seed, 1));
+    }
+}
+
+TEST(Corpus, OfTheFuzzerIsReplayedWithoutAFinding)
+{
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(BOXREEL_CORPUS))
+    {
+        std::ifstream file(entry.path(), std::ios::binary);
+        SCOPED_TRACE(entry.path().filename().string());
+        Replay(Bytes{std::istreambuf_iterator<char>(file), {}});
+        ++count;
+    }
+    EXPECT_GT(count, 50);
+}
+
+} // namespace
