@@ -124,11 +124,12 @@ const char* WorldCalls::Step()
 {
     const bool takesTime = !m_choices.Rarely(10);
     const float32 h = takesTime ? m_choices.Real(1.0f / 120.0f, 1.0f / 40.0f) : 0.0f;
-    const int32 velocityIterations = m_choices.Number(m_choices.Wild() ? -1 : 1, 6);
-    m_world.Step(h, velocityIterations, m_choices.Number(m_choices.Wild() ? -1 : 1, 3));
-    // Steps of wild lengths may have been refused; what only holds after a real one is not asked
-    // then.
-    const bool real = takesTime && h > 0.0f && h < 1.0f && velocityIterations > 0;
+    const int fewest = m_choices.Wild() ? -1 : 1;
+    const int32 velocityIterations = m_choices.Number(fewest, 6);
+    const int32 positionIterations = m_choices.Number(fewest, 3);
+    m_world.Step(h, velocityIterations, positionIterations);
+    // A wild step may count as none; what only holds after a real one is not asked then.
+    const bool real = h > 1e-6f && h < 1.0f;
     m_stepped = real && !m_subStepped;
     m_subStepped = m_world.GetSubStepping() || (m_subStepped && !real);
     return "Step";

@@ -20,5 +20,5 @@ cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAK
     tail -n 40 "$work/build.log"
     exit 1
 }
-exec "$work/build/tests/fuzz/boxreel_world_fuzz" -max_total_time="$seconds" -max_len=2048 -timeout=20 -print_final_stats=1 \
+exec "$work/build/tests/fuzz/boxreel_world_fuzz" -max_total_time="$seconds" -max_len=2048 -timeout=20 -print_final_stats=1 -error_exitcode=1 \
     -artifact_prefix="$work/finding-" "$work/corpus" "$source/tests/fuzz/corpus"

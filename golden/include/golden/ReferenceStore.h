@@ -16,7 +16,7 @@
 namespace boxreel
 {
 
-/// One moment of a scene. `name` is a relative path such as "pyramid/3s"; it cannot leave the
+/// One moment of a scene. `name` is a relative path such as "pyramid/2s"; it cannot leave the
 /// folder.
 struct GoldenCandidate
 {
