@@ -15,6 +15,7 @@ struct Outcome
     int code = -1; ///< exit code, or 128 + the signal that ended it
     std::string output;
     std::string errors;
+    long peakKilobytes = 0; ///< most memory it had at once
 };
 
 /// Runs the program in `folder`. `whileRunning`, when given, is called with its process id once
