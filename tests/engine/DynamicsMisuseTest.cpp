@@ -83,6 +83,28 @@ TEST_F(DynamicsMisuse, OfBodyDefinitions)
     ExpectMisuse("definition", [&] { EXPECT_EQ(scene.world.CreateBody(nullptr), nullptr); });
 }
 
+TEST_F(DynamicsMisuse, OfPlacesBeyondTheWorldsReach)
+{
+    for (const float32 far : {1.1e15f, 1e20f, -1e38f})
+    {
+        b2BodyDef def;
+        def.type = b2_dynamicBody;
+        def.position.Set(0.0f, far);
+        ExpectMisuse("within 1e15", [&] { scene.world.CreateBody(&def); });
+        ExpectMisuse("within 1e15", [&] { box->SetTransform(b2Vec2(far, 0.0f), 0.0f); });
+        ExpectMisuse("within 1e15", [&] { scene.world.ShiftOrigin(b2Vec2(far, 0.0f)); });
+        b2EdgeShape edge;
+        edge.Set(b2Vec2(0.0f, 0.0f), b2Vec2(far, 0.0f));
+        ExpectMisuse("within 1e15", [&] { box->CreateFixture(&edge, 0.0f); });
+        b2MouseJointDef mouse;
+        mouse.bodyA = ground;
+        mouse.bodyB = box;
+        mouse.target.Set(far, 0.0f);
+        mouse.maxForce = 1.0f;
+        ExpectMisuse("within 1e15", [&] { scene.world.CreateJoint(&mouse); });
+    }
+}
+
 TEST_F(DynamicsMisuse, OfABodysSetters)
 {
     for (const float32 bad : {kNaN, kInfinity, -kInfinity})
