@@ -97,6 +97,43 @@ struct ContactConstraint
     b2Contact* contact;
 };
 
+inline constexpr int kBlockLanes = 8;
+
+/// How the points of a contact are solved. A block holds contacts of one kind.
+enum class BlockKind : uint8
+{
+    One,  ///< one point
+    Two,  ///< two points one after the other, for they are nearly one
+    Pair, ///< two points together
+};
+inline constexpr int kBlockKinds = 3;
+
+/// See ContactPoint.
+struct PointLanes
+{
+    float32 armAX[kBlockLanes], armAY[kBlockLanes];
+    float32 armBX[kBlockLanes], armBY[kBlockLanes];
+    float32 normalImpulse[kBlockLanes], tangentImpulse[kBlockLanes];
+    float32 normalMass[kBlockLanes], tangentMass[kBlockLanes];
+    float32 bias[kBlockLanes];
+};
+
+/// See ContactConstraint. Lanes that are not used hold masses and impulses of zero between bodies
+/// 0.
+struct ContactBlock
+{
+    int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
+    float32 normalX[kBlockLanes], normalY[kBlockLanes];
+    float32 friction[kBlockLanes], tangentSpeed[kBlockLanes];
+    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
+    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
+    PointLanes points[2];
+    float32 k11[kBlockLanes], k12[kBlockLanes], k22[kBlockLanes];
+    int32 constraint[kBlockLanes]; ///< index among the constraints it was made from
+    int32 count;                   ///< used lanes
+    BlockKind kind;
+};
+
 /// Where a contact's overlap is measured.
 enum class OverlapKind : uint8
 {
@@ -123,6 +160,7 @@ struct SolverArrays
 {
     Array<SolverBody> bodies;
     Array<ContactConstraint> contacts;
+    Array<ContactBlock> blocks; ///< the contacts once more, colour by colour, several at a time
     Array<OverlapConstraint> overlaps; ///< parallel to contacts
 };
 

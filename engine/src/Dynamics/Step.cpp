@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
+#include "ContactBlocks.h"
 #include "Solver.h"
 #include "World.h"
 
@@ -134,9 +135,11 @@ void StepSolver::PrepareConstraints()
 {
     m_arrays.contacts.clear();
     m_arrays.overlaps.clear();
+    m_arrays.blocks.clear();
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
         const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        const std::size_t begin = m_arrays.contacts.size();
         for (b2Contact* contact : m_world.graph.Contacts(color))
         {
             if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
@@ -145,8 +148,10 @@ void StepSolver::PrepareConstraints()
                                m_arrays.overlaps.emplace_back());
             }
         }
+        PackBlocks(m_arrays.contacts, begin, m_arrays.contacts.size(),
+                   color == ConstraintGraph::kOverflow, m_arrays.blocks);
     }
-    WarmStart(m_arrays.contacts, m_context);
+    WarmStartBlocks(m_arrays.blocks, m_context.bodies);
     for (b2Joint* joint : m_world.graph.Joints())
     {
         JointAccess::Prepare(*joint, m_context);
@@ -160,8 +165,9 @@ void StepSolver::SolveVelocities(int32 iterations)
         const Direction direction = DirectionOf(i);
         ForEach(m_world.graph.Joints(), direction,
                 [this](b2Joint* joint) { JointAccess::SolveVelocity(*joint, m_context); });
-        SolveContactVelocities(m_arrays.contacts, m_context.bodies, direction);
+        SolveBlocks(m_arrays.blocks, m_context.bodies, direction);
     }
+    UnpackImpulses(m_arrays.blocks, m_arrays.contacts);
     StoreImpulses(m_arrays.contacts);
 }
 

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#if defined(__SSE2__) || defined(_M_X64)
+#define BOX2D_SSE2 1
+#include <immintrin.h>
+#elif defined(__ARM_NEON) && defined(__aarch64__)
+#define BOX2D_NEON 1
+#include <arm_neon.h>
+#endif
+
+/// Several numbers at once. Every operation does to each lane exactly what plain single precision
+/// does, so that a result does not depend on the width or the processor. The only file that knows
+/// intrinsics; with BOX2D_PLAIN_SIMD defined, or on a processor it does not know, it is plain C++.
+///
+/// Everything here has internal linkage: a source that is compiled for AVX2 must not lend its code
+/// to the others.
+namespace box2d::simd
+{
+namespace
+{
+
+#if defined(BOX2D_SSE2) && !defined(BOX2D_PLAIN_SIMD)
+
+struct Float4
+{
+    static constexpr int kLanes = 4;
+    __m128 v;
+
+    static Float4 Load(const float* from) { return {_mm_loadu_ps(from)}; }
+    static Float4 Set(float value) { return {_mm_set1_ps(value)}; }
+    void Store(float* to) const { _mm_storeu_ps(to, v); }
+};
+/// A truth for each lane: all bits or none.
+typedef Float4 Mask4;
+
+inline Float4 operator+(Float4 a, Float4 b)
+{
+    return {_mm_add_ps(a.v, b.v)};
+}
+inline Float4 operator-(Float4 a, Float4 b)
+{
+    return {_mm_sub_ps(a.v, b.v)};
+}
+inline Float4 operator*(Float4 a, Float4 b)
+{
+    return {_mm_mul_ps(a.v, b.v)};
+}
+inline Float4 operator/(Float4 a, Float4 b)
+{
+    return {_mm_div_ps(a.v, b.v)};
+}
+inline Float4 operator-(Float4 a)
+{
+    return {_mm_xor_ps(a.v, _mm_set1_ps(-0.0f))};
+}
+inline Float4 Min(Float4 a, Float4 b)
+{
+    return {_mm_min_ps(a.v, b.v)};
+} ///< a < b ? a : b
+inline Float4 Max(Float4 a, Float4 b)
+{
+    return {_mm_max_ps(a.v, b.v)};
+} ///< a > b ? a : b
+inline Mask4 AtLeast(Float4 a, Float4 b)
+{
+    return {_mm_cmpge_ps(a.v, b.v)};
+}
+inline Mask4 And(Mask4 a, Mask4 b)
+{
+    return {_mm_and_ps(a.v, b.v)};
+}
+inline Float4 Select(Mask4 which, Float4 yes, Float4 no)
+{
+    return {_mm_or_ps(_mm_and_ps(which.v, yes.v), _mm_andnot_ps(which.v, no.v))};
+}
+
+/// Four rows of four numbers become their four columns, and back.
+inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
+{
+    __m128 a = _mm_loadu_ps(base + stride * rows[0]);
+    __m128 b = _mm_loadu_ps(base + stride * rows[1]);
+    __m128 c = _mm_loadu_ps(base + stride * rows[2]);
+    __m128 d = _mm_loadu_ps(base + stride * rows[3]);
+    _MM_TRANSPOSE4_PS(a, b, c, d);
+    columns[0].v = a;
+    columns[1].v = b;
+    columns[2].v = c;
+    columns[3].v = d;
+}
+inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float4 (&columns)[4])
+{
+    __m128 a = columns[0].v;
+    __m128 b = columns[1].v;
+    __m128 c = columns[2].v;
+    __m128 d = columns[3].v;
+    _MM_TRANSPOSE4_PS(a, b, c, d);
+    _mm_storeu_ps(base + stride * rows[0], a);
+    _mm_storeu_ps(base + stride * rows[1], b);
+    _mm_storeu_ps(base + stride * rows[2], c);
+    _mm_storeu_ps(base + stride * rows[3], d);
+}
+
+#elif defined(BOX2D_NEON) && !defined(BOX2D_PLAIN_SIMD)
+
+struct Float4
+{
+    static constexpr int kLanes = 4;
+    float32x4_t v;
+
+    static Float4 Load(const float* from) { return {vld1q_f32(from)}; }
+    static Float4 Set(float value) { return {vdupq_n_f32(value)}; }
+    void Store(float* to) const { vst1q_f32(to, v); }
+};
+struct Mask4
+{
+    uint32x4_t v;
+};
+
+inline Float4 operator+(Float4 a, Float4 b)
+{
+    return {vaddq_f32(a.v, b.v)};
+}
+inline Float4 operator-(Float4 a, Float4 b)
+{
+    return {vsubq_f32(a.v, b.v)};
+}
+inline Float4 operator*(Float4 a, Float4 b)
+{
+    return {vmulq_f32(a.v, b.v)};
+}
+inline Float4 operator/(Float4 a, Float4 b)
+{
+    return {vdivq_f32(a.v, b.v)};
+}
+inline Float4 operator-(Float4 a)
+{
+    return {vnegq_f32(a.v)};
+}
+inline Mask4 AtLeast(Float4 a, Float4 b)
+{
+    return {vcgeq_f32(a.v, b.v)};
+}
+inline Mask4 And(Mask4 a, Mask4 b)
+{
+    return {vandq_u32(a.v, b.v)};
+}
+inline Float4 Select(Mask4 which, Float4 yes, Float4 no)
+{
+    return {vbslq_f32(which.v, yes.v, no.v)};
+}
+// By comparison, for the instructions treat zeros and what is no number in their own way.
+inline Float4 Min(Float4 a, Float4 b)
+{
+    return Select(Mask4{vcltq_f32(a.v, b.v)}, a, b);
+}
+inline Float4 Max(Float4 a, Float4 b)
+{
+    return Select(Mask4{vcgtq_f32(a.v, b.v)}, a, b);
+}
+
+inline void Transpose(Float4 (&m)[4])
+{
+    const float32x4x2_t ab = vtrnq_f32(m[0].v, m[1].v);
+    const float32x4x2_t cd = vtrnq_f32(m[2].v, m[3].v);
+    m[0].v = vcombine_f32(vget_low_f32(ab.val[0]), vget_low_f32(cd.val[0]));
+    m[1].v = vcombine_f32(vget_low_f32(ab.val[1]), vget_low_f32(cd.val[1]));
+    m[2].v = vcombine_f32(vget_high_f32(ab.val[0]), vget_high_f32(cd.val[0]));
+    m[3].v = vcombine_f32(vget_high_f32(ab.val[1]), vget_high_f32(cd.val[1]));
+}
+inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        columns[i] = Float4::Load(base + stride * rows[i]);
+    }
+    Transpose(columns);
+}
+inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float4 (&columns)[4])
+{
+    Float4 m[4] = {columns[0], columns[1], columns[2], columns[3]};
+    Transpose(m);
+    for (int i = 0; i < 4; ++i)
+    {
+        m[i].Store(base + stride * rows[i]);
+    }
+}
+
+#else
+
+struct Float4
+{
+    static constexpr int kLanes = 4;
+    float v[4];
+
+    static Float4 Load(const float* from) { return {{from[0], from[1], from[2], from[3]}}; }
+    static Float4 Set(float value) { return {{value, value, value, value}}; }
+    void Store(float* to) const
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            to[i] = v[i];
+        }
+    }
+};
+struct Mask4
+{
+    bool v[4];
+};
+
+template <class Function>
+inline Float4 EachLane(Function function)
+{
+    return {{function(0), function(1), function(2), function(3)}};
+}
+inline Float4 operator+(Float4 a, Float4 b)
+{
+    return EachLane([&](int i) { return a.v[i] + b.v[i]; });
+}
+inline Float4 operator-(Float4 a, Float4 b)
+{
+    return EachLane([&](int i) { return a.v[i] - b.v[i]; });
+}
+inline Float4 operator*(Float4 a, Float4 b)
+{
+    return EachLane([&](int i) { return a.v[i] * b.v[i]; });
+}
+inline Float4 operator/(Float4 a, Float4 b)
+{
+    return EachLane([&](int i) { return a.v[i] / b.v[i]; });
+}
+inline Float4 operator-(Float4 a)
+{
+    return EachLane([&](int i) { return -a.v[i]; });
+}
+inline Float4 Min(Float4 a, Float4 b)
+{
+    return EachLane([&](int i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; });
+}
+inline Float4 Max(Float4 a, Float4 b)
+{
+    return EachLane([&](int i) { return a.v[i] > b.v[i] ? a.v[i] : b.v[i]; });
+}
+inline Mask4 AtLeast(Float4 a, Float4 b)
+{
+    return {{a.v[0] >= b.v[0], a.v[1] >= b.v[1], a.v[2] >= b.v[2], a.v[3] >= b.v[3]}};
+}
+inline Mask4 And(Mask4 a, Mask4 b)
+{
+    return {{a.v[0] && b.v[0], a.v[1] && b.v[1], a.v[2] && b.v[2], a.v[3] && b.v[3]}};
+}
+inline Float4 Select(Mask4 which, Float4 yes, Float4 no)
+{
+    return EachLane([&](int i) { return which.v[i] ? yes.v[i] : no.v[i]; });
+}
+inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        columns[i] = EachLane([&](int row) { return base[stride * rows[row] + i]; });
+    }
+}
+inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float4 (&columns)[4])
+{
+    for (int row = 0; row < 4; ++row)
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            base[stride * rows[row] + i] = columns[i].v[row];
+        }
+    }
+}
+
+#endif
+
+#if defined(__AVX2__) && !defined(BOX2D_PLAIN_SIMD)
+
+struct Float8
+{
+    static constexpr int kLanes = 8;
+    __m256 v;
+
+    static Float8 Load(const float* from) { return {_mm256_loadu_ps(from)}; }
+    static Float8 Set(float value) { return {_mm256_set1_ps(value)}; }
+    void Store(float* to) const { _mm256_storeu_ps(to, v); }
+};
+typedef Float8 Mask8;
+
+inline Float8 operator+(Float8 a, Float8 b)
+{
+    return {_mm256_add_ps(a.v, b.v)};
+}
+inline Float8 operator-(Float8 a, Float8 b)
+{
+    return {_mm256_sub_ps(a.v, b.v)};
+}
+inline Float8 operator*(Float8 a, Float8 b)
+{
+    return {_mm256_mul_ps(a.v, b.v)};
+}
+inline Float8 operator/(Float8 a, Float8 b)
+{
+    return {_mm256_div_ps(a.v, b.v)};
+}
+inline Float8 operator-(Float8 a)
+{
+    return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f))};
+}
+inline Float8 Min(Float8 a, Float8 b)
+{
+    return {_mm256_min_ps(a.v, b.v)};
+}
+inline Float8 Max(Float8 a, Float8 b)
+{
+    return {_mm256_max_ps(a.v, b.v)};
+}
+inline Mask8 AtLeast(Float8 a, Float8 b)
+{
+    return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OS)};
+}
+inline Mask8 And(Mask8 a, Mask8 b)
+{
+    return {_mm256_and_ps(a.v, b.v)};
+}
+inline Float8 Select(Mask8 which, Float8 yes, Float8 no)
+{
+    return {_mm256_blendv_ps(no.v, yes.v, which.v)};
+}
+
+/// Two rows side by side: one in the lower half, one in the upper.
+inline __m256 LoadPair(const float* lower, const float* upper)
+{
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(lower)), _mm_loadu_ps(upper),
+                                1);
+}
+/// Transposes the four by four numbers of either half.
+inline void TransposeHalves(__m256& a, __m256& b, __m256& c, __m256& d)
+{
+    const __m256 ab0 = _mm256_unpacklo_ps(a, b);
+    const __m256 ab1 = _mm256_unpackhi_ps(a, b);
+    const __m256 cd0 = _mm256_unpacklo_ps(c, d);
+    const __m256 cd1 = _mm256_unpackhi_ps(c, d);
+    a = _mm256_shuffle_ps(ab0, cd0, _MM_SHUFFLE(1, 0, 1, 0));
+    b = _mm256_shuffle_ps(ab0, cd0, _MM_SHUFFLE(3, 2, 3, 2));
+    c = _mm256_shuffle_ps(ab1, cd1, _MM_SHUFFLE(1, 0, 1, 0));
+    d = _mm256_shuffle_ps(ab1, cd1, _MM_SHUFFLE(3, 2, 3, 2));
+}
+inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float8 (&columns)[4])
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        columns[i].v = LoadPair(base + stride * rows[i], base + stride * rows[i + 4]);
+    }
+    TransposeHalves(columns[0].v, columns[1].v, columns[2].v, columns[3].v);
+}
+inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float8 (&columns)[4])
+{
+    __m256 m[4] = {columns[0].v, columns[1].v, columns[2].v, columns[3].v};
+    TransposeHalves(m[0], m[1], m[2], m[3]);
+    for (int i = 0; i < 4; ++i)
+    {
+        _mm_storeu_ps(base + stride * rows[i], _mm256_castps256_ps128(m[i]));
+        _mm_storeu_ps(base + stride * rows[i + 4], _mm256_extractf128_ps(m[i], 1));
+    }
+}
+
+#endif
+
+} // namespace
+} // namespace box2d::simd

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The only source that is compiled for AVX2; called where the processor has it. It must not call
+// inline functions that other sources use too: the linker keeps one copy of each, and could keep
+// this one.
+#include "ContactBlockSolver.h"
+
+namespace box2d
+{
+
+void WarmStartBlockAvx2(ContactBlock& block, float32* bodies)
+{
+    WarmStartBlock<simd::Float8>(block, bodies);
+}
+
+void SolveBlockAvx2(ContactBlock& block, float32* bodies)
+{
+    SolveBlock<simd::Float8>(block, bodies);
+}
+
+} // namespace box2d

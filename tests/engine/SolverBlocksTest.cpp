@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsScene.h"
+
+#include <Dynamics/ContactBlocks.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+/// The contact solver gives the same bits however many lanes it uses, and those of the plain one.
+namespace
+{
+
+using namespace box2d;
+using dynamics::Scene;
+
+/// Back to what the processor has when a test is over.
+struct WidthGuard
+{
+    ~WidthGuard() { UseWideInstructions(true); }
+};
+
+class RandomContacts
+{
+public:
+    explicit RandomContacts(unsigned seed) : m_random(seed)
+    {
+        bodies.resize(161); // 0 never moves
+        for (std::size_t i = 1; i < bodies.size(); ++i)
+        {
+            bodies[i].v = Vector(5.0f);
+            bodies[i].w = Real(-5.0f, 5.0f);
+            bodies[i].angle = Real(-1.0f, 1.0f);
+        }
+        for (int32 i = 0; i < 80; ++i)
+        {
+            contacts.push_back(Contact(2 * i + 1, i % 7 == 0 ? 0 : 2 * i + 2));
+        }
+    }
+
+    Array<SolverBody> bodies;
+    Array<ContactConstraint> contacts; ///< of one colour
+
+private:
+    float32 Real(float32 low, float32 high)
+    {
+        return low + (high - low) * float32(m_random() % 10001u) / 10000.0f;
+    }
+    b2Vec2 Vector(float32 reach)
+    {
+        const float32 x = Real(-reach, reach);
+        return b2Vec2(x, Real(-reach, reach));
+    }
+
+    /// One point, two that are nearly one, or a pair, with numbers of the sizes that occur.
+    ContactConstraint Contact(int32 a, int32 b)
+    {
+        ContactConstraint c;
+        std::memset(static_cast<void*>(&c), 0, sizeof c);
+        c.normal = b2Rot(Real(-3.0f, 3.0f)).GetXAxis();
+        c.friction = Real(0.0f, 1.0f);
+        c.tangentSpeed = m_random() % 4 == 0 ? Real(-2.0f, 2.0f) : 0.0f;
+        c.invMassA = Real(0.1f, 2.0f);
+        c.invInertiaA = Real(0.1f, 6.0f);
+        c.invMassB = b == 0 ? 0.0f : Real(0.1f, 2.0f);
+        c.invInertiaB = b == 0 ? 0.0f : Real(0.1f, 6.0f);
+        c.bodyA = a;
+        c.bodyB = b;
+        c.pointCount = 1 + int32(m_random() % 2);
+        c.coupled = c.pointCount == 2 && m_random() % 3 > 0;
+        for (int32 i = 0; i < c.pointCount; ++i)
+        {
+            c.points[i] = ContactPoint{Vector(1.0f),
+                                       Vector(1.0f),
+                                       Real(0.0f, 1.0f),
+                                       Real(-0.5f, 0.5f),
+                                       Real(0.1f, 1.0f),
+                                       Real(0.1f, 1.0f),
+                                       m_random() % 5 == 0 ? Real(0.0f, 3.0f) : 0.0f};
+        }
+        c.k11 = Real(1.0f, 2.0f);
+        c.k22 = Real(1.0f, 2.0f);
+        c.k12 = Real(-0.5f, 0.9f);
+        return c;
+    }
+
+    std::mt19937 m_random;
+};
+
+bool SameBits(const SolverBody& a, const SolverBody& b)
+{
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+void ExpectSameAsThePlainSolver(unsigned seed)
+{
+    RandomContacts plain(seed), packed(seed);
+    SolverContext context;
+    context.bodies = plain.bodies.data();
+    Array<ContactBlock> blocks;
+    PackBlocks(packed.contacts, 0, packed.contacts.size(), false, blocks);
+    WarmStart(plain.contacts, context);
+    WarmStartBlocks(blocks, packed.bodies.data());
+    for (int i = 0; i < 8; ++i)
+    {
+        SolveContactVelocities(plain.contacts, plain.bodies.data(), DirectionOf(i));
+        SolveBlocks(blocks, packed.bodies.data(), DirectionOf(i));
+    }
+    UnpackImpulses(blocks, packed.contacts);
+    for (std::size_t i = 0; i < plain.bodies.size(); ++i)
+    {
+        EXPECT_TRUE(SameBits(plain.bodies[i], packed.bodies[i])) << "body " << i;
+    }
+    for (std::size_t i = 0; i < plain.contacts.size(); ++i)
+    {
+        for (int32 k = 0; k < plain.contacts[i].pointCount; ++k)
+        {
+            const ContactPoint& p = plain.contacts[i].points[k];
+            const ContactPoint& q = packed.contacts[i].points[k];
+            EXPECT_EQ(p.normalImpulse, q.normalImpulse) << "contact " << i;
+            EXPECT_EQ(p.tangentImpulse, q.tangentImpulse) << "contact " << i;
+        }
+    }
+}
+
+TEST(SolverBlocks, GiveTheBitsOfThePlainSolverAtEveryWidth)
+{
+    const WidthGuard guard;
+    for (const bool wide : {false, true})
+    {
+        UseWideInstructions(wide);
+        for (unsigned seed = 1; seed <= 30 && !HasFailure(); ++seed)
+        {
+            SCOPED_TRACE(seed);
+            ExpectSameAsThePlainSolver(seed);
+        }
+    }
+}
+
+TEST(SolverBlocks, HoldEveryContactOnceAndEightOfOneKind)
+{
+    RandomContacts random(3);
+    Array<ContactBlock> blocks;
+    PackBlocks(random.contacts, 0, random.contacts.size(), false, blocks);
+    std::vector<int> seen(random.contacts.size(), 0);
+    int full = 0;
+    for (const ContactBlock& block : blocks)
+    {
+        full += block.count == kBlockLanes;
+        for (int lane = 0; lane < block.count; ++lane)
+        {
+            const ContactConstraint& c = random.contacts[std::size_t(block.constraint[lane])];
+            EXPECT_EQ(c.pointCount == 1, block.kind == BlockKind::One);
+            EXPECT_EQ(c.coupled, block.kind == BlockKind::Pair);
+            ++seen[std::size_t(block.constraint[lane])];
+        }
+    }
+    EXPECT_EQ(seen, std::vector<int>(random.contacts.size(), 1));
+    EXPECT_GE(full, int(random.contacts.size()) / kBlockLanes - kBlockKinds);
+    EXPECT_LE(blocks.size(), random.contacts.size() / kBlockLanes + kBlockKinds);
+}
+
+TEST(SolverBlocks, HoldOneContactEachWhereBodiesMayBeShared)
+{
+    RandomContacts random(4);
+    Array<ContactBlock> blocks;
+    PackBlocks(random.contacts, 0, random.contacts.size(), true, blocks);
+    EXPECT_EQ(blocks.size(), random.contacts.size());
+}
+
+TEST(SolverBlocks, LetAWorldMoveTheSameAtEveryWidth)
+{
+    const WidthGuard guard;
+    b2Vec2 ends[2];
+    for (const bool wide : {false, true})
+    {
+        UseWideInstructions(wide);
+        Scene scene;
+        scene.Ground();
+        for (int i = 0; i < 60; ++i)
+        {
+            const float32 x = 0.7f * float32(i % 6) + 0.05f * float32(i);
+            i % 3 == 0 ? scene.Ball(x, 1.0f + float32(i / 6)) : scene.Box(x, 1.0f + float32(i / 6));
+        }
+        scene.Step(300);
+        ends[wide] = b2Vec2_zero;
+        for (const b2Body* body = scene.world.GetBodyList(); body; body = body->GetNext())
+        {
+            ends[wide] += body->GetPosition();
+        }
+    }
+    EXPECT_EQ(ends[0], ends[1]);
+}
+
+} // namespace
