@@ -116,7 +116,6 @@ public:
 
 private:
     void LookAt(b2Body& body);
-    void LookAtSleepers(b2Body& platform);
     void LookAt(b2Contact& contact);
     bool IsCandidate(const ContactData& c) const;
     bool IsValid(const Event& event) const;
@@ -150,10 +149,13 @@ private:
 
 void ImpactSolver::Run()
 {
-    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    for (b2Contact* contact : m_world.awakeContacts)
     {
-        b2Body& body = *m_world.awakeBodies[i];
-        Data(body).IsDynamic() ? LookAt(body) : LookAtSleepers(body);
+        if (m_world.stepComplete)
+        {
+            Data(*contact).toiCount = 0;
+        }
+        LookAt(*contact);
     }
     m_world.stepComplete = true;
     while (!m_events.empty())
@@ -174,18 +176,6 @@ void ImpactSolver::LookAt(b2Body& body)
     for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
     {
         LookAt(*edge->contact);
-    }
-}
-
-/// What a platform is about to hit is asleep or looks at the contact itself.
-void ImpactSolver::LookAtSleepers(b2Body& platform)
-{
-    for (b2ContactEdge* edge = platform.GetContactList(); edge; edge = edge->next)
-    {
-        if (!edge->other->IsAwake())
-        {
-            LookAt(*edge->contact);
-        }
     }
 }
 
@@ -486,13 +476,6 @@ void ImpactSolver::SolveVelocities(float32 timeLeft)
 
 void World::SolveContinuous(float32 timeStep, int32 velocityIterations)
 {
-    if (stepComplete)
-    {
-        for (b2Contact* contact : awakeContacts)
-        {
-            Data(*contact).toiCount = 0;
-        }
-    }
     ImpactSolver(*this, timeStep, velocityIterations).Run();
 }
 
