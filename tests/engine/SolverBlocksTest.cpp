@@ -124,6 +124,91 @@ void ExpectSameAsThePlainSolver(unsigned seed)
     }
 }
 
+/// Overlaps of one colour, of every kind; the last body turns but cannot be turned, and many share
+/// it.
+class RandomOverlaps
+{
+public:
+    explicit RandomOverlaps(unsigned seed) : m_random(seed)
+    {
+        bodies.resize(162);
+        for (std::size_t i = 1; i < bodies.size(); ++i)
+        {
+            bodies[i].d = Vector(0.1f);
+            bodies[i].angle = Real(-0.3f, 0.3f);
+            bodies[i].q = b2Rot(bodies[i].angle);
+        }
+        for (int32 i = 0; i < 80; ++i)
+        {
+            overlaps.push_back(Overlap(2 * i + 1, i % 3 == 0 ? 161 : 2 * i + 2));
+        }
+    }
+
+    Array<SolverBody> bodies;
+    Array<OverlapConstraint> overlaps;
+
+private:
+    float32 Real(float32 low, float32 high)
+    {
+        return low + (high - low) * float32(m_random() % 10001u) / 10000.0f;
+    }
+    b2Vec2 Vector(float32 reach)
+    {
+        const float32 x = Real(-reach, reach);
+        return b2Vec2(x, Real(-reach, reach));
+    }
+
+    OverlapConstraint Overlap(int32 a, int32 b)
+    {
+        OverlapConstraint o;
+        std::memset(static_cast<void*>(&o), 0, sizeof o);
+        o.kind = static_cast<OverlapKind>(m_random() % 3);
+        o.pointCount = o.kind == OverlapKind::Centers ? 1 : 1 + int32(m_random() % 2);
+        o.offset = Vector(1.0f);
+        o.normal = b2Rot(Real(-3.0f, 3.0f)).GetXAxis();
+        o.reference = Vector(0.5f);
+        o.points[0] = Vector(0.5f);
+        // Some pairs are nearly one point.
+        o.points[1] = m_random() % 4 == 0 ? o.points[0] + Vector(1e-3f) : Vector(0.5f);
+        o.radius = 0.02f;
+        o.invMassA = Real(0.1f, 2.0f);
+        o.invInertiaA = m_random() % 5 == 0 ? 0.0f : Real(0.1f, 6.0f);
+        o.invMassB = b == 161 ? 0.0f : Real(0.1f, 2.0f);
+        o.invInertiaB = b == 161 ? 0.0f : Real(0.1f, 6.0f);
+        o.bodyA = a;
+        o.bodyB = b;
+        return o;
+    }
+
+    std::mt19937 m_random;
+};
+
+TEST(SolverBlocks, PushOverlapsApartWithTheBitsOfThePlainSolverAtEveryWidth)
+{
+    const WidthGuard guard;
+    for (const bool wide : {false, true})
+    {
+        UseWideInstructions(wide);
+        for (unsigned seed = 1; seed <= 30 && !HasFailure(); ++seed)
+        {
+            SCOPED_TRACE(seed);
+            RandomOverlaps plain(seed), packed(seed);
+            Array<OverlapBlock> blocks;
+            PackBlocks(packed.overlaps, 0, packed.overlaps.size(), false, blocks);
+            for (int i = 0; i < 4; ++i)
+            {
+                const float32 met =
+                    SolveOverlaps(plain.overlaps, plain.bodies.data(), 0.2f, DirectionOf(i));
+                EXPECT_EQ(met, SolveBlocks(blocks, packed.bodies.data(), 0.2f, DirectionOf(i)));
+            }
+            for (std::size_t i = 0; i < plain.bodies.size(); ++i)
+            {
+                EXPECT_TRUE(SameBits(plain.bodies[i], packed.bodies[i])) << "body " << i;
+            }
+        }
+    }
+}
+
 TEST(SolverBlocks, GiveTheBitsOfThePlainSolverAtEveryWidth)
 {
     const WidthGuard guard;

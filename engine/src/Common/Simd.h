@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #if defined(__SSE2__) || defined(_M_X64)
@@ -67,6 +68,22 @@ inline Float4 Max(Float4 a, Float4 b)
 inline Mask4 AtLeast(Float4 a, Float4 b)
 {
     return {_mm_cmpge_ps(a.v, b.v)};
+}
+inline Float4 Sqrt(Float4 a)
+{
+    return {_mm_sqrt_ps(a.v)};
+}
+inline bool Any(Mask4 a)
+{
+    return _mm_movemask_ps(a.v) != 0;
+}
+inline Mask4 Not(Mask4 a)
+{
+    return {_mm_xor_ps(a.v, _mm_castsi128_ps(_mm_set1_epi32(-1)))};
+}
+inline Mask4 Or(Mask4 a, Mask4 b)
+{
+    return {_mm_or_ps(a.v, b.v)};
 }
 inline Mask4 And(Mask4 a, Mask4 b)
 {
@@ -142,6 +159,22 @@ inline Float4 operator-(Float4 a)
 inline Mask4 AtLeast(Float4 a, Float4 b)
 {
     return {vcgeq_f32(a.v, b.v)};
+}
+inline Float4 Sqrt(Float4 a)
+{
+    return {vsqrtq_f32(a.v)};
+}
+inline bool Any(Mask4 a)
+{
+    return vmaxvq_u32(a.v) != 0;
+}
+inline Mask4 Not(Mask4 a)
+{
+    return {vmvnq_u32(a.v)};
+}
+inline Mask4 Or(Mask4 a, Mask4 b)
+{
+    return {vorrq_u32(a.v, b.v)};
 }
 inline Mask4 And(Mask4 a, Mask4 b)
 {
@@ -247,6 +280,22 @@ inline Mask4 AtLeast(Float4 a, Float4 b)
 {
     return {{a.v[0] >= b.v[0], a.v[1] >= b.v[1], a.v[2] >= b.v[2], a.v[3] >= b.v[3]}};
 }
+inline Float4 Sqrt(Float4 a)
+{
+    return EachLane([&](int i) { return std::sqrt(a.v[i]); });
+}
+inline bool Any(Mask4 a)
+{
+    return a.v[0] || a.v[1] || a.v[2] || a.v[3];
+}
+inline Mask4 Not(Mask4 a)
+{
+    return {{!a.v[0], !a.v[1], !a.v[2], !a.v[3]}};
+}
+inline Mask4 Or(Mask4 a, Mask4 b)
+{
+    return {{a.v[0] || b.v[0], a.v[1] || b.v[1], a.v[2] || b.v[2], a.v[3] || b.v[3]}};
+}
 inline Mask4 And(Mask4 a, Mask4 b)
 {
     return {{a.v[0] && b.v[0], a.v[1] && b.v[1], a.v[2] && b.v[2], a.v[3] && b.v[3]}};
@@ -319,6 +368,22 @@ inline Float8 Max(Float8 a, Float8 b)
 inline Mask8 AtLeast(Float8 a, Float8 b)
 {
     return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OS)};
+}
+inline Float8 Sqrt(Float8 a)
+{
+    return {_mm256_sqrt_ps(a.v)};
+}
+inline bool Any(Mask8 a)
+{
+    return _mm256_movemask_ps(a.v) != 0;
+}
+inline Mask8 Not(Mask8 a)
+{
+    return {_mm256_xor_ps(a.v, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
+}
+inline Mask8 Or(Mask8 a, Mask8 b)
+{
+    return {_mm256_or_ps(a.v, b.v)};
 }
 inline Mask8 And(Mask8 a, Mask8 b)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ContactBlocks.h"
 
-#include "ContactBlockSolver.h"
+#include "OverlapBlockSolver.h"
 
 #include <cstring>
 
@@ -12,6 +12,7 @@ namespace box2d
 // ContactBlocksAvx2.cpp
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
 void SolveBlockAvx2(ContactBlock& block, float32* bodies);
+float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float32 rate);
 #endif
 
 namespace
@@ -166,6 +167,85 @@ void SolveBlocks(Array<ContactBlock>& blocks, SolverBody* bodies, Direction dire
 #endif
     ForEach(blocks, direction,
             [bodies](ContactBlock& b) { SolveBlock<simd::Float4>(b, Numbers(bodies)); });
+}
+
+namespace
+{
+
+void FillLane(const OverlapConstraint& o, OverlapBlock& block)
+{
+    const int lane = block.count++;
+    block.bodyA[lane] = o.bodyA;
+    block.bodyB[lane] = o.bodyB;
+    block.offsetX[lane] = o.offset.x;
+    block.offsetY[lane] = o.offset.y;
+    block.normalX[lane] = o.normal.x;
+    block.normalY[lane] = o.normal.y;
+    block.referenceX[lane] = o.reference.x;
+    block.referenceY[lane] = o.reference.y;
+    for (int32 i = 0; i < o.pointCount; ++i)
+    {
+        block.pointX[i][lane] = o.points[i].x;
+        block.pointY[i][lane] = o.points[i].y;
+    }
+    block.radius[lane] = o.radius;
+    block.invMassA[lane] = o.invMassA;
+    block.invInertiaA[lane] = o.invInertiaA;
+    block.invMassB[lane] = o.invMassB;
+    block.invInertiaB[lane] = o.invInertiaB;
+    block.constraint[lane] = &o;
+}
+
+OverlapBlock& AddBlock(const OverlapConstraint& like, Array<OverlapBlock>& blocks)
+{
+    OverlapBlock& block = blocks.emplace_back();
+    std::memset(&block, 0, sizeof block);
+    block.kind = like.kind;
+    block.pointCount = like.pointCount;
+    for (float32& radius : block.radius)
+    {
+        radius = -1.0f; // a metre apart
+    }
+    return block;
+}
+
+} // namespace
+
+void PackBlocks(const Array<OverlapConstraint>& overlaps, std::size_t begin, std::size_t end,
+                bool mayShareBodies, Array<OverlapBlock>& blocks)
+{
+    constexpr int kinds = 6; // three ways to measure, of one or two points
+    int32 open[kinds] = {-1, -1, -1, -1, -1, -1};
+    for (std::size_t i = begin; i < end; ++i)
+    {
+        const OverlapConstraint& o = overlaps[i];
+        int32& last = open[2 * int(o.kind) + o.pointCount - 1];
+        if (last == -1 || mayShareBodies || blocks[std::size_t(last)].count == kBlockLanes)
+        {
+            last = int32(blocks.size());
+            AddBlock(o, blocks);
+        }
+        FillLane(o, blocks[std::size_t(last)]);
+    }
+}
+
+float32 SolveBlocks(const Array<OverlapBlock>& blocks, SolverBody* bodies, float32 rate,
+                    Direction direction)
+{
+    float32 smallest = 0.0f;
+#if defined(BOX2D_AVX2)
+    if (s_wide)
+    {
+        ForEach(blocks, direction, [&](const OverlapBlock& block) {
+            smallest = b2Min(smallest, SolveOverlapBlockAvx2(block, Numbers(bodies), rate));
+        });
+        return smallest;
+    }
+#endif
+    ForEach(blocks, direction, [&](const OverlapBlock& block) {
+        smallest = b2Min(smallest, SolveOverlapBlock<simd::Float4>(block, Numbers(bodies), rate));
+    });
+    return smallest;
 }
 
 } // namespace box2d

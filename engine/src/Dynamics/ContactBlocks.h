@@ -17,6 +17,13 @@ void PackBlocks(const Array<ContactConstraint>& constraints, std::size_t begin, 
 /// Puts the impulses back into the constraints.
 void UnpackImpulses(const Array<ContactBlock>& blocks, Array<ContactConstraint>& constraints);
 
+/// The same for overlaps, which must stay where they are as long as the blocks are used.
+void PackBlocks(const Array<OverlapConstraint>& overlaps, std::size_t begin, std::size_t end,
+                bool mayShareBodies, Array<OverlapBlock>& blocks);
+/// The wide version of SolveOverlaps.
+float32 SolveBlocks(const Array<OverlapBlock>& blocks, SolverBody* bodies, float32 rate,
+                    Direction direction);
+
 /// The wide versions of WarmStart and SolveContactVelocities, for the widest instructions that this
 /// processor has.
 void WarmStartBlocks(Array<ContactBlock>& blocks, SolverBody* bodies);

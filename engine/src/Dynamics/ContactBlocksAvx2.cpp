@@ -2,7 +2,7 @@
 // The only source that is compiled for AVX2; called where the processor has it. It must not call
 // inline functions that other sources use too: the linker keeps one copy of each, and could keep
 // this one.
-#include "ContactBlockSolver.h"
+#include "OverlapBlockSolver.h"
 
 namespace box2d
 {
@@ -15,6 +15,11 @@ void WarmStartBlockAvx2(ContactBlock& block, float32* bodies)
 void SolveBlockAvx2(ContactBlock& block, float32* bodies)
 {
     SolveBlock<simd::Float8>(block, bodies);
+}
+
+float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float32 rate)
+{
+    return SolveOverlapBlock<simd::Float8>(block, bodies, rate);
 }
 
 } // namespace box2d

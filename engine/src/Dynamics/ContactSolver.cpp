@@ -16,10 +16,6 @@ namespace box2d
 namespace
 {
 
-/// Above this ratio of the coupled matrix's determinant the two points are nearly one: solving them
-/// together would divide by almost nothing.
-constexpr float32 kMaxCondition = 1000.0f;
-
 /// A contact's geometry in world axes, as seen from the centres of mass.
 struct Geometry
 {
@@ -389,6 +385,14 @@ struct Push
     const OverlapConstraint& o;
     SolverBody a, b;
 
+    /// A body that cannot be turned keeps its bits, however many contacts it has.
+    static void Turn(SolverBody& body, float32 invInertia, float32 delta)
+    {
+        if (invInertia > 0.0f)
+        {
+            body.Rotate(delta);
+        }
+    }
     float32 Mass(const Overlap& p, const Overlap& q) const
     {
         return o.invMassA + o.invMassB +
@@ -399,8 +403,8 @@ struct Push
     {
         a.d -= (o.invMassA * impulse) * p.normal;
         b.d += (o.invMassB * impulse) * p.normal;
-        a.Rotate(-o.invInertiaA * b2Cross(p.armA, p.normal) * impulse);
-        b.Rotate(o.invInertiaB * b2Cross(p.armB, p.normal) * impulse);
+        Turn(a, o.invInertiaA, -o.invInertiaA * b2Cross(p.armA, p.normal) * impulse);
+        Turn(b, o.invInertiaB, o.invInertiaB * b2Cross(p.armB, p.normal) * impulse);
     }
     /// Both points at once, like the velocities, so that a box that lands flat stays flat.
     void ApplyPair(const Overlap& p, float32 x1, const Overlap& q, float32 x2)
@@ -408,9 +412,10 @@ struct Push
         const float32 sum = x1 + x2;
         a.d -= (o.invMassA * sum) * p.normal;
         b.d += (o.invMassB * sum) * p.normal;
-        a.Rotate(-o.invInertiaA *
-                 (b2Cross(p.armA, p.normal) * x1 + b2Cross(q.armA, q.normal) * x2));
-        b.Rotate(o.invInertiaB * (b2Cross(p.armB, p.normal) * x1 + b2Cross(q.armB, q.normal) * x2));
+        Turn(a, o.invInertiaA,
+             -o.invInertiaA * (b2Cross(p.armA, p.normal) * x1 + b2Cross(q.armA, q.normal) * x2));
+        Turn(b, o.invInertiaB,
+             o.invInertiaB * (b2Cross(p.armB, p.normal) * x1 + b2Cross(q.armB, q.normal) * x2));
     }
 };
 
@@ -456,6 +461,16 @@ float32 PushPair(Push& push, float32 rate)
 }
 
 } // namespace
+
+float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, float32 rate)
+{
+    Push push{o, bodies[o.bodyA], bodies[o.bodyB]};
+    const float32 first = PushPoint(push, 0, rate);
+    const float32 second = PushPoint(push, 1, rate);
+    bodies[o.bodyA] = push.a;
+    bodies[o.bodyB] = push.b;
+    return b2Min(first, second);
+}
 
 float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,
                       Direction direction)

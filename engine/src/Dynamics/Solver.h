@@ -97,6 +97,10 @@ struct ContactConstraint
     b2Contact* contact;
 };
 
+/// Above this ratio of the coupled matrix's determinant the two points are nearly one: solving them
+/// together would divide by almost nothing.
+inline constexpr float32 kMaxCondition = 1000.0f;
+
 inline constexpr int kBlockLanes = 8;
 
 /// How the points of a contact are solved. A block holds contacts of one kind.
@@ -156,11 +160,31 @@ struct OverlapConstraint
     OverlapKind kind;
 };
 
+/// See OverlapConstraint. All lanes of a block measure the same way. Lanes that are not used are
+/// far apart.
+struct OverlapBlock
+{
+    int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
+    float32 offsetX[kBlockLanes], offsetY[kBlockLanes];
+    float32 normalX[kBlockLanes], normalY[kBlockLanes];
+    float32 referenceX[kBlockLanes], referenceY[kBlockLanes];
+    float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes];
+    float32 radius[kBlockLanes];
+    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
+    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
+    const OverlapConstraint* constraint[kBlockLanes];
+    int32 count; ///< used lanes
+    int32 pointCount;
+    OverlapKind kind;
+};
+
 struct SolverArrays
 {
     Array<SolverBody> bodies;
     Array<ContactConstraint> contacts;
-    Array<ContactBlock> blocks; ///< the contacts once more, colour by colour, several at a time
+    // The same once more, colour by colour, several at a time.
+    Array<ContactBlock> blocks;
+    Array<OverlapBlock> overlapBlocks;
     Array<OverlapConstraint> overlaps; ///< parallel to contacts
 };
 
@@ -219,5 +243,8 @@ void StoreImpulses(const Array<ContactConstraint>& contacts);
 /// Returns the smallest separation that was met [m].
 float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,
                       Direction direction);
+
+/// Two points that are nearly one, pushed apart one after the other.
+float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, float32 rate);
 
 } // namespace box2d

@@ -136,10 +136,11 @@ void StepSolver::PrepareConstraints()
     m_arrays.contacts.clear();
     m_arrays.overlaps.clear();
     m_arrays.blocks.clear();
+    m_arrays.overlapBlocks.clear();
+    std::size_t ends[ConstraintGraph::kColorCount];
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
         const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
-        const std::size_t begin = m_arrays.contacts.size();
         for (b2Contact* contact : m_world.graph.Contacts(color))
         {
             if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
@@ -148,8 +149,14 @@ void StepSolver::PrepareConstraints()
                                m_arrays.overlaps.emplace_back());
             }
         }
-        PackBlocks(m_arrays.contacts, begin, m_arrays.contacts.size(),
-                   color == ConstraintGraph::kOverflow, m_arrays.blocks);
+        ends[i] = m_arrays.contacts.size();
+    }
+    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    {
+        const std::size_t begin = i == 0 ? 0 : ends[i - 1];
+        const bool mayShareBodies = i == 0;
+        PackBlocks(m_arrays.contacts, begin, ends[i], mayShareBodies, m_arrays.blocks);
+        PackBlocks(m_arrays.overlaps, begin, ends[i], mayShareBodies, m_arrays.overlapBlocks);
     }
     WarmStartBlocks(m_arrays.blocks, m_context.bodies);
     for (b2Joint* joint : m_world.graph.Joints())
@@ -189,8 +196,8 @@ void StepSolver::SolvePositions(int32 iterations)
     {
         const Direction direction = DirectionOf(i);
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_baumgarte,
-                                         direction) >= -3.0f * b2_linearSlop;
+        const bool apart = SolveBlocks(m_arrays.overlapBlocks, m_context.bodies, b2_baumgarte,
+                                       direction) >= -3.0f * b2_linearSlop;
         bool joined = true;
         ForEach(m_world.graph.Joints(), direction, [&](b2Joint* joint) {
             joined = JointAccess::SolvePosition(*joint, m_context) && joined;
