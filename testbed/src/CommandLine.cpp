@@ -241,6 +241,10 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return Request(std::move(parsed.golden));
     }
+    if (name == "bench")
+    {
+        return Request(std::move(parsed.bench));
+    }
     return Request(parsed.list);
 }
 
@@ -262,6 +266,7 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
     DeclareShot(program, parsed);
     DeclareDiff(program, parsed);
     DeclareGolden(program, parsed);
+    DeclareBench(program, parsed);
     for (CLI::App* command : program.get_subcommands({}))
     {
         command->group("Commands");

@@ -170,7 +170,9 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
     CLI::App* accept = command->add_subcommand("accept", "Make what the scenes show the reference");
     for (CLI::App* action : {verify, accept})
     {
-        action->add_option("NAMES", golden.names, "Such as pyramid or pyramid/2s; all when none is given")
+        action
+            ->add_option("NAMES", golden.names,
+                         "Such as pyramid or pyramid/2s; all when none is given")
             ->type_name("");
         AddPath(*action, "--references", "DIR", golden.references,
                 "Folder of what was approved (golden/references)");
@@ -187,6 +189,26 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                    "  boxreel golden accept\n"
                    "  boxreel golden accept pyramid bridge");
     accept->callback([&golden] { golden.accept = true; });
+}
+
+void DeclareBench(CLI::App& program, ParsedOptions& parsed)
+{
+    BenchOptions& bench = parsed.bench;
+    CLI::App* command = program.add_subcommand("bench", "Time the engine beside its peers");
+    command->add_option("SCENES", bench.scenes, "Such as large-pyramid; all when none is given")
+        ->type_name("");
+    command->add_flag("--list", bench.list, "Only say which scenes there are");
+    AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
+             "How often each engine runs, in turn; figures are medians (3)");
+    command->add_flag("--json", bench.json, "Print all figures as JSON instead of a table");
+    command->footer(
+        "Times are those of a step, CPU that of the whole process a step; the ratio says how many\n"
+        "times more CPU time the peer takes. Peers are those whose packages were there when the\n"
+        "tests were built: libbox2d-dev, libchipmunk-dev.\n\n"
+        "Examples:\n"
+        "  boxreel bench\n"
+        "  boxreel bench large-pyramid tumbler --rounds 7\n"
+        "  boxreel bench --json > bench.json");
 }
 
 } // namespace boxreel

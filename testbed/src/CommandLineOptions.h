@@ -22,6 +22,7 @@ struct ParsedOptions
     ShotOptions shot;
     DiffOptions diff;
     GoldenOptions golden;
+    BenchOptions bench;
 };
 
 void DeclareList(CLI::App& program, ParsedOptions& parsed);
@@ -29,6 +30,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed);
 void DeclareShot(CLI::App& program, ParsedOptions& parsed);
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed);
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
+void DeclareBench(CLI::App& program, ParsedOptions& parsed);
 
 /// An option whose text `parse` turns into a value for `target`; a refusal becomes the parser's
 /// error.

@@ -65,10 +65,19 @@ struct GoldenOptions
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
 };
 
+struct BenchOptions
+{
+    bool list = false;               ///< only say which scenes there are
+    std::vector<std::string> scenes; ///< empty: all
+    int rounds = 3;
+    bool json = false; ///< figures for programs instead of a table
+};
+
 Result<int> RunList(const ListOptions& options);
 Result<int> RunRecord(const RecordOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunBench(const BenchOptions& options);
 
 } // namespace boxreel

@@ -68,7 +68,9 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"imgui", {"render/src/Overlay", "render/src/FontAtlas", "testbed/ui/"}},
         {"stb", {"render/src/FontAtlas"}},
         {"CLI/", {"testbed/src/CommandLine"}},
-        {"nlohmann/", {"testbed/rube/"}},
+        {"nlohmann/", {"testbed/bench/", "testbed/rube/"}},
+        {"chipmunk/", {"tests/benchmark/"}},
+        {"box2d/", {"tests/benchmark/"}},
         {"gtest/", {}},
         {"gmock/", {}},
     };
@@ -76,8 +78,8 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
 }
 
 // What the system and the compiler bring; the engine may use the second line only.
-constexpr std::array<std::string_view, 10> kSystemHeaders{
-    "sys/",      "unistd.h",  "fcntl.h", "signal.h", "dlfcn.h",
+constexpr std::array<std::string_view, 11> kSystemHeaders{
+    "sys/",      "unistd.h",  "fcntl.h", "signal.h", "spawn.h", "dlfcn.h",
     "pthread.h", "termios.h", "poll.h",  "sched.h",  "errno.h"};
 constexpr std::array<std::string_view, 5> kSimdHeaders{"immintrin.h", "emmintrin.h", "xmmintrin.h",
                                                        "smmintrin.h", "arm_neon.h"};

@@ -239,7 +239,7 @@ TEST(CommandLine, HelpNamesEveryCommand)
 {
     const std::string help = Parsed<TextRequest>("--help").text;
     for (const char* command :
-         {"list", "record", "shot", "diff", "golden", "--version", "Examples:"})
+         {"list", "record", "shot", "diff", "golden", "bench", "--version", "Examples:"})
     {
         EXPECT_THAT(help, HasSubstr(command));
     }
@@ -268,6 +268,7 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
         {"shot", shot},
         {"diff", {"-o,--output", "--preset", "--force"}},
         {"golden", {"verify", "accept"}},
+        {"bench", {"--list", "--rounds", "--json"}},
         {"golden verify", {"--references", "--output"}},
         {"golden accept", {"--references", "--output"}},
     };
@@ -296,8 +297,8 @@ TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
 
 TEST(CommandLine, HelpFitsATerminalOfHundredColumns)
 {
-    for (const char* command :
-         {"", "list", "record", "shot", "diff", "golden", "golden verify", "golden accept"})
+    for (const char* command : {"", "list", "record", "shot", "diff", "golden", "golden verify",
+                                "golden accept", "bench"})
     {
         std::istringstream help(Parsed<TextRequest>(std::string(command) + " --help").text);
         for (std::string line; std::getline(help, line);)

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+/// What the scenes of the benchmark need of an engine, in plain numbers: metres, seconds, radians.
+/// Each program links one implementation (Sim*.cpp), so that the scene source is the same for all
+/// engines.
+namespace bench
+{
+
+enum class Kind
+{
+    Static,
+    Kinematic,
+    Dynamic
+};
+
+using BodyId = int;
+
+struct BodySpec
+{
+    Kind kind = Kind::Dynamic;
+    double x = 0.0, y = 0.0;
+    double vx = 0.0, vy = 0.0;
+    double angularVelocity = 0.0;
+    bool bullet = false;
+};
+
+struct Material
+{
+    double density = 1.0;
+    double friction = 0.6;
+    double restitution = 0.0;
+    std::uint16_t category = 1;
+    std::uint16_t mask = 0xFFFF;
+};
+
+struct BodyState
+{
+    double x, y, angle, vx, vy, w;
+    bool dynamic; ///< the others stay where the scene wants them
+};
+
+class Sim
+{
+public:
+    virtual ~Sim() = default;
+
+    virtual BodyId AddBody(const BodySpec& spec) = 0;
+    virtual void AddBox(BodyId body, double hx, double hy, double cx, double cy,
+                        const Material& material) = 0;
+    virtual void AddCircle(BodyId body, double radius, const Material& material) = 0;
+    virtual void AddEdge(BodyId body, double x1, double y1, double x2, double y2,
+                         const Material& material) = 0;
+    /// At a world point; the two bodies do not collide.
+    virtual void AddRevolute(BodyId a, BodyId b, double x, double y) = 0;
+    /// Removes what was added last.
+    virtual void RemoveLastBody() = 0;
+
+    /// A sixtieth of a second with the engine's customary iterations: 8 and 3, for Chipmunk 10.
+    virtual void Step() = 0;
+    /// The fraction of the way at which a ray first hits something, 1 when nothing.
+    virtual double CastRay(double x1, double y1, double x2, double y2) = 0;
+
+    virtual int BodyCount() const = 0;
+    virtual BodyState State(BodyId body) const = 0;
+    /// Pairs of shapes that touch.
+    virtual int TouchingContacts() = 0;
+    /// Whether anything still moves, as the engine sees it.
+    virtual bool AllAsleep() const = 0;
+};
+
+struct SimSettings
+{
+    double gravity = -10.0;
+    bool sleep = false;
+    int threads = 1; ///< where the engine has a choice
+};
+
+/// Name and version of the engine that this program was built with.
+std::string EngineName();
+std::unique_ptr<Sim> CreateSim(const SimSettings& settings);
+
+} // namespace bench
