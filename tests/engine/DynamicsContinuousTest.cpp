@@ -327,4 +327,34 @@ TEST(DynamicsContinuous, BulletsInAPileEndTheStep)
     }
 }
 
+/// Sends what is hit on its way upwards.
+struct Launcher : public b2ContactListener
+{
+    void PreSolve(b2Contact*, const b2Manifold*) override
+    {
+        platform->SetLinearVelocity(b2Vec2(0.0f, 90.0f));
+    }
+    b2Body* platform = nullptr;
+};
+
+TEST(DynamicsContinuous, APlatformThatAListenerSendsOffAtTheImpactIsFoundWhereItIs)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    Launcher launcher;
+    launcher.platform = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
+    Scene::AddBox(launcher.platform, 0.5f, 0.5f);
+    launcher.platform->SetLinearVelocity(b2Vec2(0.0f, 0.1f));
+    b2Body* bullet = scene.Ball(-2.0f, 0.0f, 0.1f);
+    bullet->SetBullet(true);
+    bullet->SetLinearVelocity(b2Vec2(110.0f, 0.0f));
+    scene.world.SetContactListener(&launcher);
+    scene.Step();
+    scene.world.SetContactListener(nullptr);
+    ASSERT_GT(launcher.platform->GetLinearVelocity().y, 1.0f);
+    b2AABB tight;
+    const b2Fixture* fixture = launcher.platform->GetFixtureList();
+    fixture->GetShape()->ComputeAABB(&tight, launcher.platform->GetTransform(), 0);
+    EXPECT_TRUE(fixture->GetAABB(0).Contains(tight));
+}
+
 } // namespace

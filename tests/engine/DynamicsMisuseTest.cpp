@@ -372,4 +372,34 @@ TEST_F(DynamicsMisuse, OfTheWorldFromFarewells)
 
 // ---- Odd numbers that are not forbidden
 
+TEST_F(DynamicsMisuse, OfThingsOfAnotherWorld)
+{
+    Scene elsewhere;
+    b2Body* post = elsewhere.Ground();
+    b2Body* wheel = elsewhere.Box(0.0f, 5.0f);
+    b2RevoluteJointDef hinge;
+    hinge.Initialize(post, wheel, wheel->GetPosition());
+    b2Joint* foreign = elsewhere.world.CreateJoint(&hinge);
+    hinge.Initialize(ground, box, box->GetPosition());
+    b2Joint* own = scene.world.CreateJoint(&hinge);
+    ExpectMisuse("of this world", [&] { scene.world.DestroyJoint(foreign); });
+    ExpectMisuse("of this world", [&] { scene.world.DestroyBody(wheel); });
+    b2GearJointDef gear;
+    gear.bodyA = box;
+    gear.bodyB = other;
+    gear.joint1 = own;
+    gear.joint2 = foreign;
+    ExpectMisuse("world", [&] { EXPECT_EQ(scene.world.CreateJoint(&gear), nullptr); });
+    EXPECT_EQ(elsewhere.world.GetJointCount(), 1);
+}
+
+TEST_F(DynamicsMisuse, OfQueriesWithoutACallback)
+{
+    b2AABB everything;
+    everything.lowerBound.Set(-9.0f, -9.0f);
+    everything.upperBound.Set(9.0f, 9.0f);
+    ExpectMisuse("callback", [&] { scene.world.QueryAABB(nullptr, everything); });
+    ExpectMisuse("callback", [&] { scene.world.RayCast(nullptr, b2Vec2(), b2Vec2(1.0f, 0.0f)); });
+}
+
 } // namespace

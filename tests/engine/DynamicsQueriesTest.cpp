@@ -320,7 +320,7 @@ std::string DumpOf(b2World& world)
     return g_log;
 }
 
-TEST(DynamicsDump, IsCodeThatACompilerTakes)
+TEST(DynamicsDump, NamesEveryPartOfTheWorld)
 {
     Scene scene;
     b2Body* ground = scene.Body(b2_staticBody, 1.0f, -2.5f);

@@ -194,4 +194,71 @@ TEST(GearJoints, DestroyedByHandAreNotSaidGoodbye)
     EXPECT_EQ(g.Rate(1), 0.0f) << "nothing is geared any more";
 }
 
+/// Two wheels on hinges that were made the other way round: the ground is the second body.
+TEST(GearJoint, TakesAnyBodiesOfItsJoints)
+{
+    for (const bool carried : {false, true})
+    {
+        JointScene scene(b2Vec2(0.0f, 0.0f));
+        b2Body* carrier = carried ? scene.Load(0.0f, 0.0f, 4.0f, 0.25f) : scene.Post();
+        b2Body* a = scene.Load(-2.0f, 2.0f);
+        b2Body* b = scene.Load(2.0f, 2.0f);
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(a, carrier, a->GetPosition());
+        auto* hingeA = scene.Create<b2RevoluteJoint>(hinge);
+        hinge.Initialize(b, carrier, b->GetPosition());
+        auto* hingeB = scene.Create<b2RevoluteJoint>(hinge);
+        b2GearJointDef def;
+        def.bodyA = a;
+        def.bodyB = b;
+        def.joint1 = hingeA;
+        def.joint2 = hingeB;
+        def.ratio = 2.0f;
+        auto* gear = scene.Create<b2GearJoint>(def);
+        ASSERT_NE(gear, nullptr);
+        EXPECT_EQ(gear->GetBodyA(), a);
+        EXPECT_EQ(gear->GetBodyB(), b);
+        a->SetAngularVelocity(4.0f);
+        for (int i = 0; i < 120; ++i)
+        {
+            scene.Step();
+            EXPECT_NEAR(hingeA->GetJointAngle() + 2.0f * hingeB->GetJointAngle(), 0.0f, 0.01f);
+        }
+        EXPECT_GT(b2Abs(hingeB->GetJointAngle()), 0.2f);
+        scene.world.DestroyJoint(hingeA);
+        EXPECT_EQ(scene.world.GetJointCount(), 1) << "the gear went with it";
+    }
+}
+
+TEST(GearJoint, OnOneCarrierKeepsItsAngularMomentum)
+{
+    JointScene scene(b2Vec2(0.0f, 0.0f));
+    b2Body* carrier = scene.Load(0.0f, 0.0f, 4.0f, 0.25f);
+    b2Body* wheels[2];
+    b2RevoluteJoint* hinges[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        wheels[i] = scene.Load(float32(4 * i - 2), 0.0f, 0.5f, 0.5f);
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(carrier, wheels[i], wheels[i]->GetPosition());
+        hinges[i] = scene.Create<b2RevoluteJoint>(hinge);
+    }
+    b2GearJointDef def;
+    def.bodyA = wheels[0];
+    def.bodyB = wheels[1];
+    def.joint1 = hinges[0];
+    def.joint2 = hinges[1];
+    scene.Create<b2GearJoint>(def);
+    wheels[0]->ApplyAngularImpulse(3.0f);
+    scene.Step(5);
+    float32 momentum = 0.0f;
+    for (const b2Body* body : {carrier, wheels[0], wheels[1]})
+    {
+        momentum += body->GetInertia() * body->GetAngularVelocity() +
+                    body->GetMass() * b2Cross(body->GetPosition(), body->GetLinearVelocity());
+    }
+    EXPECT_NEAR(momentum, 3.0f, 0.02f);
+    EXPECT_NEAR(hinges[0]->GetJointSpeed() + hinges[1]->GetJointSpeed(), 0.0f, 1e-3f);
+}
+
 } // namespace

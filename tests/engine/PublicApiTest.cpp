@@ -103,7 +103,7 @@ void Collect(const char* text)
     s_log += text;
 }
 
-TEST(PublicApi, DumpsAWorldAsCodeThatMakesItAgain)
+TEST(PublicApi, DumpsEveryPartOfAWorld)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef groundDef;

@@ -246,4 +246,27 @@ TEST(Rope, SaysWhatIsWrongWithItsDefinition)
     }
 }
 
+TEST(Rope, StaysFiniteInStepsOfAnyLengthAndUnderAnyWeight)
+{
+    for (const float32 gravity : {10.0f, 1e30f, 3e38f})
+    {
+        for (const float32 step : {1e-40f, 1e-12f, 1e-6f, 1.0f, 1e10f, 1e30f})
+        {
+            const RopeParts parts(5);
+            b2RopeDef def = parts.Definition();
+            def.gravity.Set(0.0f, -gravity);
+            b2Rope rope = Make(def);
+            for (int i = 0; i < 5; ++i)
+            {
+                rope.Step(step, 3);
+            }
+            rope.Step(kStep, 3);
+            for (int32 i = 0; i < rope.GetVertexCount(); ++i)
+            {
+                EXPECT_TRUE(rope.GetVertices()[i].IsValid()) << gravity << " " << step;
+            }
+        }
+    }
+}
+
 } // namespace

@@ -74,12 +74,44 @@ TEST(ImplicitDestruction, DebugBuildsFillWhatIsDestroyed)
     {
         filled += memory[i] == 0xFD;
     }
-#ifdef NDEBUG
+#if !BOXREEL_ASSERTS
     EXPECT_EQ(filled, 0);
 #else
     EXPECT_EQ(filled, 64 - int(sizeof(void*)));
 #endif
     allocator.Free(memory, 64);
+}
+
+/// How many bytes of what was here are filled. The memory is still the world's.
+int FilledBytes(const void* destroyed, std::size_t size)
+{
+    const auto* bytes = static_cast<const volatile unsigned char*>(destroyed);
+    int filled = 0;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+        filled += bytes[i] == 0xFD;
+    }
+    return filled;
+}
+
+TEST(ImplicitDestruction, DebugBuildsFillBodiesFixturesAndJointsToo)
+{
+    Scene scene;
+    b2Body* ground = scene.Ground();
+    b2Body* body = scene.Box(0.0f, 3.0f);
+    const void* fixture = body->GetFixtureList();
+    b2RevoluteJointDef hinge;
+    hinge.Initialize(ground, body, body->GetPosition());
+    const void* joint = scene.world.CreateJoint(&hinge);
+    const void* destroyed = body;
+    scene.world.DestroyBody(body);
+    // All but the links of the list of free blocks.
+    const int links = 2 * int(sizeof(void*));
+    const bool fills = BOXREEL_ASSERTS != 0;
+    EXPECT_EQ(FilledBytes(destroyed, sizeof(b2Body)) >= int(sizeof(b2Body)) - links, fills);
+    EXPECT_EQ(FilledBytes(fixture, sizeof(b2Fixture)) >= int(sizeof(b2Fixture)) - links, fills);
+    EXPECT_EQ(FilledBytes(joint, sizeof(b2RevoluteJoint)) >= int(sizeof(b2RevoluteJoint)) - links,
+              fills);
 }
 
 /// The listing: one function, nothing about fixtures.

@@ -269,6 +269,7 @@ void World::SetMassData(BodyData& body, const b2MassData& massData)
     {
         return;
     }
+    body.flags |= kBodyMassSet;
     // A body without mass does not turn.
     const float32 aboutCenter = massData.I - massData.mass * massData.center.LengthSquared();
     SetInertia(body, massData.mass, massData.mass > 0.0f ? aboutCenter : 0.0f);
@@ -278,6 +279,7 @@ void World::SetMassData(BodyData& body, const b2MassData& massData)
 
 void World::ResetMassData(BodyData& body)
 {
+    body.flags &= ~std::uint32_t(kBodyMassSet);
     MassProperties total;
     for (b2Fixture* f = body.fixtureList; f && body.IsDynamic(); f = f->GetNext())
     {

@@ -132,7 +132,10 @@ private:
         b2Body* body;
         Pose pose, previous;
         float32 sweepStart;
+        b2Vec2 v;
+        float32 w;
     };
+    bool HasNewWay(std::size_t index) const;
     Backup Save(b2Body& body) const;
     void Restore(const Backup& backup);
 
@@ -144,6 +147,7 @@ private:
     Array<Event> m_events; // a heap, the earliest first
     int32 m_order = 0;
     Array<b2Body*> m_bodies;      // of the present event
+    Array<Backup> m_before;       // the same bodies as they were
     Array<b2Contact*> m_contacts; // of the present event
 };
 
@@ -245,7 +249,17 @@ bool ImpactSolver::IsValid(const Event& event) const
 ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const
 {
     const BodyData& data = Data(body);
-    return Backup{&body, data.pose, data.previous, data.sweepStart};
+    return Backup{&body,           data.pose,           data.previous,
+                  data.sweepStart, data.linearVelocity, data.angularVelocity};
+}
+
+/// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
+/// changed its velocity.
+bool ImpactSolver::HasNewWay(std::size_t index) const
+{
+    const BodyData& data = Data(*m_bodies[index]);
+    const Backup& before = m_before[index];
+    return data.IsDynamic() || data.linearVelocity != before.v || data.angularVelocity != before.w;
 }
 
 void ImpactSolver::Restore(const Backup& backup)
@@ -293,27 +307,27 @@ bool ImpactSolver::Resolve(const Event& event)
     m_world.Wake(bodyB);
 
     m_bodies.assign({&bodyA, &bodyB});
+    m_before.assign({backupA, backupB});
     m_contacts.assign(1, event.contact);
     AddNeighbours(bodyA, event.time);
     AddNeighbours(bodyB, event.time);
     SolvePositions(bodyA, bodyB);
     SolveVelocities((1.0f - event.time) * m_timeStep);
-    for (b2Body* body : m_bodies)
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
-        BodyData& data = Data(*body);
-        if (data.IsDynamic()) // a kinematic body goes on as it did, so what was found about it
-                              // still holds
+        BodyData& data = Data(*m_bodies[i]);
+        if (HasNewWay(i))
         {
             ++data.sweepVersion;
             m_world.UpdateProxies(data, true);
         }
     }
     m_world.FindNewContacts();
-    for (b2Body* body : m_bodies)
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
-        if (Data(*body).IsDynamic())
+        if (HasNewWay(i))
         {
-            LookAt(*body);
+            LookAt(*m_bodies[i]);
         }
     }
     return true;
@@ -357,6 +371,7 @@ void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
         if (!known)
         {
             m_bodies.push_back(&other);
+            m_before.push_back(backup);
         }
     }
 }

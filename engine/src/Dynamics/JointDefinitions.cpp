@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "JointDefinitions.h"
 
+#include "Access.h"
+
 #include "Joints/JointChecks.h"
 
 #include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
@@ -14,9 +16,37 @@
 #include <Box2D/Dynamics/Joints/b2RopeJoint.h>
 #include <Box2D/Dynamics/Joints/b2WeldJoint.h>
 #include <Box2D/Dynamics/Joints/b2WheelJoint.h>
+#include <Box2D/Dynamics/b2Body.h>
 
 namespace box2d
 {
+
+GearBodies BodiesOf(const b2GearJointDef& def)
+{
+    // The definition's body first, else the joint's second one, which the joint is about.
+    const auto candidates = [](b2Joint& joint, b2Body* wish, b2Body*(&bodies)[2]) {
+        bodies[0] = wish == joint.GetBodyA() ? wish : joint.GetBodyB();
+        bodies[1] = bodies[0] == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA();
+    };
+    b2Body* first[2];
+    b2Body* second[2];
+    candidates(*def.joint1, def.bodyA, first);
+    candidates(*def.joint2, def.bodyB, second);
+    for (int dynamic = 2; dynamic >= 0; --dynamic)
+    {
+        for (b2Body* a : first)
+        {
+            for (b2Body* b : second)
+            {
+                if (a != b && Data(*a).IsDynamic() + Data(*b).IsDynamic() >= dynamic)
+                {
+                    return {a, b};
+                }
+            }
+        }
+    }
+    return {};
+}
 
 namespace
 {
@@ -64,13 +94,20 @@ bool HasCoordinate(const b2Joint* joint)
     return joint && (joint->GetType() == e_revoluteJoint || joint->GetType() == e_prismaticJoint);
 }
 
+bool IsOfWorld(const b2Joint& joint, const b2World* world)
+{
+    return joint.GetBodyA()->GetWorld() == world;
+}
+
 bool IsSoundKind(const b2GearJointDef& d)
 {
     return B2_REQUIRE(HasCoordinate(d.joint1) && HasCoordinate(d.joint2),
                       "A gear joint needs two joints, each revolute or prismatic.") &&
-           B2_REQUIRE(d.joint1->GetBodyB() != d.joint2->GetBodyB(),
-                      "A gear joint's two joints must move two different bodies (their bodies "
-                      "B).") &&
+           B2_REQUIRE(d.joint1 != d.joint2 && BodiesOf(d).a != nullptr,
+                      "A gear joint's two joints must move two different bodies.") &&
+           B2_REQUIRE(IsOfWorld(*d.joint1, d.bodyA->GetWorld()) &&
+                          IsOfWorld(*d.joint2, d.bodyA->GetWorld()),
+                      "A gear joint's two joints must be of the world of its bodies.") &&
            IsGearRatio(d.ratio);
 }
 

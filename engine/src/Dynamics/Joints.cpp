@@ -75,17 +75,21 @@ void RemoveEdge(b2JointEdge& edge, b2Body& body)
     }
 }
 
-/// A gear that is made of this joint, null when there is none. It hangs on the joint's body B.
+/// A gear that is made of this joint, null when there is none. It hangs on one of the joint's
+/// bodies.
 b2Joint* FindGear(b2Joint& joint)
 {
-    for (b2JointEdge* edge = joint.GetBodyB()->GetJointList(); edge; edge = edge->next)
+    for (b2Body* body : {joint.GetBodyB(), joint.GetBodyA()})
     {
-        if (edge->joint->GetType() == e_gearJoint)
+        for (b2JointEdge* edge = body->GetJointList(); edge; edge = edge->next)
         {
-            auto* gear = static_cast<b2GearJoint*>(edge->joint);
-            if (gear->GetJoint1() == &joint || gear->GetJoint2() == &joint)
+            if (edge->joint->GetType() == e_gearJoint)
             {
-                return gear;
+                auto* gear = static_cast<b2GearJoint*>(edge->joint);
+                if (gear->GetJoint1() == &joint || gear->GetJoint2() == &joint)
+                {
+                    return gear;
+                }
             }
         }
     }
@@ -112,6 +116,7 @@ b2Joint* World::CreateJoint(const b2JointDef& def)
     }
     jointList = joint;
     ++jointCount;
+    gearCount += def.type == e_gearJoint;
     b2Body& bodyA = *joint->GetBodyA();
     b2Body& bodyB = *joint->GetBodyB();
     PushEdge(JointAccess::EdgeA(*joint), *joint, bodyA, bodyB);
@@ -133,10 +138,11 @@ void World::DestroyJointImplicitly(b2Joint& joint)
 
 void World::DestroyJoint(b2Joint& joint)
 {
-    while (b2Joint* gear = FindGear(joint))
+    while (b2Joint* gear = gearCount > 0 ? FindGear(joint) : nullptr)
     {
         DestroyJointImplicitly(*gear);
     }
+    gearCount -= joint.GetType() == e_gearJoint;
     b2Body& a = *joint.GetBodyA();
     b2Body& b = *joint.GetBodyB();
     Wake(a);

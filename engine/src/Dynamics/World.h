@@ -125,6 +125,7 @@ public:
     b2Contact* contactList = nullptr;
     int32 bodyCount = 0;
     int32 jointCount = 0;
+    int32 gearCount = 0; ///< of the joints
     int32 contactCount = 0;
     int32 bodyNumber = 0;  ///< of the next body
     int32 jointNumber = 0; ///< of the next joint

@@ -300,8 +300,9 @@ void b2Body::Dump()
     b2Log("  bd.type = b2BodyType(%d);\n", int(GetType()));
     b2Log("  bd.position.Set(%.8ef, %.8ef);\n", double(GetPosition().x), double(GetPosition().y));
     b2Log("  bd.angle = %.8ef;\n", double(GetAngle()));
-    b2Log("  bd.linearVelocity.Set(%.8ef, %.8ef);\n", double(GetLinearVelocity().x),
-          double(GetLinearVelocity().y));
+    // Of the origin, which is the centre of mass as long as there are no fixtures.
+    const b2Vec2 velocity = GetLinearVelocityFromWorldPoint(GetPosition());
+    b2Log("  bd.linearVelocity.Set(%.8ef, %.8ef);\n", double(velocity.x), double(velocity.y));
     b2Log("  bd.angularVelocity = %.8ef;\n", double(GetAngularVelocity()));
     b2Log("  bd.linearDamping = %.8ef;\n", double(GetLinearDamping()));
     b2Log("  bd.angularDamping = %.8ef;\n", double(GetAngularDamping()));
@@ -322,6 +323,16 @@ void b2Body::Dump()
         b2Log("  {\n");
         f->Dump(m_data.number);
         b2Log("  }\n");
+    }
+    if ((m_data.flags & box2d::kBodyMassSet) != 0)
+    {
+        b2MassData mass;
+        GetMassData(&mass);
+        b2Log("  b2MassData mass;\n");
+        b2Log("  mass.mass = %.8ef;\n", double(mass.mass));
+        b2Log("  mass.center.Set(%.8ef, %.8ef);\n", double(mass.center.x), double(mass.center.y));
+        b2Log("  mass.I = %.8ef;\n", double(mass.I));
+        b2Log("  bodies[%d]->SetMassData(&mass);\n", m_data.number);
     }
     b2Log("}\n");
 }

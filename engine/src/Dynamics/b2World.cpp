@@ -77,7 +77,8 @@ void b2World::DestroyJoint(b2Joint* joint)
 {
     if (B2_REQUIRE(!IsLocked(),
                    "b2World::DestroyJoint must not be called from inside a callback.") &&
-        B2_REQUIRE(joint != nullptr, "b2World::DestroyJoint needs a joint."))
+        B2_REQUIRE(joint != nullptr && joint->GetBodyA()->GetWorld() == this,
+                   "b2World::DestroyJoint needs a joint of this world."))
     {
         m_world->DestroyJoint(*joint);
     }
@@ -103,12 +104,18 @@ void b2World::DrawDebugData()
 
 void b2World::QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const
 {
-    m_world->Query(*callback, aabb);
+    if (B2_REQUIRE(callback != nullptr, "b2World::QueryAABB needs a callback."))
+    {
+        m_world->Query(*callback, aabb);
+    }
 }
 
 void b2World::RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b2Vec2& point2) const
 {
-    m_world->RayCast(*callback, point1, point2);
+    if (B2_REQUIRE(callback != nullptr, "b2World::RayCast needs a callback."))
+    {
+        m_world->RayCast(*callback, point1, point2);
+    }
 }
 
 b2Body* b2World::GetBodyList()

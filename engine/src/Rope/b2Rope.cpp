@@ -5,6 +5,11 @@
 namespace
 {
 
+/// Shorter steps than this count as none, longer ones as this long [s]: their inverses and squares
+/// would leave single precision.
+constexpr float32 kShortestStep = 1e-9f;
+constexpr float32 kLongestStep = 1e6f;
+
 /// From one direction to the next, to the left [rad].
 float32 BendAngle(const b2Vec2& d1, const b2Vec2& d2)
 {
@@ -68,10 +73,11 @@ void b2Rope::Step(float32 timeStep, int32 iterations)
 {
     if (!B2_REQUIRE(timeStep >= 0.0f && b2IsValid(timeStep),
                     "A rope's time step must be finite and not negative.") ||
-        timeStep == 0.0f)
+        timeStep < kShortestStep)
     {
         return;
     }
+    timeStep = b2Min(timeStep, kLongestStep);
     // Implicit, so that no damping is too strong for the step.
     const float32 kept = 1.0f / (1.0f + timeStep * m_damping);
     for (std::size_t i = 0; i < m_points.size(); ++i)
@@ -93,6 +99,12 @@ void b2Rope::Step(float32 timeStep, int32 iterations)
     for (std::size_t i = 0; i < m_points.size(); ++i)
     {
         m_points[i].velocity = (1.0f / timeStep) * (m_positions[i] - m_points[i].before);
+        // What became too large to be computed stops rather than vanish.
+        if (!m_positions[i].IsValid() || !m_points[i].velocity.IsValid())
+        {
+            m_positions[i] = m_points[i].before;
+            m_points[i].velocity.SetZero();
+        }
     }
 }
 

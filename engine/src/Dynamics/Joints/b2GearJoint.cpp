@@ -2,6 +2,7 @@
 #include <Box2D/Dynamics/Joints/b2GearJoint.h>
 
 #include "../Access.h"
+#include "../JointDefinitions.h"
 #include "JointChecks.h"
 #include "JointFrame.h"
 
@@ -43,12 +44,12 @@ namespace
 using box2d::BodyData;
 using box2d::Data;
 
-/// The gear's bodies are those that turn or slide, whatever the definition says.
 b2JointDef WithGearBodies(const b2GearJointDef* def)
 {
     b2JointDef base = *def;
-    base.bodyA = def->joint1->GetBodyB();
-    base.bodyB = def->joint2->GetBodyB();
+    const box2d::GearBodies bodies = box2d::BodiesOf(*def);
+    base.bodyA = bodies.a;
+    base.bodyB = bodies.b;
     return base;
 }
 
@@ -124,7 +125,30 @@ float32 b2GearJoint::EffectiveMass() const
         m_ratio * m_ratio *
             SideMatrix(*m_side2.frame, *m_side2.body, m_side2.axis, m_side2.armFrame,
                        m_side2.armBody);
-    return box2d::InverseOrZero(k);
+    return box2d::InverseOrZero(k + 2.0f * m_ratio * SharedMatrix());
+}
+
+/// What a body adds that takes part in both joints, for the square of a sum has a mixed term.
+float32 b2GearJoint::SharedMatrix() const
+{
+    float32 sum = 0.0f;
+    for (const bool isBody1 : {false, true})
+    {
+        for (const bool isBody2 : {false, true})
+        {
+            const b2Body* body = isBody1 ? m_side1.body : m_side1.frame;
+            if (body == (isBody2 ? m_side2.body : m_side2.frame))
+            {
+                const float32 arm1 = isBody1 ? m_side1.armBody : m_side1.armFrame;
+                const float32 arm2 = isBody2 ? m_side2.armBody : m_side2.armFrame;
+                const float32 both =
+                    Data(*body).SolverInvMass() * b2Dot(m_side1.axis, m_side2.axis) +
+                    Data(*body).SolverInvInertia() * arm1 * arm2;
+                sum += isBody1 == isBody2 ? both : -both;
+            }
+        }
+    }
+    return sum;
 }
 
 void b2GearJoint::Apply(const box2d::SolverContext& context, float32 impulse,

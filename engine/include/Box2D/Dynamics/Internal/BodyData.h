@@ -24,6 +24,7 @@ enum BodyFlag : std::uint32_t
     kBodyBullet = 1u << 2,
     kBodyFixedRotation = 1u << 3,
     kBodyActive = 1u << 4,
+    kBodyMassSet = 1u << 5, ///< by SetMassData, not by the fixtures
 };
 
 /// The mobility of a body, with the values of b2BodyType.

@@ -4,8 +4,8 @@
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
 /// Couples two joints, each a revolute or a prismatic one: coordinate 1 + ratio * coordinate 2
-/// stays constant. Each of the joints must have a body that the other has not. Destroy it before
-/// its joints.
+/// stays constant. The two joints must have two different bodies between them; bodyA and bodyB are
+/// any one of each. Destroy it before its joints, else it goes with the first of them.
 struct b2GearJointDef : public b2JointDef
 {
     b2GearJointDef() { type = e_gearJoint; }
@@ -62,6 +62,7 @@ protected:
     static double Coordinate(const Side& side, const box2d::SolverContext* context);
     static void Measure(Side& side);
     float32 EffectiveMass() const;
+    float32 SharedMatrix() const;
     void Apply(const box2d::SolverContext& context, float32 impulse, bool onPositions) const;
 
     b2Joint* m_joint1;
