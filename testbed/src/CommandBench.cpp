@@ -57,10 +57,8 @@ Result<int> RunBench(const BenchOptions& options)
     const std::vector<std::filesystem::path> programs = FindBenchPrograms();
     if (programs.empty())
     {
-        return Error{ErrorKind::Absent,
-                     "The benchmark programs are not beside this program; build the "
-                     "tests of the project (-DBOXREEL_BUILD_TESTS=ON) and run it "
-                     "from its build folder."};
+        return Error{ErrorKind::Absent, "The benchmark programs are not beside this program; run "
+                                        "`./boxreel bench` in a checkout, which builds them."};
     }
     const Result<std::vector<BenchScene>> all = ListBenchScenes(programs.front());
     if (!all)
