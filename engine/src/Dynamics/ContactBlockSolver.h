@@ -35,6 +35,7 @@ struct BlockSolver
     int lane; // the first
     BodyLanes<F> a, b;
     Vector<F> normal;
+    bool changed = false; // any impulse, so far
     F invMassA, invInertiaA, invMassB, invInertiaB;
 
     BlockSolver(ContactBlock& from, int first, const float32* bodies) : block(from), lane(first)
@@ -55,6 +56,11 @@ struct BlockSolver
     }
 
     F At(const float32* field) const { return F::Load(field + lane); }
+
+    void Note(F before, F after)
+    {
+        changed = changed || Any(Not(And(AtLeast(before, after), AtLeast(after, before))));
+    }
 
     struct Arms
     {
@@ -107,6 +113,7 @@ struct BlockSolver
         const F total = Max(-limit, Min(old - At(p.tangentMass) * slip, limit));
         const F change = total - old;
         Apply(arms, {change * normal.y, -(change * normal.x)});
+        Note(old, total);
         total.Store(p.tangentImpulse + lane);
     }
 
@@ -118,6 +125,7 @@ struct BlockSolver
         const F total = Max(wanted, F::Set(0.0f));
         const F change = total - old;
         Apply(arms, {change * normal.x, change * normal.y});
+        Note(old, total);
         total.Store(p.normalImpulse + lane);
     }
 
@@ -152,6 +160,8 @@ struct BlockSolver
         x1 = Select(both, both1, x1);
         x2 = Select(both, both2, x2);
         ApplyPair(arms1, x1 - old1, arms2, x2 - old2);
+        Note(old1, x1);
+        Note(old2, x2);
         x1.Store(p1.normalImpulse + lane);
         x2.Store(p2.normalImpulse + lane);
     }
@@ -186,9 +196,11 @@ void WarmStartBlock(ContactBlock& block, float32* bodies)
     }
 }
 
+/// False when no impulse changed.
 template <class F>
-void SolveBlock(ContactBlock& block, float32* bodies)
+bool SolveBlock(ContactBlock& block, float32* bodies)
 {
+    bool changed = false;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
         BlockSolver<F> solver(block, lane, bodies);
@@ -213,7 +225,9 @@ void SolveBlock(ContactBlock& block, float32* bodies)
             }
         }
         solver.Store(bodies);
+        changed = changed || solver.changed;
     }
+    return changed;
 }
 
 } // namespace

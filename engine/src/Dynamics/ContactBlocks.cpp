@@ -11,7 +11,7 @@ namespace box2d
 #if defined(BOX2D_AVX2)
 // ContactBlocksAvx2.cpp
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
-void SolveBlockAvx2(ContactBlock& block, float32* bodies);
+bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
 float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float32 rate);
 #endif
 
@@ -155,18 +155,22 @@ void WarmStartBlocks(Array<ContactBlock>& blocks, SolverBody* bodies)
     }
 }
 
-void SolveBlocks(Array<ContactBlock>& blocks, SolverBody* bodies, Direction direction)
+bool SolveBlocks(Array<ContactBlock>& blocks, SolverBody* bodies, Direction direction)
 {
+    bool changed = false;
 #if defined(BOX2D_AVX2)
     if (s_wide)
     {
-        ForEach(blocks, direction,
-                [bodies](ContactBlock& b) { SolveBlockAvx2(b, Numbers(bodies)); });
-        return;
+        ForEach(blocks, direction, [&](ContactBlock& block) {
+            changed = SolveBlockAvx2(block, Numbers(bodies)) || changed;
+        });
+        return changed;
     }
 #endif
-    ForEach(blocks, direction,
-            [bodies](ContactBlock& b) { SolveBlock<simd::Float4>(b, Numbers(bodies)); });
+    ForEach(blocks, direction, [&](ContactBlock& block) {
+        changed = SolveBlock<simd::Float4>(block, Numbers(bodies)) || changed;
+    });
+    return changed;
 }
 
 namespace

@@ -27,7 +27,8 @@ float32 SolveBlocks(const Array<OverlapBlock>& blocks, SolverBody* bodies, float
 /// The wide versions of WarmStart and SolveContactVelocities, for the widest instructions that this
 /// processor has.
 void WarmStartBlocks(Array<ContactBlock>& blocks, SolverBody* bodies);
-void SolveBlocks(Array<ContactBlock>& blocks, SolverBody* bodies, Direction direction);
+/// False when no impulse changed: then no other sweep over the same contacts would change one.
+bool SolveBlocks(Array<ContactBlock>& blocks, SolverBody* bodies, Direction direction);
 
 /// The same for a width by name, for tests: 4, or 8 where the processor has AVX2.
 bool HasWideInstructions();

@@ -12,9 +12,9 @@ void WarmStartBlockAvx2(ContactBlock& block, float32* bodies)
     WarmStartBlock<simd::Float8>(block, bodies);
 }
 
-void SolveBlockAvx2(ContactBlock& block, float32* bodies)
+bool SolveBlockAvx2(ContactBlock& block, float32* bodies)
 {
-    SolveBlock<simd::Float8>(block, bodies);
+    return SolveBlock<simd::Float8>(block, bodies);
 }
 
 float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float32 rate)

@@ -8,6 +8,8 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
+#include <optional>
+
 /// One step of the world: find and update contacts, solve velocities, move, solve positions, look
 /// for impacts that the discrete step would miss, and let rest what has come to rest.
 namespace box2d
@@ -20,26 +22,26 @@ namespace
 class ProfileScope
 {
 public:
-    ProfileScope(bool enabled, float32& entry) : m_entry(enabled ? &entry : nullptr)
+    ProfileScope(bool enabled, float32& entry) : m_entry(entry)
     {
-        if (m_entry)
+        if (enabled)
         {
-            m_timer.Reset();
+            m_timer.emplace(); // reads the clock
         }
     }
     ~ProfileScope()
     {
-        if (m_entry)
+        if (m_timer)
         {
-            *m_entry += m_timer.GetMilliseconds();
+            m_entry += m_timer->GetMilliseconds();
         }
     }
     ProfileScope(const ProfileScope&) = delete;
     ProfileScope& operator=(const ProfileScope&) = delete;
 
 private:
-    float32* m_entry;
-    b2Timer m_timer{};
+    float32& m_entry;
+    std::optional<b2Timer> m_timer;
 };
 
 /// Shorter steps than this count as none, longer ones as this long [s]: their squares and inverses
@@ -154,6 +156,10 @@ void StepSolver::PrepareConstraints()
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
         const std::size_t begin = i == 0 ? 0 : ends[i - 1];
+        if (begin == ends[i])
+        {
+            continue;
+        }
         const bool mayShareBodies = i == 0;
         PackBlocks(m_arrays.contacts, begin, ends[i], mayShareBodies, m_arrays.blocks);
         PackBlocks(m_arrays.overlaps, begin, ends[i], mayShareBodies, m_arrays.overlapBlocks);
@@ -172,7 +178,12 @@ void StepSolver::SolveVelocities(int32 iterations)
         const Direction direction = DirectionOf(i);
         ForEach(m_world.graph.Joints(), direction,
                 [this](b2Joint* joint) { JointAccess::SolveVelocity(*joint, m_context); });
-        SolveBlocks(m_arrays.blocks, m_context.bodies, direction);
+        const bool changed = SolveBlocks(m_arrays.blocks, m_context.bodies, direction);
+        // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
+        if (!changed && m_world.graph.Joints().empty())
+        {
+            break;
+        }
     }
     UnpackImpulses(m_arrays.blocks, m_arrays.contacts);
     StoreImpulses(m_arrays.contacts);
@@ -366,6 +377,19 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
 
 void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations)
 {
+    if (!awakeBodies.empty())
+    {
+        SolveAwake(timeStep, velocityIterations, positionIterations);
+    }
+    if (proxies.HasMoved())
+    {
+        ProfileScope broadphase(profiling, profile.broadphase);
+        FindNewContacts();
+    }
+}
+
+void World::SolveAwake(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
     StepSolver solve(*this, timeStep);
     {
         ProfileScope init(profiling, profile.solveInit);
@@ -385,8 +409,6 @@ void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIter
     solve.WriteBack();
     solve.LetRest();
     solve.ReportImpulses(); // last, so that a listener may push, wake or stop bodies
-    ProfileScope broadphase(profiling, profile.broadphase);
-    FindNewContacts();
 }
 
 void World::ClearForces()

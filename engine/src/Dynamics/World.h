@@ -99,6 +99,7 @@ public:
     // Step.cpp
     void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);
     void Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations);
+    void SolveAwake(float32 timeStep, int32 velocityIterations, int32 positionIterations);
     void ClearForces();
     // Continuous.cpp
     void SolveContinuous(float32 timeStep, int32 velocityIterations);
