@@ -97,6 +97,23 @@ bool IsFast(const BodyData& body)
     return body.IsDynamic() && Way(body) > kFastShare * body.minExtent;
 }
 
+/// Whether two bodies on their straight ways come as near to each other as their circles reach:
+/// nothing of them can touch else. Each way counts from its present start, all of it.
+bool CirclesMeet(const BodyData& a, const BodyData& b)
+{
+    const b2Vec2 start(float32(b.previous.x - a.previous.x), float32(b.previous.y - a.previous.y));
+    const b2Vec2 end(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
+    const b2Vec2 way = end - start;
+    const float32 along = -b2Dot(start, way);
+    const float32 square = way.LengthSquared();
+    // Where on the way, from 0 to 1, the centres are nearest.
+    const float32 share = along <= 0.0f || square == 0.0f ? 0.0f : b2Min(along / square, 1.0f);
+    const b2Vec2 nearest = start + share * way;
+    // A slop for what rounding adds.
+    const float32 reach = a.maxExtent + b.maxExtent + b2_linearSlop;
+    return nearest.LengthSquared() <= reach * reach;
+}
+
 /// Bodies that continuous collision stops at: immovable ones, or anything when a bullet is
 /// involved.
 bool IsObstacle(const BodyData& body)
@@ -207,6 +224,10 @@ void ImpactSolver::LookAt(b2Contact& contact)
     const BodyData& b = Data(*c.bodyB);
     const float32 start = b2Max(a.sweepStart, b.sweepStart);
     if (start >= 1.0f)
+    {
+        return;
+    }
+    if (a.sweepStart == b.sweepStart && !CirclesMeet(a, b))
     {
         return;
     }
