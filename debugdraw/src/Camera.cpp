@@ -21,8 +21,8 @@ constexpr double kSmallestSide = 1.0;
 // body step by step.
 constexpr double kCalmBorder = 0.03;
 constexpr double kRoomyBorder = 0.12;
-// At least this much is left beyond a body at once: its outline reaches past its box.
-constexpr double kUrgentBorder = 0.005;
+// At least this many pixels are left beyond a body at once: its outline reaches past its box.
+constexpr double kUrgentPixels = 6.0;
 
 // Home views on either side of the first one in which bodies are followed. More would show a scene
 // as a speck once something has fallen off it.
@@ -206,7 +206,9 @@ void FitCamera::Update(const std::vector<Rect>& movers, double dt)
     Follow(dt);
     if (!inSight.IsEmpty())
     {
-        Approach(m_shown, m_target, BoxOf(inSight, kUrgentBorder, m_shown));
+        const double urgentBorder =
+            std::min(kCalmBorder, kUrgentPixels / std::min(m_view.width, m_view.height));
+        Approach(m_shown, m_target, BoxOf(inSight, urgentBorder, m_shown));
         Approach(m_guide, m_target, BoxOf(m_shown));
     }
     if (m_shown != before)

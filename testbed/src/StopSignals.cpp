@@ -13,7 +13,8 @@ namespace boxreel
 namespace
 {
 
-constexpr int kStopSignals[] = {SIGINT, SIGTERM, SIGHUP};
+// A broken pipe too: who reads the progress has gone, so nobody waits for the film.
+constexpr int kStopSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 
 // A handler may touch nothing but a lock-free atomic.
 std::atomic<int> s_caught{0};

@@ -42,7 +42,7 @@ bool ReadAll(std::string_view text, T& value)
 }
 
 /// Digits with an optional point, as nanoseconds of `unit` nanoseconds each; false when it is not a
-/// number, has decimals finer than a nanosecond, or is too long.
+/// number or is too long.
 bool ReadNanoseconds(std::string_view text, std::int64_t unit, std::int64_t& nanoseconds)
 {
     const std::size_t point = text.find('.');
@@ -61,11 +61,13 @@ bool ReadNanoseconds(std::string_view text, std::int64_t unit, std::int64_t& nan
     std::int64_t place = unit;
     for (const char digit : decimals)
     {
-        place /= 10;
-        if (place == 0 && digit != '0')
+        // What is finer than a nanosecond is rounded.
+        if (place == 1)
         {
-            return false;
+            nanoseconds += digit >= '5';
+            break;
         }
+        place /= 10;
         nanoseconds += place * (digit - '0');
     }
     return nanoseconds <= kLongestSeconds * kNanosecondsPerSecond;

@@ -174,7 +174,7 @@ void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
 
 TEST_F(Film, ASignalStopsItAndLeavesNothingBehind)
 {
-    for (const int signal : {SIGINT, SIGTERM})
+    for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE})
     {
         const Outcome outcome = RunBoxreel(
             {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},

@@ -52,11 +52,19 @@ TEST(Values, TimesThatAreNoneAreRefused)
                              "1000001",
                              "1000000.5",
                              "99999999999999999999",
-                             "0.0000000001",
                              "999999999999999999999ms"})
     {
         EXPECT_EQ(Nanoseconds(text), -1) << text;
     }
+}
+
+TEST(Values, TimesFinerThanANanosecondAreRounded)
+{
+    EXPECT_EQ(Nanoseconds("0.46666666666666667"), 466'666'667);
+    EXPECT_EQ(Nanoseconds("0.0000000001"), 0);
+    EXPECT_EQ(Nanoseconds("0.0000000005"), 1);
+    EXPECT_EQ(Nanoseconds("0.99999999999999999999999ms"), 1'000'000);
+    EXPECT_EQ(Nanoseconds("0.12345678x9"), -1);
 }
 
 TEST(Values, ARefusalNamesTheOptionTheTextAndARemedy)
