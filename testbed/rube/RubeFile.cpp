@@ -45,25 +45,25 @@ Result<std::string> ReadBounded(const std::filesystem::path& file)
     }
     if (!std::filesystem::is_regular_file(status))
     {
-        return Error{ErrorKind::Unusable, name + " is no regular file; name a scene file"};
+        return Error{ErrorKind::Unusable, name + " is no regular file; name a scene file."};
     }
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error || size > kMostBytes)
     {
         return Error{ErrorKind::Unusable, name + " is larger than " +
                                               std::to_string(kMostBytes >> 20) +
-                                              " MB; split the scene into smaller files"};
+                                              " MB; split the scene into smaller files."};
     }
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
     {
-        return Error{ErrorKind::Unusable, name + " cannot be opened; check its permissions"};
+        return Error{ErrorKind::Unusable, name + " cannot be opened; check its permissions."};
     }
     std::string text(static_cast<std::size_t>(size), '\0');
     stream.read(text.data(), static_cast<std::streamsize>(size));
     if (stream.gcount() != static_cast<std::streamsize>(size))
     {
-        return Error{ErrorKind::Failed, name + " could not be read to its end; check the disk"};
+        return Error{ErrorKind::Failed, name + " could not be read to its end; check the disk."};
     }
     return text;
 }

@@ -190,7 +190,7 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
     if (text.size() > kMostBytes)
     {
         return Unusable(source + " is larger than " + std::to_string(kMostBytes >> 20) +
-                        " MB; split the scene into smaller files");
+                        " MB; split the scene into smaller files.");
     }
     // The library takes a zero byte for the end of the text and would ignore what follows.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
@@ -210,7 +210,7 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
     {
         return Unusable(content->source +
                         " is no scene file: its outermost value must be an object; name a R.U.B.E. "
-                        "export");
+                        "export.");
     }
     return JsonDocument(std::move(content));
 }
