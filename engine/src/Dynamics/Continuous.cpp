@@ -275,12 +275,15 @@ ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const
 }
 
 /// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
-/// changed its velocity.
+/// changed its velocity, or its type was changed between the parts of a step.
 bool ImpactSolver::HasNewWay(std::size_t index) const
 {
     const BodyData& data = Data(*m_bodies[index]);
     const Backup& before = m_before[index];
-    return data.IsDynamic() || data.linearVelocity != before.v || data.angularVelocity != before.w;
+    const b2Vec2 apart(float32(data.pose.x - before.pose.x), float32(data.pose.y - before.pose.y));
+    return data.IsDynamic() || data.linearVelocity != before.v ||
+           data.angularVelocity != before.w ||
+           apart.LengthSquared() > b2_linearSlop * b2_linearSlop;
 }
 
 void ImpactSolver::Restore(const Backup& backup)
