@@ -167,9 +167,25 @@ Error Explain(CLI::App& program, const CLI::ParseError& error)
                     " --help` shows what there is.");
 }
 
+/// The panel has one size; a picture that would cut it off is refused.
+Result<void> CheckHud(SceneLook& look)
+{
+    look.hud = look.hud || look.hudMilliseconds;
+    const int height = look.hudMilliseconds ? 150 : 130; // a line more
+    if (look.hud && (look.width < 200 || look.height < height))
+    {
+        return Unusable("--hud needs a picture of at least 200x" + std::to_string(height) +
+                        " pixels; give a larger --size or leave the panel out.");
+    }
+    return {};
+}
+
 Result<Request> CheckRecord(RecordOptions options)
 {
-    options.look.hud = options.look.hud || options.look.hudMilliseconds;
+    if (const Result<void> hud = CheckHud(options.look); !hud)
+    {
+        return hud.GetError();
+    }
     if (options.scene.empty())
     {
         return Unusable("Say which scene, such as `boxreel record pyramid -o pyramid.mp4`; "
@@ -192,7 +208,10 @@ Result<Request> CheckRecord(RecordOptions options)
 
 Result<Request> CheckShot(ShotOptions options)
 {
-    options.look.hud = options.look.hud || options.look.hudMilliseconds;
+    if (const Result<void> hud = CheckHud(options.look); !hud)
+    {
+        return hud.GetError();
+    }
     if (options.scene.empty())
     {
         return Unusable("Say which scene, such as `boxreel shot pyramid --at 3s -o pyramid.png`; "

@@ -284,6 +284,17 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
     }
 }
 
+TEST(CommandLine, APanelThatWouldBeCutOffIsRefused)
+{
+    for (const char* call : {"shot pyramid --at 1s -o a.png --hud --size 199x200",
+                             "record pyramid -o a.mp4 --hud --size 400x128",
+                             "record pyramid -o a.mp4 --hud-ms --size 400x140"})
+    {
+        EXPECT_THAT(Refusal(call), HasSubstr("at least 200x")) << call;
+    }
+    EXPECT_TRUE(Parsed<ShotOptions>("shot pyramid --at 1s -o a.png --hud --size 200x130").look.hud);
+}
+
 TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
 {
     EXPECT_THAT(Parsed<TextRequest>("--help").text, HasSubstr("Usage: boxreel COMMAND\n"));

@@ -106,14 +106,14 @@ TEST_F(Command, HelpAndVersionGoToStandardOutput)
 TEST_F(Command, ShotWritesAPictureOfTheSizeAsked)
 {
     const Outcome outcome =
-        Run({"shot", "pyramid", "--step", "30", "-o", "a.png", "--size", "321x123", "--hud"});
+        Run({"shot", "pyramid", "--step", "30", "-o", "a.png", "--size", "321x153", "--hud"});
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_EQ(outcome.output + outcome.errors, "");
     EXPECT_THAT(folder.Files(), ElementsAre("a.png"));
     const Result<Frame> frame = ReadPng(folder / "a.png");
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->width, 321);
-    EXPECT_EQ(frame->height, 123);
+    EXPECT_EQ(frame->height, 153);
 }
 
 TEST_F(Command, ShotOfATimeIsTheShotOfItsStep)
