@@ -5,6 +5,10 @@
 
 #include "../Common/Simd.h"
 
+#include <Box2D/Common/b2Settings.h>
+
+#include <cstring>
+
 /// The contact solver on blocks, for numbers F of 4 or 8 lanes. Line by line what ContactSolver.cpp
 /// does to one contact, in the same order of operations. Included by one source for each
 /// instruction set; nothing in it has external linkage.
@@ -14,12 +18,36 @@ namespace
 {
 
 constexpr int kBodyStride = int(sizeof(SolverBody) / sizeof(float32));
+constexpr float32 kNearlyNothing = b2_epsilon; ///< shorter than this has no direction
 
 template <class F>
 struct Vector
 {
     F x, y;
 };
+
+/// Writes the rows of the bodies that can be moved, `moves` having a bit for each lane. Others may
+/// be shared by several contacts of a colour.
+template <class F>
+void StoreMoved(float32* base, const int32* bodies, uint32 moves, const F (&rows)[4])
+{
+    constexpr uint32 all = (1u << F::kLanes) - 1u;
+    if ((moves & all) == all)
+    {
+        StoreRows(base, kBodyStride, bodies, rows);
+        return;
+    }
+    static constexpr int32 order[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    float32 lanes[4 * F::kLanes];
+    StoreRows(lanes, 4, order, rows);
+    for (int i = 0; i < F::kLanes; ++i)
+    {
+        if ((moves >> i & 1u) != 0)
+        {
+            std::memcpy(base + kBodyStride * bodies[i], lanes + 4 * i, 4 * sizeof(float32));
+        }
+    }
+}
 
 /// The first four numbers of a body, for each lane.
 template <class F>
@@ -51,8 +79,8 @@ struct BlockSolver
 
     void Store(float32* bodies) const
     {
-        StoreRows(bodies, kBodyStride, block.bodyA + lane, a.row);
-        StoreRows(bodies, kBodyStride, block.bodyB + lane, b.row);
+        StoreMoved(bodies, block.bodyA + lane, uint32(block.movesA) >> lane, a.row);
+        StoreMoved(bodies, block.bodyB + lane, uint32(block.movesB) >> lane, b.row);
     }
 
     F At(const float32* field) const { return F::Load(field + lane); }
@@ -166,6 +194,40 @@ struct BlockSolver
         x2.Store(p2.normalImpulse + lane);
     }
 
+    /// Some lanes together, others one point after the other: both ways, then each lane's own.
+    void SolveMixed(PointLanes& p1, PointLanes& p2)
+    {
+        const auto coupled = AtLeast(At(block.coupled), F::Set(1.0f));
+        const BodyLanes<F> oldA = a;
+        const BodyLanes<F> oldB = b;
+        const F old1 = At(p1.normalImpulse);
+        const F old2 = At(p2.normalImpulse);
+        const bool changedBefore = changed;
+        SolvePoint(p1);
+        SolvePoint(p2);
+        const BodyLanes<F> singleA = a;
+        const BodyLanes<F> singleB = b;
+        const F single1 = At(p1.normalImpulse);
+        const F single2 = At(p2.normalImpulse);
+        a = oldA;
+        b = oldB;
+        old1.Store(p1.normalImpulse + lane);
+        old2.Store(p2.normalImpulse + lane);
+        SolvePair(p1, p2);
+        for (int i = 0; i < 4; ++i)
+        {
+            a.row[i] = Select(coupled, a.row[i], singleA.row[i]);
+            b.row[i] = Select(coupled, b.row[i], singleB.row[i]);
+        }
+        const F x1 = Select(coupled, At(p1.normalImpulse), single1);
+        const F x2 = Select(coupled, At(p2.normalImpulse), single2);
+        changed = changedBefore;
+        Note(old1, x1);
+        Note(old2, x2);
+        x1.Store(p1.normalImpulse + lane);
+        x2.Store(p2.normalImpulse + lane);
+    }
+
     void ApplyPair(const Arms& arms1, F x1, const Arms& arms2, F x2)
     {
         const F sum = x1 + x2;
@@ -188,7 +250,7 @@ void WarmStartBlock(ContactBlock& block, float32* bodies)
     {
         BlockSolver<F> solver(block, lane, bodies);
         solver.WarmStart(block.points[0]);
-        if (block.kind != BlockKind::One)
+        if (block.pointCount == 2)
         {
             solver.WarmStart(block.points[1]);
         }
@@ -207,22 +269,14 @@ bool SolveBlock(ContactBlock& block, float32* bodies)
         PointLanes& p1 = block.points[0];
         PointLanes& p2 = block.points[1];
         solver.SolveFriction(p1);
-        if (block.kind == BlockKind::One)
+        if (block.pointCount == 1)
         {
             solver.SolvePoint(p1);
         }
         else
         {
             solver.SolveFriction(p2);
-            if (block.kind == BlockKind::Pair)
-            {
-                solver.SolvePair(p1, p2);
-            }
-            else
-            {
-                solver.SolvePoint(p1);
-                solver.SolvePoint(p2);
-            }
+            block.allCoupled ? solver.SolvePair(p1, p2) : solver.SolveMixed(p1, p2);
         }
         solver.Store(bodies);
         changed = changed || solver.changed;

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "ContactBlocks.h"
 
+#include "Access.h"
+#include "ContactBlockPrepare.h"
 #include "OverlapBlockSolver.h"
+#include "World.h"
 
-#include <cstring>
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
 
 namespace box2d
 {
 
 #if defined(BOX2D_AVX2)
 // ContactBlocksAvx2.cpp
+void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
+                      const float32* bodies, float32 share);
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
 bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
 float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float32 rate);
@@ -17,63 +23,6 @@ float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float3
 
 namespace
 {
-
-BlockKind KindOf(const ContactConstraint& c)
-{
-    return c.pointCount == 1 ? BlockKind::One : c.coupled ? BlockKind::Pair : BlockKind::Two;
-}
-
-ContactBlock& AddBlock(BlockKind kind, Array<ContactBlock>& blocks)
-{
-    ContactBlock& block = blocks.emplace_back();
-    std::memset(&block, 0, sizeof block);
-    block.kind = kind;
-    for (int lane = 0; lane < kBlockLanes; ++lane)
-    {
-        block.k11[lane] = 1.0f; // something to divide by
-        block.k22[lane] = 1.0f;
-    }
-    return block;
-}
-
-void FillPoint(const ContactPoint& from, PointLanes& to, int lane)
-{
-    to.armAX[lane] = from.armA.x;
-    to.armAY[lane] = from.armA.y;
-    to.armBX[lane] = from.armB.x;
-    to.armBY[lane] = from.armB.y;
-    to.normalImpulse[lane] = from.normalImpulse;
-    to.tangentImpulse[lane] = from.tangentImpulse;
-    to.normalMass[lane] = from.normalMass;
-    to.tangentMass[lane] = from.tangentMass;
-    to.bias[lane] = from.bias;
-}
-
-void FillLane(const ContactConstraint& c, int32 index, ContactBlock& block)
-{
-    const int lane = block.count++;
-    block.constraint[lane] = index;
-    block.bodyA[lane] = c.bodyA;
-    block.bodyB[lane] = c.bodyB;
-    block.normalX[lane] = c.normal.x;
-    block.normalY[lane] = c.normal.y;
-    block.friction[lane] = c.friction;
-    block.tangentSpeed[lane] = c.tangentSpeed;
-    block.invMassA[lane] = c.invMassA;
-    block.invInertiaA[lane] = c.invInertiaA;
-    block.invMassB[lane] = c.invMassB;
-    block.invInertiaB[lane] = c.invInertiaB;
-    for (int32 i = 0; i < c.pointCount; ++i)
-    {
-        FillPoint(c.points[i], block.points[i], lane);
-    }
-    if (c.coupled)
-    {
-        block.k11[lane] = c.k11;
-        block.k12[lane] = c.k12;
-        block.k22[lane] = c.k22;
-    }
-}
 
 bool DetectWideInstructions()
 {
@@ -91,6 +40,13 @@ float32* Numbers(SolverBody* bodies)
     return reinterpret_cast<float32*>(bodies);
 }
 
+OverlapKind KindOf(const b2Manifold& manifold)
+{
+    return manifold.type == b2Manifold::e_circles ? OverlapKind::Centers
+           : manifold.type == b2Manifold::e_faceB ? OverlapKind::FaceB
+                                                  : OverlapKind::FaceA;
+}
+
 } // namespace
 
 bool HasWideInstructions()
@@ -103,153 +59,266 @@ void UseWideInstructions(bool use)
     s_wide = use && DetectWideInstructions();
 }
 
-void PackBlocks(const Array<ContactConstraint>& constraints, std::size_t begin, std::size_t end,
-                bool mayShareBodies, Array<ContactBlock>& blocks)
+void ContactBlocks::Clear()
 {
-    int32 open[kBlockKinds] = {-1, -1, -1};
-    for (std::size_t i = begin; i < end; ++i)
-    {
-        const ContactConstraint& c = constraints[i];
-        const BlockKind kind = KindOf(c);
-        int32& last = open[int(kind)];
-        if (last == -1 || mayShareBodies || blocks[std::size_t(last)].count == kBlockLanes)
-        {
-            last = int32(blocks.size());
-            AddBlock(kind, blocks);
-        }
-        FillLane(c, int32(i), blocks[std::size_t(last)]);
-    }
+    m_count = 0;
+    m_ranges.clear();
 }
 
-void UnpackImpulses(const Array<ContactBlock>& blocks, Array<ContactConstraint>& constraints)
+int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
 {
-    for (const ContactBlock& block : blocks)
+    if (std::size_t(m_count) == m_contacts.size())
     {
-        for (int lane = 0; lane < block.count; ++lane)
-        {
-            ContactConstraint& c = constraints[std::size_t(block.constraint[lane])];
-            for (int32 i = 0; i < c.pointCount; ++i)
-            {
-                c.points[i].normalImpulse = block.points[i].normalImpulse[lane];
-                c.points[i].tangentImpulse = block.points[i].tangentImpulse[lane];
-            }
-        }
+        m_contacts.emplace_back();
+        m_overlaps.emplace_back();
     }
+    ContactBlock& block = m_contacts[std::size_t(m_count)];
+    OverlapBlock& overlap = m_overlaps[std::size_t(m_count)];
+    block.count = 0;
+    block.pointCount = pointCount;
+    overlap.pointCount = pointCount;
+    overlap.kind = kind;
+    return m_count++;
 }
 
-void WarmStartBlocks(Array<ContactBlock>& blocks, SolverBody* bodies)
+void ContactBlocks::AddColor(const Array<b2Contact*>& contacts, bool sharesBodies)
 {
-#if defined(BOX2D_AVX2)
-    if (s_wide)
+    const int32 begin = m_count;
+    int32 open[] = {-1, -1, -1, -1, -1, -1}; // three ways to measure, of one or two points
+    for (b2Contact* contact : contacts)
     {
-        for (ContactBlock& block : blocks)
+        const ContactData& c = Data(*contact);
+        const int32 pointCount = c.manifold.pointCount;
+        if (!c.IsEnabled() || pointCount == 0)
         {
-            WarmStartBlockAvx2(block, Numbers(bodies));
+            continue;
         }
-        return;
+        const OverlapKind kind = KindOf(c.manifold);
+        int32& last = open[2 * int32(kind) + pointCount - 1];
+        if (last == -1 || sharesBodies || Contacts(last).count == kBlockLanes)
+        {
+            last = Add(kind, pointCount);
+        }
+        ContactBlock& block = Contacts(last);
+        block.contact[block.count++] = contact;
     }
-#endif
-    for (ContactBlock& block : blocks)
+    if (m_count > begin)
     {
-        WarmStartBlock<simd::Float4>(block, Numbers(bodies));
+        m_ranges.push_back({begin, m_count, sharesBodies});
     }
-}
-
-bool SolveBlocks(Array<ContactBlock>& blocks, SolverBody* bodies, Direction direction)
-{
-    bool changed = false;
-#if defined(BOX2D_AVX2)
-    if (s_wide)
-    {
-        ForEach(blocks, direction, [&](ContactBlock& block) {
-            changed = SolveBlockAvx2(block, Numbers(bodies)) || changed;
-        });
-        return changed;
-    }
-#endif
-    ForEach(blocks, direction, [&](ContactBlock& block) {
-        changed = SolveBlock<simd::Float4>(block, Numbers(bodies)) || changed;
-    });
-    return changed;
 }
 
 namespace
 {
 
-void FillLane(const OverlapConstraint& o, OverlapBlock& block)
+/// Collects what a block is computed from. Bodies and contacts are read here and nowhere else.
+class Gatherer
 {
-    const int lane = block.count++;
-    block.bodyA[lane] = o.bodyA;
-    block.bodyB[lane] = o.bodyB;
-    block.offsetX[lane] = o.offset.x;
-    block.offsetY[lane] = o.offset.y;
-    block.normalX[lane] = o.normal.x;
-    block.normalY[lane] = o.normal.y;
-    block.referenceX[lane] = o.reference.x;
-    block.referenceY[lane] = o.reference.y;
-    for (int32 i = 0; i < o.pointCount; ++i)
-    {
-        block.pointX[i][lane] = o.points[i].x;
-        block.pointY[i][lane] = o.points[i].y;
-    }
-    block.radius[lane] = o.radius;
-    block.invMassA[lane] = o.invMassA;
-    block.invInertiaA[lane] = o.invInertiaA;
-    block.invMassB[lane] = o.invMassB;
-    block.invInertiaB[lane] = o.invInertiaB;
-    block.constraint[lane] = &o;
-}
+public:
+    Gatherer(ContactBlock& block, OverlapBlock& overlap, ContactLanes& lanes)
+        : m_block(block), m_overlap(overlap), m_to(lanes)
+    {}
 
-OverlapBlock& AddBlock(const OverlapConstraint& like, Array<OverlapBlock>& blocks)
-{
-    OverlapBlock& block = blocks.emplace_back();
-    std::memset(&block, 0, sizeof block);
-    block.kind = like.kind;
-    block.pointCount = like.pointCount;
-    for (float32& radius : block.radius)
+    void Gather()
     {
-        radius = -1.0f; // a metre apart
+        m_overlap.count = m_block.count;
+        m_block.movesA = m_block.movesB = 0;
+        for (int lane = 0; lane < m_block.count; ++lane)
+        {
+            GatherLane(lane, Data(*m_block.contact[lane]));
+        }
+        for (int lane = m_block.count; lane < kBlockLanes; ++lane)
+        {
+            PadLane(lane);
+        }
+        m_overlap.movesA = m_block.movesA;
+        m_overlap.movesB = m_block.movesB;
     }
-    return block;
+
+private:
+    void GatherLane(int lane, const ContactData& c)
+    {
+        const BodyData& a = Data(*c.bodyA);
+        const BodyData& b = Data(*c.bodyB);
+        const b2Vec2 offset = CenterOffset(a, b);
+        m_overlap.offsetX[lane] = offset.x;
+        m_overlap.offsetY[lane] = offset.y;
+        m_block.friction[lane] = c.friction;
+        m_block.tangentSpeed[lane] = c.tangentSpeed;
+        m_to.restitution[lane] = c.restitution;
+        GatherBodies(lane, a, b);
+        const bool faceOnB = m_overlap.kind == OverlapKind::FaceB;
+        GatherGeometry(lane, c.manifold, faceOnB ? b : a, faceOnB ? a : b);
+        m_to.radiusFace[lane] = faceOnB ? c.radiusB : c.radiusA;
+        m_to.radiusOther[lane] = faceOnB ? c.radiusA : c.radiusB;
+    }
+
+    void GatherBodies(int lane, const BodyData& a, const BodyData& b)
+    {
+        m_block.bodyA[lane] = m_overlap.bodyA[lane] = a.SolverIndex();
+        m_block.bodyB[lane] = m_overlap.bodyB[lane] = b.SolverIndex();
+        const float32 massA = a.SolverInvMass();
+        const float32 inertiaA = a.SolverInvInertia();
+        const float32 massB = b.SolverInvMass();
+        const float32 inertiaB = b.SolverInvInertia();
+        m_block.invMassA[lane] = m_overlap.invMassA[lane] = massA;
+        m_block.invInertiaA[lane] = m_overlap.invInertiaA[lane] = inertiaA;
+        m_block.invMassB[lane] = m_overlap.invMassB[lane] = massB;
+        m_block.invInertiaB[lane] = m_overlap.invInertiaB[lane] = inertiaB;
+        m_block.movesA = uint8(m_block.movesA | int(Moves(massA, inertiaA)) << lane);
+        m_block.movesB = uint8(m_block.movesB | int(Moves(massB, inertiaB)) << lane);
+    }
+
+    void GatherGeometry(int lane, const b2Manifold& m, const BodyData& face, const BodyData& other)
+    {
+        m_to.sineFace[lane] = face.rotation.s;
+        m_to.cosineFace[lane] = face.rotation.c;
+        m_to.sineOther[lane] = other.rotation.s;
+        m_to.cosineOther[lane] = other.rotation.c;
+        m_to.normalX[lane] = m.localNormal.x;
+        m_to.normalY[lane] = m.localNormal.y;
+        m_to.referenceX[lane] = m.localPoint.x - face.localCenter.x;
+        m_to.referenceY[lane] = m.localPoint.y - face.localCenter.y;
+        for (int i = 0; i < m_block.pointCount; ++i)
+        {
+            const b2ManifoldPoint& p = m.points[i];
+            m_to.pointX[i][lane] = p.localPoint.x - other.localCenter.x;
+            m_to.pointY[i][lane] = p.localPoint.y - other.localCenter.y;
+            m_to.normalImpulse[i][lane] = p.normalImpulse;
+            m_to.tangentImpulse[i][lane] = p.tangentImpulse;
+        }
+    }
+
+    /// Far apart, without mass, at rest.
+    void PadLane(int lane)
+    {
+        m_block.friction[lane] = m_block.tangentSpeed[lane] = 0.0f;
+        m_overlap.offsetX[lane] = m_overlap.offsetY[lane] = 0.0f;
+        m_block.bodyA[lane] = m_overlap.bodyA[lane] = 0;
+        m_block.bodyB[lane] = m_overlap.bodyB[lane] = 0;
+        m_block.invMassA[lane] = m_overlap.invMassA[lane] = 0.0f;
+        m_block.invInertiaA[lane] = m_overlap.invInertiaA[lane] = 0.0f;
+        m_block.invMassB[lane] = m_overlap.invMassB[lane] = 0.0f;
+        m_block.invInertiaB[lane] = m_overlap.invInertiaB[lane] = 0.0f;
+        m_to.sineFace[lane] = m_to.sineOther[lane] = 0.0f;
+        m_to.cosineFace[lane] = m_to.cosineOther[lane] = 1.0f;
+        m_to.normalX[lane] = m_to.normalY[lane] = 0.0f;
+        m_to.referenceX[lane] = m_to.referenceY[lane] = 0.0f;
+        m_to.radiusFace[lane] = m_to.radiusOther[lane] = -1.0f;
+        m_to.restitution[lane] = 0.0f;
+        for (int i = 0; i < 2; ++i)
+        {
+            m_to.pointX[i][lane] = m_to.pointY[i][lane] = 0.0f;
+            m_to.normalImpulse[i][lane] = m_to.tangentImpulse[i][lane] = 0.0f;
+        }
+    }
+
+    ContactBlock& m_block;
+    OverlapBlock& m_overlap;
+    ContactLanes& m_to;
+};
+
+/// After the lanes have been computed: what stands for nothing must have something to divide by.
+void FinishCoupling(ContactBlock& block)
+{
+    block.allCoupled = block.pointCount == 2;
+    for (int lane = 0; lane < kBlockLanes && block.pointCount == 2; ++lane)
+    {
+        if (lane >= block.count)
+        {
+            block.k11[lane] = block.k22[lane] = block.coupled[lane] = 1.0f;
+            block.k12[lane] = 0.0f;
+        }
+        block.allCoupled = block.allCoupled && block.coupled[lane] == 1.0f;
+    }
 }
 
 } // namespace
 
-void PackBlocks(const Array<OverlapConstraint>& overlaps, std::size_t begin, std::size_t end,
-                bool mayShareBodies, Array<OverlapBlock>& blocks)
+void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context)
 {
-    constexpr int kinds = 6; // three ways to measure, of one or two points
-    int32 open[kinds] = {-1, -1, -1, -1, -1, -1};
-    for (std::size_t i = begin; i < end; ++i)
-    {
-        const OverlapConstraint& o = overlaps[i];
-        int32& last = open[2 * int(o.kind) + o.pointCount - 1];
-        if (last == -1 || mayShareBodies || blocks[std::size_t(last)].count == kBlockLanes)
-        {
-            last = int32(blocks.size());
-            AddBlock(o, blocks);
-        }
-        FillLane(o, blocks[std::size_t(last)]);
-    }
-}
-
-float32 SolveBlocks(const Array<OverlapBlock>& blocks, SolverBody* bodies, float32 rate,
-                    Direction direction)
-{
-    float32 smallest = 0.0f;
+    ContactLanes lanes;
+    Gatherer(block, overlap, lanes).Gather();
+    const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
+    const float32* bodies = Numbers(context.bodies);
 #if defined(BOX2D_AVX2)
     if (s_wide)
     {
-        ForEach(blocks, direction, [&](const OverlapBlock& block) {
-            smallest = b2Min(smallest, SolveOverlapBlockAvx2(block, Numbers(bodies), rate));
-        });
-        return smallest;
+        PrepareBlockAvx2(lanes, block, overlap, bodies, share);
+        FinishCoupling(block);
+        return;
     }
 #endif
-    ForEach(blocks, direction, [&](const OverlapBlock& block) {
-        smallest = b2Min(smallest, SolveOverlapBlock<simd::Float4>(block, Numbers(bodies), rate));
-    });
-    return smallest;
+    PrepareBlock<simd::Float4>(lanes, block, overlap, bodies, share);
+    FinishCoupling(block);
+}
+
+void WarmStartBlock(ContactBlock& block, SolverBody* bodies)
+{
+#if defined(BOX2D_AVX2)
+    if (s_wide)
+    {
+        return WarmStartBlockAvx2(block, Numbers(bodies));
+    }
+#endif
+    WarmStartBlock<simd::Float4>(block, Numbers(bodies));
+}
+
+bool SolveBlock(ContactBlock& block, SolverBody* bodies)
+{
+#if defined(BOX2D_AVX2)
+    if (s_wide)
+    {
+        return SolveBlockAvx2(block, Numbers(bodies));
+    }
+#endif
+    return SolveBlock<simd::Float4>(block, Numbers(bodies));
+}
+
+float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, float32 rate)
+{
+#if defined(BOX2D_AVX2)
+    if (s_wide)
+    {
+        return SolveOverlapBlockAvx2(block, Numbers(bodies), rate);
+    }
+#endif
+    return SolveOverlapBlock<simd::Float4>(block, Numbers(bodies), rate);
+}
+
+void StoreImpulses(const ContactBlock& block)
+{
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        b2Manifold& manifold = Data(*block.contact[lane]).manifold;
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            manifold.points[i].normalImpulse = block.points[i].normalImpulse[lane];
+            manifold.points[i].tangentImpulse = block.points[i].tangentImpulse[lane];
+        }
+    }
+}
+
+float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, float32 rate)
+{
+    OverlapConstraint o;
+    o.offset.Set(block.offsetX[lane], block.offsetY[lane]);
+    o.normal.Set(block.normalX[lane], block.normalY[lane]);
+    o.reference.Set(block.referenceX[lane], block.referenceY[lane]);
+    for (int i = 0; i < 2; ++i)
+    {
+        o.points[i].Set(block.pointX[i][lane], block.pointY[i][lane]);
+    }
+    o.radius = block.radius[lane];
+    o.invMassA = block.invMassA[lane];
+    o.invInertiaA = block.invInertiaA[lane];
+    o.invMassB = block.invMassB[lane];
+    o.invInertiaB = block.invInertiaB[lane];
+    o.bodyA = block.bodyA[lane];
+    o.bodyB = block.bodyB[lane];
+    o.pointCount = block.pointCount;
+    o.kind = block.kind;
+    return SolveNearlyOnePoint(o, bodies, rate);
 }
 
 } // namespace box2d

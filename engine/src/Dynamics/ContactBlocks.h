@@ -3,34 +3,125 @@
 
 #include "Solver.h"
 
-/// Contacts of one colour, eight at a time: the velocity solver's form of ContactConstraint, so
-/// that one instruction serves several contacts. A block is solved by 8, by twice 4 or by 8 times
-/// one lane with the same bits, and so is the plain solver of ContactSolver.cpp, which stays as the
-/// reference.
+/// Contacts of one colour, eight at a time, so that one instruction serves several. A block is
+/// prepared and solved by 8, by twice 4 or by 8 times one lane with the same bits, and so does the
+/// plain solver of ContactSolver.cpp, which solves impacts and stays as the reference.
 namespace box2d
 {
 
-/// Puts constraints from `begin` to `end`, all of one colour, into blocks at the end of the list;
-/// each alone in a block when they may share bodies.
-void PackBlocks(const Array<ContactConstraint>& constraints, std::size_t begin, std::size_t end,
-                bool mayShareBodies, Array<ContactBlock>& blocks);
-/// Puts the impulses back into the constraints.
-void UnpackImpulses(const Array<ContactBlock>& blocks, Array<ContactConstraint>& constraints);
+inline constexpr int kBlockLanes = 8;
 
-/// The same for overlaps, which must stay where they are as long as the blocks are used.
-void PackBlocks(const Array<OverlapConstraint>& overlaps, std::size_t begin, std::size_t end,
-                bool mayShareBodies, Array<OverlapBlock>& blocks);
-/// The wide version of SolveOverlaps.
-float32 SolveBlocks(const Array<OverlapBlock>& blocks, SolverBody* bodies, float32 rate,
-                    Direction direction);
+/// See ContactPoint.
+struct PointLanes
+{
+    float32 armAX[kBlockLanes], armAY[kBlockLanes];
+    float32 armBX[kBlockLanes], armBY[kBlockLanes];
+    float32 normalImpulse[kBlockLanes], tangentImpulse[kBlockLanes];
+    float32 normalMass[kBlockLanes], tangentMass[kBlockLanes];
+    float32 bias[kBlockLanes];
+};
 
-/// The wide versions of WarmStart and SolveContactVelocities, for the widest instructions that this
-/// processor has.
-void WarmStartBlocks(Array<ContactBlock>& blocks, SolverBody* bodies);
-/// False when no impulse changed: then no other sweep over the same contacts would change one.
-bool SolveBlocks(Array<ContactBlock>& blocks, SolverBody* bodies, Direction direction);
+/// See ContactConstraint. All lanes have the same number of points. Lanes that are not used hold
+/// impulses of zero between bodies 0, which are never stored.
+struct ContactBlock
+{
+    int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
+    float32 normalX[kBlockLanes], normalY[kBlockLanes];
+    float32 friction[kBlockLanes], tangentSpeed[kBlockLanes];
+    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
+    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
+    PointLanes points[2];
+    float32 k11[kBlockLanes], k12[kBlockLanes], k22[kBlockLanes];
+    float32 coupled[kBlockLanes]; ///< 1 or 0
+    b2Contact* contact[kBlockLanes];
+    int32 count; ///< used lanes
+    int32 pointCount;
+    bool allCoupled;
+    uint8 movesA, movesB; ///< a bit for each lane whose body can be pushed or turned
+};
 
-/// The same for a width by name, for tests: 4, or 8 where the processor has AVX2.
+/// See OverlapConstraint. All lanes measure the same way, and are those of the ContactBlock of the
+/// same index. Lanes that are not used are far apart.
+struct OverlapBlock
+{
+    int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
+    float32 offsetX[kBlockLanes], offsetY[kBlockLanes];
+    float32 normalX[kBlockLanes], normalY[kBlockLanes];
+    float32 referenceX[kBlockLanes], referenceY[kBlockLanes];
+    float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes];
+    float32 radius[kBlockLanes];
+    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
+    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
+    int32 count; ///< used lanes
+    int32 pointCount;
+    OverlapKind kind;
+    uint8 movesA, movesB; ///< as in ContactBlock
+};
+
+/// What a block is computed from, gathered from bodies and contacts. In the case of circles A
+/// stands for the face.
+struct ContactLanes
+{
+    float32 sineFace[kBlockLanes], cosineFace[kBlockLanes];
+    float32 sineOther[kBlockLanes], cosineOther[kBlockLanes];
+    float32 normalX[kBlockLanes], normalY[kBlockLanes]; ///< of the face, in its body's axes
+    /// From its body's centre of mass to the face, and from the other's to the points, each in
+    /// axes of its own body.
+    float32 referenceX[kBlockLanes], referenceY[kBlockLanes];
+    float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes];
+    float32 radiusFace[kBlockLanes], radiusOther[kBlockLanes];
+    float32 restitution[kBlockLanes];
+    float32 normalImpulse[2][kBlockLanes], tangentImpulse[2][kBlockLanes];
+};
+
+/// The blocks of a step, colour after colour. Entries are used again without being cleared.
+class ContactBlocks
+{
+public:
+    /// Blocks from begin to end are of one colour. Where bodies may be shared they must be solved
+    /// in order.
+    struct Range
+    {
+        int32 begin, end;
+        bool sharesBodies;
+    };
+
+    void Clear();
+    /// Gives each contact that has to be solved a lane in a block of its kind; one block each when
+    /// they may share bodies. The blocks still have to be prepared.
+    void AddColor(const Array<b2Contact*>& contacts, bool sharesBodies);
+
+    int32 Count() const { return m_count; }
+    const Array<Range>& Ranges() const { return m_ranges; }
+    ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
+    OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
+
+private:
+    int32 Add(OverlapKind kind, int32 pointCount);
+
+    Array<ContactBlock> m_contacts;
+    Array<OverlapBlock> m_overlaps;
+    Array<Range> m_ranges;
+    int32 m_count = 0;
+};
+
+// The following are for the widest instructions that this processor has.
+
+/// Fills both sides of a block, line by line what PrepareContact does.
+void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context);
+void WarmStartBlock(ContactBlock& block, SolverBody* bodies);
+/// One iteration. False when no impulse changed: when none of all contacts does, no other sweep
+/// over them would change one.
+bool SolveBlock(ContactBlock& block, SolverBody* bodies);
+/// One iteration of moving apart; see SolveOverlaps.
+float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, float32 rate);
+/// Puts the impulses into the manifolds.
+void StoreImpulses(const ContactBlock& block);
+
+/// Two points of a lane that are nearly one, pushed apart one after the other.
+float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, float32 rate);
+
+/// For tests: 4 lanes at a time, or 8 where the processor has AVX2.
 bool HasWideInstructions();
 void UseWideInstructions(bool use);
 

@@ -2,10 +2,17 @@
 // The only source that is compiled for AVX2; called where the processor has it. It must not call
 // inline functions that other sources use too: the linker keeps one copy of each, and could keep
 // this one.
+#include "ContactBlockPrepare.h"
 #include "OverlapBlockSolver.h"
 
 namespace box2d
 {
+
+void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
+                      const float32* bodies, float32 share)
+{
+    PrepareBlock<simd::Float8>(from, block, overlap, bodies, share);
+}
 
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies)
 {

@@ -159,12 +159,19 @@ Velocities Load(const ContactConstraint& c, const SolverBody* bodies)
     return {bodies[c.bodyA].v, bodies[c.bodyB].v, bodies[c.bodyA].w, bodies[c.bodyB].w};
 }
 
+// What cannot be moved may be shared by several contacts of a colour: it is left alone.
 void Store(const Velocities& v, const ContactConstraint& c, SolverBody* bodies)
 {
-    bodies[c.bodyA].v = v.vA;
-    bodies[c.bodyA].w = v.wA;
-    bodies[c.bodyB].v = v.vB;
-    bodies[c.bodyB].w = v.wB;
+    if (Moves(c.invMassA, c.invInertiaA))
+    {
+        bodies[c.bodyA].v = v.vA;
+        bodies[c.bodyA].w = v.wA;
+    }
+    if (Moves(c.invMassB, c.invInertiaB))
+    {
+        bodies[c.bodyB].v = v.vB;
+        bodies[c.bodyB].w = v.wB;
+    }
 }
 
 void SolveFriction(ContactConstraint& c, Velocities& v)
@@ -311,16 +318,44 @@ void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodi
     });
 }
 
-void StoreImpulses(const Array<ContactConstraint>& contacts)
+namespace
 {
-    for (const ContactConstraint& c : contacts)
+
+template <class Points>
+b2ContactImpulse ImpulseOf(const Points& points, int32 count)
+{
+    b2ContactImpulse impulse;
+    impulse.count = count;
+    for (int32 i = 0; i < count; ++i)
     {
-        b2Manifold& m = Data(*c.contact).manifold;
-        for (int32 i = 0; i < c.pointCount; ++i)
-        {
-            m.points[i].normalImpulse = c.points[i].normalImpulse;
-            m.points[i].tangentImpulse = c.points[i].tangentImpulse;
-        }
+        impulse.normalImpulses[i] = points[i].normalImpulse;
+        impulse.tangentImpulses[i] = points[i].tangentImpulse;
+    }
+    return impulse;
+}
+
+} // namespace
+
+void ReportImpulse(b2ContactListener& listener, b2Contact& contact)
+{
+    const b2Manifold& manifold = Data(contact).manifold;
+    const b2ContactImpulse impulse = ImpulseOf(manifold.points, manifold.pointCount);
+    listener.PostSolve(&contact, &impulse);
+}
+
+void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint)
+{
+    const b2ContactImpulse impulse = ImpulseOf(constraint.points, constraint.pointCount);
+    listener.PostSolve(constraint.contact, &impulse);
+}
+
+void StoreImpulses(const ContactConstraint& c)
+{
+    b2Manifold& m = Data(*c.contact).manifold;
+    for (int32 i = 0; i < c.pointCount; ++i)
+    {
+        m.points[i].normalImpulse = c.points[i].normalImpulse;
+        m.points[i].tangentImpulse = c.points[i].tangentImpulse;
     }
 }
 
@@ -384,6 +419,18 @@ struct Push
 {
     const OverlapConstraint& o;
     SolverBody a, b;
+
+    void Store(SolverBody* bodies) const
+    {
+        if (Moves(o.invMassA, o.invInertiaA))
+        {
+            bodies[o.bodyA] = a;
+        }
+        if (Moves(o.invMassB, o.invInertiaB))
+        {
+            bodies[o.bodyB] = b;
+        }
+    }
 
     /// A body that cannot be turned keeps its bits, however many contacts it has.
     static void Turn(SolverBody& body, float32 invInertia, float32 delta)
@@ -467,8 +514,7 @@ float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, floa
     Push push{o, bodies[o.bodyA], bodies[o.bodyB]};
     const float32 first = PushPoint(push, 0, rate);
     const float32 second = PushPoint(push, 1, rate);
-    bodies[o.bodyA] = push.a;
-    bodies[o.bodyB] = push.b;
+    push.Store(bodies);
     return b2Min(first, second);
 }
 
@@ -481,8 +527,7 @@ float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodi
         const float32 separation =
             o.pointCount == 2 ? PushPair(push, rate) : PushPoint(push, 0, rate);
         smallest = b2Min(smallest, separation);
-        bodies[o.bodyA] = push.a;
-        bodies[o.bodyB] = push.b;
+        push.Store(bodies);
     });
     return smallest;
 }

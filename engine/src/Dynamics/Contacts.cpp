@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Narrowphase.h"
+#include "Solver.h"
 #include "World.h"
 
 #include "Access.h"
@@ -192,6 +193,8 @@ void World::UpdateContact(b2Contact& contact)
     const b2Manifold old = c.manifold;
     const bool wasTouching = c.IsTouching();
     const b2Transform bInA = RelativeTransform(a, b);
+    c.radiusA = c.fixtureA->GetShape()->m_radius;
+    c.radiusB = c.fixtureB->GetShape()->m_radius;
 
     c.flags |= kContactEnabled;
     bool touching = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
-#include "Solver.h"
+#include "SolverArrays.h"
 #include "World.h"
 
 #include <Box2D/Collision/b2TimeOfImpact.h>
@@ -422,11 +422,11 @@ void ImpactSolver::PrepareAll(bool warmStart)
 {
     m_context.warmStarting = warmStart;
     LoadBodies();
-    m_arrays.contacts.resize(m_contacts.size());
-    m_arrays.overlaps.resize(m_contacts.size());
+    m_arrays.impact.resize(m_contacts.size());
+    m_arrays.impactOverlaps.resize(m_contacts.size());
     for (std::size_t i = 0; i < m_contacts.size(); ++i)
     {
-        PrepareContact(*m_contacts[i], m_context, m_arrays.contacts[i], m_arrays.overlaps[i]);
+        PrepareContact(*m_contacts[i], m_context, m_arrays.impact[i], m_arrays.impactOverlaps[i]);
     }
 }
 
@@ -436,7 +436,7 @@ void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     PrepareAll(false);
     const int32 indexA = Data(bodyA).SolverIndex();
     const int32 indexB = Data(bodyB).SolverIndex();
-    for (OverlapConstraint& o : m_arrays.overlaps)
+    for (OverlapConstraint& o : m_arrays.impactOverlaps)
     {
         if (o.bodyA != indexA && o.bodyA != indexB)
         {
@@ -449,8 +449,8 @@ void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     }
     for (int32 i = 0; i < kImpactPositionIterations; ++i)
     {
-        if (SolveOverlaps(m_arrays.overlaps, m_context.bodies, b2_toiBaugarte, DirectionOf(i)) >=
-            -1.5f * b2_linearSlop)
+        if (SolveOverlaps(m_arrays.impactOverlaps, m_context.bodies, b2_toiBaugarte,
+                          DirectionOf(i)) >= -1.5f * b2_linearSlop)
         {
             break;
         }
@@ -480,7 +480,7 @@ void ImpactSolver::SolveVelocities(float32 timeLeft)
     PrepareAll(false);
     for (int32 i = 0; i < m_velocityIterations; ++i)
     {
-        SolveContactVelocities(m_arrays.contacts, m_context.bodies, DirectionOf(i));
+        SolveContactVelocities(m_arrays.impact, m_context.bodies, DirectionOf(i));
     }
     for (b2Body* body : m_bodies)
     {
@@ -504,7 +504,7 @@ void ImpactSolver::SolveVelocities(float32 timeLeft)
     }
     if (m_world.listener)
     {
-        for (const ContactConstraint& c : m_arrays.contacts)
+        for (const ContactConstraint& c : m_arrays.impact)
         {
             ReportImpulse(*m_world.listener, c);
         }

@@ -3,8 +3,6 @@
 
 #include "ContactBlockSolver.h"
 
-#include <Box2D/Common/b2Settings.h>
-
 /// The position solver on blocks, for numbers F of 4 or 8 lanes: what ContactSolver.cpp does to one
 /// overlap, in the same order of operations. Included like ContactBlockSolver.h, and for the same
 /// reason nothing in it has external linkage.
@@ -12,8 +10,6 @@ namespace box2d
 {
 namespace
 {
-
-constexpr float32 kNearlyNothing = b2_epsilon; ///< shorter than this has no direction
 
 template <class F>
 struct OverlapLanes
@@ -47,15 +43,22 @@ struct OverlapSolver
 
     void Store(float32* bodies) const
     {
-        StoreRows(bodies + 4, kBodyStride, block.bodyA + lane, a);
-        StoreRows(bodies + 4, kBodyStride, block.bodyB + lane, b);
-        float32 anglesA[F::kLanes], anglesB[F::kLanes];
-        turnedA.Store(anglesA);
-        turnedB.Store(anglesB);
+        StoreSide(bodies, block.bodyA + lane, uint32(block.movesA) >> lane, a, turnedA);
+        StoreSide(bodies, block.bodyB + lane, uint32(block.movesB) >> lane, b, turnedB);
+    }
+
+    static void StoreSide(float32* bodies, const int32* indices, uint32 moves, const F (&rows)[4],
+                          F turned)
+    {
+        StoreMoved(bodies + 4, indices, moves, rows);
+        float32 angles[F::kLanes];
+        turned.Store(angles);
         for (int i = 0; i < F::kLanes; ++i)
         {
-            bodies[kBodyStride * block.bodyA[lane + i] + 3] += anglesA[i];
-            bodies[kBodyStride * block.bodyB[lane + i] + 3] += anglesB[i];
+            if ((moves >> i & 1u) != 0)
+            {
+                bodies[kBodyStride * indices[i] + 3] += angles[i];
+            }
         }
     }
 
@@ -271,7 +274,7 @@ float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, float32 ra
                 if (lanes[i] == 1.0f)
                 {
                     const float32 found = SolveNearlyOnePoint(
-                        *block.constraint[lane + i], reinterpret_cast<SolverBody*>(bodies), rate);
+                        block, lane + i, reinterpret_cast<SolverBody*>(bodies), rate);
                     smallest = found < smallest ? found : smallest;
                 }
             }

@@ -82,6 +82,12 @@ struct ContactPoint
     float32 bias;        ///< approach speed that shall come back [m/s]
 };
 
+/// Whether the solver may move the body of a constraint.
+inline bool Moves(float32 invMass, float32 invInertia)
+{
+    return invMass > 0.0f || invInertia > 0.0f;
+}
+
 /// The velocity side of one touching contact.
 struct ContactConstraint
 {
@@ -100,43 +106,6 @@ struct ContactConstraint
 /// Above this ratio of the coupled matrix's determinant the two points are nearly one: solving them
 /// together would divide by almost nothing.
 inline constexpr float32 kMaxCondition = 1000.0f;
-
-inline constexpr int kBlockLanes = 8;
-
-/// How the points of a contact are solved. A block holds contacts of one kind.
-enum class BlockKind : uint8
-{
-    One,  ///< one point
-    Two,  ///< two points one after the other, for they are nearly one
-    Pair, ///< two points together
-};
-inline constexpr int kBlockKinds = 3;
-
-/// See ContactPoint.
-struct PointLanes
-{
-    float32 armAX[kBlockLanes], armAY[kBlockLanes];
-    float32 armBX[kBlockLanes], armBY[kBlockLanes];
-    float32 normalImpulse[kBlockLanes], tangentImpulse[kBlockLanes];
-    float32 normalMass[kBlockLanes], tangentMass[kBlockLanes];
-    float32 bias[kBlockLanes];
-};
-
-/// See ContactConstraint. Lanes that are not used hold masses and impulses of zero between bodies
-/// 0.
-struct ContactBlock
-{
-    int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
-    float32 normalX[kBlockLanes], normalY[kBlockLanes];
-    float32 friction[kBlockLanes], tangentSpeed[kBlockLanes];
-    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
-    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
-    PointLanes points[2];
-    float32 k11[kBlockLanes], k12[kBlockLanes], k22[kBlockLanes];
-    int32 constraint[kBlockLanes]; ///< index among the constraints it was made from
-    int32 count;                   ///< used lanes
-    BlockKind kind;
-};
 
 /// Where a contact's overlap is measured.
 enum class OverlapKind : uint8
@@ -158,34 +127,6 @@ struct OverlapConstraint
     int32 bodyA, bodyB;
     int32 pointCount;
     OverlapKind kind;
-};
-
-/// See OverlapConstraint. All lanes of a block measure the same way. Lanes that are not used are
-/// far apart.
-struct OverlapBlock
-{
-    int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
-    float32 offsetX[kBlockLanes], offsetY[kBlockLanes];
-    float32 normalX[kBlockLanes], normalY[kBlockLanes];
-    float32 referenceX[kBlockLanes], referenceY[kBlockLanes];
-    float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes];
-    float32 radius[kBlockLanes];
-    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
-    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
-    const OverlapConstraint* constraint[kBlockLanes];
-    int32 count; ///< used lanes
-    int32 pointCount;
-    OverlapKind kind;
-};
-
-struct SolverArrays
-{
-    Array<SolverBody> bodies;
-    Array<ContactConstraint> contacts;
-    // The same once more, colour by colour, several at a time.
-    Array<ContactBlock> blocks;
-    Array<OverlapBlock> overlapBlocks;
-    Array<OverlapConstraint> overlaps; ///< parallel to contacts
 };
 
 /// A body whose way in a step is longer than this share of its thinnest half is fast: it could pass
@@ -224,9 +165,12 @@ void ForEach(List& list, Direction direction, Function&& function)
 
 /// Moves and turns a body for `timeStep`, slowing it down to what a step allows.
 void MoveByVelocity(SolverBody& body, float32 timeStep);
-void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint);
 
 // ContactSolver.cpp
+
+/// Tells the listener of the impulses that a contact's manifold, or its constraint, keeps.
+void ReportImpulse(b2ContactListener& listener, b2Contact& contact);
+void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint);
 
 /// Fills both sides of a touching contact from the present poses; velocities are read from the
 /// bodies' solver entries (for restitution).
@@ -237,8 +181,8 @@ void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context)
 /// One iteration: friction, then the normal impulses.
 void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
                             Direction direction);
-/// Puts the impulses into the manifolds.
-void StoreImpulses(const Array<ContactConstraint>& contacts);
+/// Puts the impulses into the manifold.
+void StoreImpulses(const ContactConstraint& contact);
 /// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop.
 /// Returns the smallest separation that was met [m].
 float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,

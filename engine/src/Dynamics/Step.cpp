@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
-#include "ContactBlocks.h"
-#include "Solver.h"
+#include "SolverArrays.h"
 #include "World.h"
 
 #include <Box2D/Common/b2Timer.h>
@@ -69,6 +68,7 @@ public:
     void IntegrateVelocities();
     void PrepareConstraints();
     void SolveVelocities(int32 iterations);
+    void NoteImpulses();
     void ReportImpulses();
     void IntegratePositions();
     void SolvePositions(int32 iterations);
@@ -76,6 +76,8 @@ public:
     void LetRest();
 
 private:
+    bool SolveContacts(Direction direction);
+    float32 SolveOverlaps(Direction direction);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
 
     World& m_world;
@@ -135,40 +137,50 @@ void StepSolver::IntegrateVelocities()
 
 void StepSolver::PrepareConstraints()
 {
-    m_arrays.contacts.clear();
-    m_arrays.overlaps.clear();
-    m_arrays.blocks.clear();
-    m_arrays.overlapBlocks.clear();
-    std::size_t ends[ConstraintGraph::kColorCount];
-    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    ContactBlocks& blocks = m_arrays.contacts;
+    blocks.Clear();
+    blocks.AddColor(m_world.graph.Contacts(ConstraintGraph::kOverflow), true);
+    for (int32 color = 0; color < ConstraintGraph::kOverflow; ++color)
     {
-        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
-        for (b2Contact* contact : m_world.graph.Contacts(color))
-        {
-            if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
-            {
-                PrepareContact(*contact, m_context, m_arrays.contacts.emplace_back(),
-                               m_arrays.overlaps.emplace_back());
-            }
-        }
-        ends[i] = m_arrays.contacts.size();
+        blocks.AddColor(m_world.graph.Contacts(color), false);
     }
-    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    for (int32 i = 0; i < blocks.Count(); ++i)
     {
-        const std::size_t begin = i == 0 ? 0 : ends[i - 1];
-        if (begin == ends[i])
-        {
-            continue;
-        }
-        const bool mayShareBodies = i == 0;
-        PackBlocks(m_arrays.contacts, begin, ends[i], mayShareBodies, m_arrays.blocks);
-        PackBlocks(m_arrays.overlaps, begin, ends[i], mayShareBodies, m_arrays.overlapBlocks);
+        PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), m_context);
     }
-    WarmStartBlocks(m_arrays.blocks, m_context.bodies);
+    for (int32 i = 0; i < blocks.Count(); ++i)
+    {
+        WarmStartBlock(blocks.Contacts(i), m_context.bodies);
+    }
     for (b2Joint* joint : m_world.graph.Joints())
     {
         JointAccess::Prepare(*joint, m_context);
     }
+}
+
+bool StepSolver::SolveContacts(Direction direction)
+{
+    ContactBlocks& blocks = m_arrays.contacts;
+    bool changed = false;
+    for (int32 i = 0; i < blocks.Count(); ++i)
+    {
+        const int32 index = direction == Direction::Forward ? i : blocks.Count() - 1 - i;
+        changed = SolveBlock(blocks.Contacts(index), m_context.bodies) || changed;
+    }
+    return changed;
+}
+
+float32 StepSolver::SolveOverlaps(Direction direction)
+{
+    ContactBlocks& blocks = m_arrays.contacts;
+    float32 smallest = 0.0f;
+    for (int32 i = 0; i < blocks.Count(); ++i)
+    {
+        const int32 index = direction == Direction::Forward ? i : blocks.Count() - 1 - i;
+        const OverlapBlock& block = blocks.Overlaps(index);
+        smallest = b2Min(smallest, SolveBlock(block, m_context.bodies, b2_baumgarte));
+    }
+    return smallest;
 }
 
 void StepSolver::SolveVelocities(int32 iterations)
@@ -178,26 +190,44 @@ void StepSolver::SolveVelocities(int32 iterations)
         const Direction direction = DirectionOf(i);
         ForEach(m_world.graph.Joints(), direction,
                 [this](b2Joint* joint) { JointAccess::SolveVelocity(*joint, m_context); });
-        const bool changed = SolveBlocks(m_arrays.blocks, m_context.bodies, direction);
+        const bool changed = SolveContacts(direction);
         // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
         if (!changed && m_world.graph.Joints().empty())
         {
             break;
         }
     }
-    UnpackImpulses(m_arrays.blocks, m_arrays.contacts);
-    StoreImpulses(m_arrays.contacts);
+    for (int32 i = 0; i < m_arrays.contacts.Count(); ++i)
+    {
+        StoreImpulses(m_arrays.contacts.Contacts(i));
+    }
+}
+
+/// In the order of the colours; notes them before any is put to sleep.
+void StepSolver::NoteImpulses()
+{
+    m_arrays.reported.clear();
+    for (int32 i = 0; i < ConstraintGraph::kColorCount && m_world.listener != nullptr; ++i)
+    {
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        for (b2Contact* contact : m_world.graph.Contacts(color))
+        {
+            if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
+            {
+                m_arrays.reported.push_back(contact);
+            }
+        }
+    }
 }
 
 void StepSolver::ReportImpulses()
 {
-    if (m_world.listener == nullptr)
+    for (b2Contact* contact : m_arrays.reported)
     {
-        return;
-    }
-    for (const ContactConstraint& c : m_arrays.contacts)
-    {
-        ReportImpulse(*m_world.listener, c);
+        if (m_world.listener != nullptr) // it may take itself away
+        {
+            ReportImpulse(*m_world.listener, *contact);
+        }
     }
 }
 
@@ -207,8 +237,7 @@ void StepSolver::SolvePositions(int32 iterations)
     {
         const Direction direction = DirectionOf(i);
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveBlocks(m_arrays.overlapBlocks, m_context.bodies, b2_baumgarte,
-                                       direction) >= -3.0f * b2_linearSlop;
+        const bool apart = SolveOverlaps(direction) >= -3.0f * b2_linearSlop;
         bool joined = true;
         ForEach(m_world.graph.Joints(), direction, [&](b2Joint* joint) {
             joined = JointAccess::SolvePosition(*joint, m_context) && joined;
@@ -301,18 +330,6 @@ void StepSolver::LetRest()
 
 } // namespace
 
-void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint)
-{
-    b2ContactImpulse impulse;
-    impulse.count = constraint.pointCount;
-    for (int32 i = 0; i < constraint.pointCount; ++i)
-    {
-        impulse.normalImpulses[i] = constraint.points[i].normalImpulse;
-        impulse.tangentImpulses[i] = constraint.points[i].tangentImpulse;
-    }
-    listener.PostSolve(constraint.contact, &impulse);
-}
-
 void MoveByVelocity(SolverBody& body, float32 timeStep)
 {
     const b2Vec2 way = timeStep * body.v;
@@ -400,6 +417,7 @@ void World::SolveAwake(float32 timeStep, int32 velocityIterations, int32 positio
     {
         ProfileScope velocity(profiling, profile.solveVelocity);
         solve.SolveVelocities(velocityIterations);
+        solve.NoteImpulses();
     }
     {
         ProfileScope position(profiling, profile.solvePosition);

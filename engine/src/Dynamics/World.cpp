@@ -2,7 +2,7 @@
 #include "World.h"
 
 #include "Access.h"
-#include "Solver.h"
+#include "SolverArrays.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>

@@ -47,14 +47,16 @@ struct Pose
 struct BodyData
 {
     // What a step reads and writes.
-    Pose pose;             ///< of the centre of mass
-    b2Rot rotation;        ///< sine and cosine of pose.angle
-    b2Vec2 linearVelocity; ///< of the centre of mass [m/s]
+    Pose pose;                    ///< of the centre of mass
+    b2Rot rotation;               ///< sine and cosine of pose.angle
+    b2Vec2 localCenter;           ///< centre of mass in the body's frame
+    float32 invMass = 0.0f;       ///< 0: infinite mass
+    float32 invInertia = 0.0f;    ///< about the centre of mass
+    std::int32_t awakeIndex = -1; ///< place among the awake bodies, -1 when asleep or static
+    b2Vec2 linearVelocity;        ///< of the centre of mass [m/s]
     float32 angularVelocity = 0.0f;
     b2Vec2 force; ///< at the centre of mass [N]
     float32 torque = 0.0f;
-    float32 invMass = 0.0f;    ///< 0: infinite mass
-    float32 invInertia = 0.0f; ///< about the centre of mass
     float32 gravityScale = 1.0f;
     float32 linearDamping = 0.0f;
     float32 angularDamping = 0.0f;
@@ -63,8 +65,7 @@ struct BodyData
     std::uint32_t colorMask = 0; ///< the colours of the constraint graph that touch it
     Mobility mobility = Mobility::Static;
 
-    std::int32_t awakeIndex = -1; ///< place among the awake bodies, -1 when asleep or static
-    std::int32_t island = -1;     ///< dynamic and active bodies only
+    std::int32_t island = -1; ///< dynamic and active bodies only
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 
@@ -79,7 +80,6 @@ struct BodyData
     // What the user sees.
     b2Transform transform; ///< of the body's origin
     b2Vec2 worldCenter;    ///< pose in single precision
-    b2Vec2 localCenter;    ///< centre of mass in the body's frame
     float32 mass = 0.0f;
     float32 inertia = 0.0f; ///< about the centre of mass
 

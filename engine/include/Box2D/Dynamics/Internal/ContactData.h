@@ -34,17 +34,21 @@ enum ContactFlag : std::uint32_t
 
 struct ContactData
 {
-    b2Fixture* fixtureA = nullptr;
-    b2Fixture* fixtureB = nullptr;
+    // What a step reads, side by side.
     b2Body* bodyA = nullptr;
     b2Body* bodyB = nullptr;
-    std::int32_t childA = 0;
-    std::int32_t childB = 0;
     std::uint32_t flags = 0;
     float32 friction = 0.0f;
     float32 restitution = 0.0f;
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
+    float32 radiusA = 0.0f;      ///< of the shapes' skins, as of the last update [m]
+    float32 radiusB = 0.0f;
     b2Manifold manifold;
+
+    b2Fixture* fixtureA = nullptr;
+    b2Fixture* fixtureB = nullptr;
+    std::int32_t childA = 0;
+    std::int32_t childB = 0;
 
     std::int32_t awakeIndex =
         -1; ///< place among the contacts updated each step, -1 when both bodies rest

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ContactBlockSolver.h"
+
+/// From what was gathered of eight contacts to the two sides of a block, for numbers F of 4 or 8
+/// lanes: PrepareContact of ContactSolver.cpp line by line, in the same order of operations.
+/// Included like ContactBlockSolver.h, and for the same reason nothing in it has external linkage.
+namespace box2d
+{
+namespace
+{
+
+template <class F, OverlapKind kKind>
+struct BlockPreparer
+{
+    const ContactLanes& from;
+    ContactBlock& block;
+    OverlapBlock& overlap;
+    int lane; // the first
+
+    static constexpr bool kFaceOnB = kKind == OverlapKind::FaceB;
+
+    F At(const float32* field) const { return F::Load(field + lane); }
+    Vector<F> At(const float32* x, const float32* y) const { return {At(x), At(y)}; }
+    void Put(const Vector<F>& v, float32* x, float32* y) const
+    {
+        v.x.Store(x + lane);
+        v.y.Store(y + lane);
+    }
+
+    static Vector<F> Add(const Vector<F>& u, const Vector<F>& v) { return {u.x + v.x, u.y + v.y}; }
+    static Vector<F> Subtract(const Vector<F>& u, const Vector<F>& v)
+    {
+        return {u.x - v.x, u.y - v.y};
+    }
+    static Vector<F> Scale(F s, const Vector<F>& v) { return {s * v.x, s * v.y}; }
+    static F Cross(const Vector<F>& u, const Vector<F>& v) { return u.x * v.y - u.y * v.x; }
+    static F Dot(const Vector<F>& u, const Vector<F>& v) { return u.x * v.x + u.y * v.y; }
+    static Vector<F> Turn(F sine, F cosine, const Vector<F>& v)
+    {
+        return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
+    }
+    /// a < b, false when either is no number.
+    static auto Less(F a, F b) { return And(AtLeast(b, a), Not(AtLeast(a, b))); }
+    static F Inverse(F value)
+    {
+        const F zero = F::Set(0.0f);
+        const F one = F::Set(1.0f);
+        const auto positive = Less(zero, value);
+        return Select(positive, one / Select(positive, value, one), zero);
+    }
+
+    /// The overlap's geometry in world axes.
+    void FillOverlap() const
+    {
+        const F sineOther = At(from.sineOther);
+        const F cosineOther = At(from.cosineOther);
+        const F sineFace = At(from.sineFace);
+        const F cosineFace = At(from.cosineFace);
+        Put(Turn(sineFace, cosineFace, At(from.normalX, from.normalY)), overlap.normalX,
+            overlap.normalY);
+        Put(Turn(sineFace, cosineFace, At(from.referenceX, from.referenceY)), overlap.referenceX,
+            overlap.referenceY);
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            Put(Turn(sineOther, cosineOther, At(from.pointX[i], from.pointY[i])), overlap.pointX[i],
+                overlap.pointY[i]);
+        }
+        (At(from.radiusFace) + At(from.radiusOther)).Store(overlap.radius + lane);
+    }
+
+    /// The normal from A to B, and the points midway between the surfaces, from A's centre.
+    struct Geometry
+    {
+        Vector<F> normal;
+        Vector<F> points[2];
+    };
+
+    Geometry MeasureCircles(const Vector<F>& offset) const
+    {
+        const F zero = F::Set(0.0f);
+        const F one = F::Set(1.0f);
+        Geometry g;
+        const Vector<F> reference = At(overlap.referenceX, overlap.referenceY);
+        const Vector<F> onB = Add(offset, At(overlap.pointX[0], overlap.pointY[0]));
+        const Vector<F> between = Subtract(onB, reference);
+        const F length = Sqrt(between.x * between.x + between.y * between.y);
+        const auto apart = AtLeast(length, F::Set(kNearlyNothing));
+        const F inverse = one / Select(apart, length, one);
+        g.normal = {Select(apart, between.x * inverse, one),
+                    Select(apart, between.y * inverse, zero)};
+        const Vector<F> surfaceA = Add(reference, Scale(At(from.radiusFace), g.normal));
+        const Vector<F> surfaceB = Subtract(onB, Scale(At(from.radiusOther), g.normal));
+        g.points[0] = Scale(F::Set(0.5f), Add(surfaceA, surfaceB));
+        return g;
+    }
+
+    Geometry MeasureFace(const Vector<F>& offset) const
+    {
+        Geometry g;
+        const Vector<F> normal = At(overlap.normalX, overlap.normalY);
+        const Vector<F> reference = At(overlap.referenceX, overlap.referenceY);
+        const F radiusFace = At(from.radiusFace);
+        const F radiusOther = At(from.radiusOther);
+        g.normal = kFaceOnB ? Vector<F>{-normal.x, -normal.y} : normal;
+        const Vector<F> face = kFaceOnB ? Add(offset, reference) : reference;
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            const Vector<F> point = At(overlap.pointX[i], overlap.pointY[i]);
+            const Vector<F> core = kFaceOnB ? point : Add(offset, point);
+            const F toFace = radiusFace - Dot(Subtract(core, face), normal);
+            const Vector<F> onFace = Add(core, Scale(toFace, normal));
+            const Vector<F> onOther = Subtract(core, Scale(radiusOther, normal));
+            g.points[i] = Scale(F::Set(0.5f), Add(onFace, onOther));
+        }
+        return g;
+    }
+
+    void CarryImpulses(PointLanes& p, int i, float32 share) const
+    {
+        const F zero = F::Set(0.0f);
+        const F most = F::Set(b2_maxFloat);
+        const F normal = At(from.normalImpulse[i]);
+        const F tangent = At(from.tangentImpulse[i]);
+        Select(AtLeast(most, normal), F::Set(share) * normal, zero).Store(p.normalImpulse + lane);
+        Select(And(AtLeast(most, tangent), AtLeast(tangent, -most)), F::Set(share) * tangent, zero)
+            .Store(p.tangentImpulse + lane);
+    }
+
+    struct Bodies
+    {
+        F a[4], b[4]; // vx, vy, w, and the angle
+        F invMassA, invInertiaA, invMassB, invInertiaB;
+    };
+
+    void FillPoint(PointLanes& p, const Bodies& bodies, const Vector<F>& normal,
+                   const Vector<F>& armA, const Vector<F>& armB) const
+    {
+        const F zero = F::Set(0.0f);
+        Put(armA, p.armAX, p.armAY);
+        Put(armB, p.armBX, p.armBY);
+        const Vector<F> tangent = {normal.y, -normal.x};
+        const F mass = bodies.invMassA + bodies.invMassB;
+        const F nA = Cross(armA, normal);
+        const F nB = Cross(armB, normal);
+        const F tA = Cross(armA, tangent);
+        const F tB = Cross(armB, tangent);
+        Inverse(mass + bodies.invInertiaA * nA * nA + bodies.invInertiaB * nB * nB)
+            .Store(p.normalMass + lane);
+        Inverse(mass + bodies.invInertiaA * tA * tA + bodies.invInertiaB * tB * tB)
+            .Store(p.tangentMass + lane);
+        const Vector<F> speed = {
+            bodies.b[0] - bodies.b[2] * armB.y - bodies.a[0] + bodies.a[2] * armA.y,
+            bodies.b[1] + bodies.b[2] * armB.x - bodies.a[1] - bodies.a[2] * armA.x};
+        const F approach = Dot(speed, normal);
+        const auto fast = Less(approach, F::Set(-b2_velocityThreshold));
+        Select(fast, -At(from.restitution) * approach, zero).Store(p.bias + lane);
+    }
+
+    void FillCoupling(const Bodies& bodies, const Vector<F>& normal) const
+    {
+        const PointLanes& p1 = block.points[0];
+        const PointLanes& p2 = block.points[1];
+        const F a1 = Cross(At(p1.armAX, p1.armAY), normal);
+        const F b1 = Cross(At(p1.armBX, p1.armBY), normal);
+        const F a2 = Cross(At(p2.armAX, p2.armAY), normal);
+        const F b2 = Cross(At(p2.armBX, p2.armBY), normal);
+        const F mass = bodies.invMassA + bodies.invMassB;
+        const F k11 = mass + bodies.invInertiaA * a1 * a1 + bodies.invInertiaB * b1 * b1;
+        const F k22 = mass + bodies.invInertiaA * a2 * a2 + bodies.invInertiaB * b2 * b2;
+        const F k12 = mass + bodies.invInertiaA * a1 * a2 + bodies.invInertiaB * b1 * b2;
+        const F determinant = k11 * k22 - k12 * k12;
+        const auto coupled = Less(k11 * k11, F::Set(kMaxCondition) * determinant);
+        k11.Store(block.k11 + lane);
+        k12.Store(block.k12 + lane);
+        k22.Store(block.k22 + lane);
+        Select(coupled, F::Set(1.0f), F::Set(0.0f)).Store(block.coupled + lane);
+    }
+
+    void Prepare(const float32* bodyNumbers, float32 share) const
+    {
+        FillOverlap();
+        const Vector<F> offset = At(overlap.offsetX, overlap.offsetY);
+        const Geometry g =
+            kKind == OverlapKind::Centers ? MeasureCircles(offset) : MeasureFace(offset);
+        Put(g.normal, block.normalX, block.normalY);
+        Bodies bodies;
+        LoadRows(bodyNumbers, kBodyStride, block.bodyA + lane, bodies.a);
+        LoadRows(bodyNumbers, kBodyStride, block.bodyB + lane, bodies.b);
+        bodies.invMassA = At(block.invMassA);
+        bodies.invInertiaA = At(block.invInertiaA);
+        bodies.invMassB = At(block.invMassB);
+        bodies.invInertiaB = At(block.invInertiaB);
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            CarryImpulses(block.points[i], i, share);
+            FillPoint(block.points[i], bodies, g.normal, g.points[i],
+                      Subtract(g.points[i], offset));
+        }
+        if (block.pointCount == 2)
+        {
+            FillCoupling(bodies, g.normal);
+        }
+    }
+};
+
+template <class F, OverlapKind kKind>
+void PrepareBlockOf(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
+                    const float32* bodies, float32 share)
+{
+    for (int lane = 0; lane < block.count; lane += F::kLanes)
+    {
+        BlockPreparer<F, kKind>{from, block, overlap, lane}.Prepare(bodies, share);
+    }
+}
+
+template <class F>
+void PrepareBlock(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
+                  const float32* bodies, float32 share)
+{
+    switch (overlap.kind)
+    {
+    case OverlapKind::FaceA:
+        return PrepareBlockOf<F, OverlapKind::FaceA>(from, block, overlap, bodies, share);
+    case OverlapKind::FaceB:
+        return PrepareBlockOf<F, OverlapKind::FaceB>(from, block, overlap, bodies, share);
+    default:
+        return PrepareBlockOf<F, OverlapKind::Centers>(from, block, overlap, bodies, share);
+    }
+}
+
+} // namespace
+} // namespace box2d
