@@ -89,6 +89,8 @@ public:
     void ShiftOrigin(const b2Vec2& newOrigin);
 
 private:
+    class Segment;
+
     // 32 bytes, two to a cache line.
     struct Node
     {
@@ -147,11 +149,11 @@ void b2DynamicTree::ForEachOverlap(const b2AABB& aabb, Visit&& visit) const
     {
         return;
     }
+    // What waits on the stack overlaps.
     b2GrowableStack<int32, 256> stack;
-    stack.Push(m_root);
-    while (stack.GetCount() > 0)
+    int32 id = m_root;
+    while (true)
     {
-        const int32 id = stack.Pop();
         const Node& node = m_nodes[id];
         if (node.IsLeaf())
         {
@@ -159,75 +161,136 @@ void b2DynamicTree::ForEachOverlap(const b2AABB& aabb, Visit&& visit) const
             {
                 return;
             }
-            continue;
         }
-        for (const int32 child : node.link.child)
+        else
         {
-            if (b2TestOverlap(m_nodes[child].aabb, aabb))
+            const int32 first = node.link.child[0];
+            const int32 second = node.link.child[1];
+            const bool isFirst = b2TestOverlap(m_nodes[first].aabb, aabb);
+            if (b2TestOverlap(m_nodes[second].aabb, aabb))
             {
-                stack.Push(child);
+                if (isFirst)
+                {
+                    stack.Push(first);
+                }
+                id = second;
+                continue;
+            }
+            if (isFirst)
+            {
+                id = first;
+                continue;
             }
         }
+        if (stack.GetCount() == 0)
+        {
+            return;
+        }
+        id = stack.Pop();
     }
 }
+
+/// What a ray is to the boxes of a tree: a segment that may become shorter.
+class b2DynamicTree::Segment
+{
+public:
+    explicit Segment(const b2RayCastInput& input)
+        : m_p1(input.p1), m_d(input.p2 - input.p1), m_across(m_d.Skew()),
+          m_absAcross(b2Abs(m_across))
+    {
+        CutAt(input.maxFraction);
+    }
+
+    void CutAt(float32 fraction)
+    {
+        const b2Vec2 end = m_p1 + fraction * m_d;
+        m_lower = b2Min(m_p1, end);
+        m_upper = b2Max(m_p1, end);
+    }
+
+    /// A segment misses a box when one of three directions separates them: the two axes, and the
+    /// one across the segment. All are looked at, for which of them does it is hard to foresee and
+    /// a branch would cost more.
+    bool Meets(const b2AABB& box) const
+    {
+        const float32 offset = b2Dot(m_across, m_p1 - box.GetCenter());
+        const float32 reach = b2Dot(m_absAcross, box.GetExtents());
+        return (box.lowerBound.x <= m_upper.x) & (m_lower.x <= box.upperBound.x) &
+               (box.lowerBound.y <= m_upper.y) & (m_lower.y <= box.upperBound.y) &
+               !(b2Abs(offset) > reach);
+    }
+
+    /// Whether b lies before a along the ray, by their centres.
+    bool IsBefore(const b2AABB& b, const b2AABB& a) const
+    {
+        const b2Vec2 fromAToB = (b.lowerBound + b.upperBound) - (a.lowerBound + a.upperBound);
+        return b2Dot(fromAToB, m_d) < 0.0f;
+    }
+
+private:
+    b2Vec2 m_p1;
+    b2Vec2 m_d;
+    b2Vec2 m_across;
+    b2Vec2 m_absAcross;
+    b2Vec2 m_lower; ///< the corners of the box around what is left of the segment
+    b2Vec2 m_upper;
+};
 
 template <typename T>
 void b2DynamicTree::RayCast(T* callback, const b2RayCastInput& input) const
 {
-    if (m_root == b2_nullNode)
+    Segment segment(input);
+    if (m_root == b2_nullNode || !segment.Meets(m_nodes[m_root].aabb))
     {
         return;
     }
-    const b2Vec2 p1 = input.p1;
-    const b2Vec2 d = input.p2 - input.p1;
-    const b2Vec2 across = d.Skew();
-    const b2Vec2 absAcross = b2Abs(across);
-    float32 maxFraction = input.maxFraction;
-    b2Vec2 end = p1 + maxFraction * d;
-    b2AABB bounds;
-    bounds.lowerBound = b2Min(p1, end);
-    bounds.upperBound = b2Max(p1, end);
-
+    b2RayCastInput subInput = input;
     b2GrowableStack<int32, 256> stack;
-    stack.Push(m_root);
-    while (stack.GetCount() > 0)
+    int32 id = m_root;
+    while (true)
     {
-        const int32 id = stack.Pop();
         const Node& node = m_nodes[id];
-        // A segment misses a box when one of three directions separates them: the two axes, and
-        // the one across the segment.
-        if (!b2TestOverlap(node.aabb, bounds) || b2Abs(b2Dot(across, p1 - node.aabb.GetCenter())) >
-                                                     b2Dot(absAcross, node.aabb.GetExtents()))
+        if (node.IsLeaf())
         {
-            continue;
+            const float32 value = callback->RayCastCallback(subInput, id);
+            if (value == 0.0f)
+            {
+                return;
+            }
+            if (value > 0.0f)
+            {
+                subInput.maxFraction = value;
+                segment.CutAt(value);
+            }
         }
-        if (!node.IsLeaf())
+        else
         {
-            // What is further along the ray waits, since a hit may make it needless.
-            const b2AABB& a = m_nodes[node.link.child[0]].aabb;
-            const b2AABB& b = m_nodes[node.link.child[1]].aabb;
-            const b2Vec2 fromAToB = (b.lowerBound + b.upperBound) - (a.lowerBound + a.upperBound);
-            const int32 nearer = b2Dot(fromAToB, d) < 0.0f ? 1 : 0;
-            stack.Push(node.link.child[1 - nearer]);
-            stack.Push(node.link.child[nearer]);
-            continue;
+            const int32* child = node.link.child;
+            const b2AABB& first = m_nodes[child[0]].aabb;
+            const b2AABB& second = m_nodes[child[1]].aabb;
+            const bool isFirst = segment.Meets(first);
+            const bool isSecond = segment.Meets(second);
+            if (isFirst && isSecond)
+            {
+                // What is further along the ray waits, since a hit may make it needless.
+                const int32 nearer = segment.IsBefore(second, first) ? 1 : 0;
+                stack.Push(child[1 - nearer]);
+                id = child[nearer];
+                continue;
+            }
+            if (isFirst || isSecond)
+            {
+                id = child[isFirst ? 0 : 1];
+                continue;
+            }
         }
-
-        b2RayCastInput subInput;
-        subInput.p1 = input.p1;
-        subInput.p2 = input.p2;
-        subInput.maxFraction = maxFraction;
-        const float32 value = callback->RayCastCallback(subInput, id);
-        if (value == 0.0f)
+        do
         {
-            return;
-        }
-        if (value > 0.0f)
-        {
-            maxFraction = value;
-            end = p1 + maxFraction * d;
-            bounds.lowerBound = b2Min(p1, end);
-            bounds.upperBound = b2Max(p1, end);
-        }
+            if (stack.GetCount() == 0)
+            {
+                return;
+            }
+            id = stack.Pop();
+        } while (!segment.Meets(m_nodes[id].aabb)); // the ray may have become shorter
     }
 }
