@@ -2,10 +2,14 @@
 #include "CollisionSupport.h"
 
 #include <Box2D/Collision/b2BroadPhase.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+#include <Dynamics/Proxies.h>
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -107,4 +111,62 @@ TEST(BroadPhase, TellsEveryPairOfMovedProxiesOnceAndInOrder)
     EXPECT_GT(broadPhase.GetTreeHeight(), 4);
     EXPECT_GT(broadPhase.GetTreeQuality(), 1.0f);
     EXPECT_GE(broadPhase.GetTreeBalance(), 0);
+}
+
+TEST(WorldProxies, TellTheSamePairsAfterTheStaticTreeWasBuiltAnew)
+{
+    Random random(52);
+    std::vector<b2FixtureProxy> every(3200);
+    const std::span<b2FixtureProxy> moving(every.begin(), 200);
+    const std::span<b2FixtureProxy> fixed(every.begin() + 200, 3000);
+    box2d::Proxies all;
+    const auto pairs = [&all] {
+        std::set<std::pair<const b2FixtureProxy*, const b2FixtureProxy*>> told;
+        all.FindPairs([&told](const b2FixtureProxy* a, const b2FixtureProxy* b) {
+            const bool isFirst = std::less<>()(a, b); // either may have been the one that moved
+            EXPECT_TRUE(told.emplace(isFirst ? a : b, isFirst ? b : a).second);
+        });
+        return told;
+    };
+    for (b2FixtureProxy& m : moving)
+    {
+        m.aabb = RandomBox(random);
+        m.proxyId = all.Create(m.aabb, box2d::Mobility::Dynamic, &m);
+    }
+    pairs();
+
+    const auto ratio = [&all] { return all.TreeOf(box2d::Mobility::Static).GetAreaRatio(); };
+    int rebuilt = 0;
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+    {
+        // In rows, for which insertion makes a poor tree.
+        const b2Vec2 corner(0.2f * static_cast<float>(i % 100) - 10.0f,
+                            0.6f * static_cast<float>(i / 100) - 10.0f);
+        fixed[i].aabb.lowerBound = corner;
+        fixed[i].aabb.upperBound = corner + b2Vec2(0.1f, 0.1f);
+        fixed[i].proxyId = all.Create(fixed[i].aabb, box2d::Mobility::Static, &fixed[i]);
+        if (i % 100 == 99)
+        {
+            const float32 before = ratio();
+            for (const b2FixtureProxy& proxy : moving)
+            {
+                all.Touch(proxy.proxyId);
+            }
+            std::size_t expected = 0;
+            const auto told = pairs();
+            for (const b2FixtureProxy& m : moving)
+            {
+                for (std::size_t k = 0; k <= i; ++k)
+                {
+                    expected += b2TestOverlap(m.aabb, fixed[k].aabb);
+                    ASSERT_EQ(told.contains({&m, &fixed[k]}), b2TestOverlap(m.aabb, fixed[k].aabb));
+                }
+            }
+            ASSERT_GT(expected, 0u);
+            rebuilt += ratio() < before;
+        }
+    }
+    EXPECT_EQ(all.TreeOf(box2d::Mobility::Static).WhyInvalid(), nullptr);
+    // At 1000 and 2000: each time half of what there is was added since.
+    EXPECT_EQ(rebuilt, 2);
 }

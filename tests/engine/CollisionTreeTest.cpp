@@ -177,6 +177,113 @@ TEST(Tree, RayMeetsEveryBoxThatItCrosses)
     }
 }
 
+TEST(Tree, RayAsksOnlyBoxesThatWhatIsLeftOfItMeets)
+{
+    // Answers that cut the ray at random, as hits would.
+    struct Cutter
+    {
+        float32 RayCastCallback(const b2RayCastInput& input, int32 proxyId)
+        {
+            const b2Vec2 d = input.p2 - input.p1;
+            const b2AABB& box = tree->GetFatAABB(proxyId);
+            const float64 nearest = NearestFraction(input, box);
+            EXPECT_LE(nearest, input.maxFraction + 1e-4);
+            EXPECT_LE(Distance(input.p1, d, nearest, box), 1e-4);
+            ++calls;
+            return random->Integer(0, 3) == 0 ? 0.9f * input.maxFraction : -1.0f;
+        }
+        typedef double float64;
+        // Where between 0 and 1 the ray comes closest to the box, found by trisection, for the
+        // distance to a convex set is convex along a line.
+        static float64 NearestFraction(const b2RayCastInput& input, const b2AABB& box)
+        {
+            float64 low = 0.0;
+            float64 high = input.maxFraction;
+            const b2Vec2 d = input.p2 - input.p1;
+            for (int i = 0; i < 100; ++i)
+            {
+                const float64 third = (high - low) / 3.0;
+                const bool isInLower = Distance(input.p1, d, low + third, box) <=
+                                       Distance(input.p1, d, high - third, box);
+                (isInLower ? high : low) = isInLower ? high - third : low + third;
+            }
+            return low;
+        }
+        static float64 Distance(const b2Vec2& p, const b2Vec2& d, float64 t, const b2AABB& box)
+        {
+            const float64 x = p.x + t * d.x;
+            const float64 y = p.y + t * d.y;
+            const float64 outX = std::max({box.lowerBound.x - x, x - box.upperBound.x, 0.0});
+            const float64 outY = std::max({box.lowerBound.y - y, y - box.upperBound.y, 0.0});
+            return std::hypot(outX, outY);
+        }
+        const b2DynamicTree* tree;
+        Random* random;
+        int calls = 0;
+    };
+    Random random(44);
+    b2DynamicTree tree;
+    for (int i = 0; i < 1000; ++i)
+    {
+        tree.CreateProxyExact(RandomBox(random), i);
+    }
+    Cutter cutter{&tree, &random};
+    for (int i = 0; i < 500; ++i)
+    {
+        tree.RayCast(&cutter, {random.Point(60.0f), random.Point(60.0f), 1.0f});
+    }
+    EXPECT_GT(cutter.calls, 1000);
+}
+
+TEST(Tree, BuildsTheSameTreeWhateverItWasBefore)
+{
+    Random random(45);
+    std::vector<b2AABB> boxes;
+    for (int i = 0; i < 2000; ++i)
+    {
+        // Many centres on a line, and many alike.
+        const bool isAligned = random.Integer(0, 1) == 0;
+        const b2Vec2 center(isAligned ? 5.0f : random.Real(-50.0f, 50.0f),
+                            static_cast<float>(random.Integer(-20, 20)));
+        const b2Vec2 half = b2Abs(random.Point(1.0f));
+        boxes.push_back(Box(center, half.x, half.y));
+    }
+    b2DynamicTree once;
+    b2DynamicTree twice;
+    for (int32 i = 0; i < 2000; ++i)
+    {
+        once.CreateProxyExact(boxes[static_cast<std::size_t>(i)], i);
+        twice.CreateProxyExact(boxes[static_cast<std::size_t>(i)], i);
+    }
+    once.RebuildBottomUp();
+    twice.RebuildBottomUp();
+    twice.RebuildBottomUp();
+    EXPECT_EQ(Invalid(once), "");
+    std::vector<int32> orders[2];
+    for (int k = 0; k < 2; ++k)
+    {
+        (k == 0 ? once : twice).ForEachOverlap(Box(b2Vec2_zero, 60.0f, 60.0f), [&](int32 id) {
+            orders[k].push_back(id);
+            return true;
+        });
+    }
+    EXPECT_EQ(orders[0].size(), 2000u);
+    EXPECT_EQ(orders[0], orders[1]);
+}
+
+TEST(Tree, IsBetterBuiltAnewThanInsertedInRows)
+{
+    b2DynamicTree tree;
+    for (int32 i = 0; i < 2000; ++i)
+    {
+        const b2Vec2 center(3.0f * static_cast<float>(i % 50), 3.0f * static_cast<float>(i / 50));
+        tree.CreateProxyExact(Box(center, 1.0f, 1.0f), i);
+    }
+    const float32 inserted = tree.GetAreaRatio();
+    tree.RebuildBottomUp();
+    EXPECT_LT(tree.GetAreaRatio(), 0.9f * inserted);
+}
+
 TEST(Tree, MovesAProxyOnlyWhenItLeavesItsFatBox)
 {
     b2DynamicTree tree;

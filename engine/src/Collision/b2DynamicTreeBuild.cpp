@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The tree built anew, from the top: at each node the leaves are sorted along an axis and parted
-// where the perimeters of the two parts, each times its number of leaves, add up to the least
-// (Wald 2007 for the heuristic's use in full builds).
+// The tree built anew, from the top: at each node the leaves are parted along an axis where the
+// perimeters of the two parts, each times its number of leaves, add up to the least (Wald 2007 for
+// the heuristic's use in full builds). They are sorted along both axes once; parting keeps the
+// order of either (Wald and Havran 2006), so that a level of the tree costs a pass and no sorting.
 #include <Box2D/Collision/b2DynamicTree.h>
 
 #include <Box2D/Common/Array.h>
@@ -22,54 +23,12 @@ float32 HalfPerimeter(const b2AABB& box)
     return (box.upperBound.x - box.lowerBound.x) + (box.upperBound.y - box.lowerBound.y);
 }
 
-// By twice the centre; equal centres by number, so that the order is always the same.
-void Sort(Leaf* leaves, int32 count, int32 axis)
-{
-    std::sort(leaves, leaves + count, [axis](const Leaf& a, const Leaf& b) {
-        const float32 centerA = a.aabb.lowerBound(axis) + a.aabb.upperBound(axis);
-        const float32 centerB = b.aabb.lowerBound(axis) + b.aabb.upperBound(axis);
-        return centerA != centerB ? centerA < centerB : a.id < b.id;
-    });
-}
+// The order of the leaves along one axis; a part of the tree has the same range of both orders.
+typedef box2d::Array<int32> Order;
 
-// Sorts along the axis in which the centres spread more.
-void SortAlongSpread(Leaf* leaves, int32 count)
+float32 TwiceCenter(const Leaf& leaf, int32 axis)
 {
-    b2Vec2 lower(b2_maxFloat, b2_maxFloat);
-    b2Vec2 upper = -lower;
-    for (int32 i = 0; i < count; ++i)
-    {
-        const b2Vec2 center = leaves[i].aabb.GetCenter();
-        lower = b2Min(lower, center);
-        upper = b2Max(upper, center);
-    }
-    Sort(leaves, count, upper.x - lower.x >= upper.y - lower.y ? 0 : 1);
-}
-
-// How many of the sorted leaves go to the first part; costs is room for as many numbers.
-int32 FindSplit(const Leaf* leaves, int32 count, float32* costs)
-{
-    b2AABB box = leaves[count - 1].aabb;
-    for (int32 i = count - 1; i > 0; --i)
-    {
-        box.Combine(leaves[i].aabb);
-        costs[i] = HalfPerimeter(box) * static_cast<float32>(count - i);
-    }
-    int32 best = count / 2;
-    float32 bestCost = b2_maxFloat;
-    box = leaves[0].aabb;
-    for (int32 i = 1; i < count; ++i)
-    {
-        const float32 cost = HalfPerimeter(box) * static_cast<float32>(i) + costs[i];
-        const bool isMoreEven = b2Abs(2 * i - count) < b2Abs(2 * best - count);
-        if (cost < bestCost || (cost == bestCost && isMoreEven))
-        {
-            bestCost = cost;
-            best = i;
-        }
-        box.Combine(leaves[i].aabb);
-    }
-    return best;
+    return leaf.aabb.lowerBound(axis) + leaf.aabb.upperBound(axis);
 }
 
 struct Range
@@ -79,6 +38,107 @@ struct Range
     int32 parent;
     int32 side;
     int32 depth;
+};
+
+// Parts ranges of leaves; which node a part belongs to is the tree's affair.
+class Divider
+{
+public:
+    explicit Divider(box2d::Array<Leaf> leaves)
+        : m_leaves(std::move(leaves)), m_costs(m_leaves.size()), m_isInFirst(m_leaves.size()),
+          m_second(m_leaves.size())
+    {
+        for (int32 axis = 0; axis < 2; ++axis)
+        {
+            for (std::size_t i = 0; i < m_leaves.size(); ++i)
+            {
+                m_orders[axis].push_back(static_cast<int32>(i));
+            }
+            // Equal centres by number, so that the order is always the same.
+            std::sort(m_orders[axis].begin(), m_orders[axis].end(), [&](int32 a, int32 b) {
+                const float32 centerA = TwiceCenter(m_leaves[std::size_t(a)], axis);
+                const float32 centerB = TwiceCenter(m_leaves[std::size_t(b)], axis);
+                return centerA != centerB ? centerA < centerB : a < b;
+            });
+        }
+    }
+
+    int32 IdOfFirst(const Range& range) const { return At(0, range.first).id; }
+
+    /// How many of the range's leaves go to the first part, which comes first in both orders
+    /// afterwards.
+    int32 Divide(const Range& range, bool isEven)
+    {
+        const int32 axis = AxisOfSpread(range);
+        const int32 split = isEven ? range.count / 2 : FindSplit(range, axis);
+        const Order& order = m_orders[axis];
+        for (int32 i = 0; i < range.count; ++i)
+        {
+            m_isInFirst[std::size_t(order[std::size_t(range.first + i)])] = i < split;
+        }
+        Part(range, m_orders[1 - axis]);
+        return split;
+    }
+
+private:
+    const Leaf& At(int32 axis, int32 place) const
+    {
+        return m_leaves[std::size_t(m_orders[axis][std::size_t(place)])];
+    }
+
+    /// The axis in which the centres spread more.
+    int32 AxisOfSpread(const Range& range) const
+    {
+        const int32 last = range.first + range.count - 1;
+        const float32 x = TwiceCenter(At(0, last), 0) - TwiceCenter(At(0, range.first), 0);
+        const float32 y = TwiceCenter(At(1, last), 1) - TwiceCenter(At(1, range.first), 1);
+        return x >= y ? 0 : 1;
+    }
+
+    int32 FindSplit(const Range& range, int32 axis)
+    {
+        b2AABB box = At(axis, range.first + range.count - 1).aabb;
+        for (int32 i = range.count - 1; i > 0; --i)
+        {
+            box.Combine(At(axis, range.first + i).aabb);
+            m_costs[std::size_t(i)] = HalfPerimeter(box) * static_cast<float32>(range.count - i);
+        }
+        int32 best = range.count / 2;
+        float32 bestCost = b2_maxFloat;
+        box = At(axis, range.first).aabb;
+        for (int32 i = 1; i < range.count; ++i)
+        {
+            const float32 cost =
+                HalfPerimeter(box) * static_cast<float32>(i) + m_costs[std::size_t(i)];
+            const bool isMoreEven = b2Abs(2 * i - range.count) < b2Abs(2 * best - range.count);
+            if (cost < bestCost || (cost == bestCost && isMoreEven))
+            {
+                bestCost = cost;
+                best = i;
+            }
+            box.Combine(At(axis, range.first + i).aabb);
+        }
+        return best;
+    }
+
+    /// What is in the first part goes to the front; otherwise the order stays.
+    void Part(const Range& range, Order& order)
+    {
+        const auto begin = order.begin() + range.first;
+        auto front = begin;
+        auto back = m_second.begin();
+        for (auto i = begin; i != begin + range.count; ++i)
+        {
+            *(m_isInFirst[std::size_t(*i)] ? front++ : back++) = *i;
+        }
+        std::copy(m_second.begin(), back, front);
+    }
+
+    box2d::Array<Leaf> m_leaves; // by number
+    Order m_orders[2];           // places in m_leaves
+    box2d::Array<float32> m_costs;
+    box2d::Array<uint8> m_isInFirst; // by place in m_leaves
+    Order m_second;                  // room for a second part
 };
 } // namespace
 
@@ -103,15 +163,14 @@ void b2DynamicTree::RebuildBottomUp()
     }
 
     // A node is made before its children, so the heights can be set from the last to the first.
-    box2d::Array<float32> costs(leaves.size());
+    Divider divider(std::move(leaves));
     box2d::Array<int32> made;
     b2GrowableStack<Range, 256> stack;
     stack.Push({0, m_proxyCount, b2_nullNode, 0, 0});
     while (stack.GetCount() > 0)
     {
         const Range range = stack.Pop();
-        Leaf* first = leaves.data() + range.first;
-        const int32 node = range.count == 1 ? first->id : AllocateNode();
+        const int32 node = range.count == 1 ? divider.IdOfFirst(range) : AllocateNode();
         m_nodes[node].parent = range.parent;
         if (range.parent == b2_nullNode)
         {
@@ -126,11 +185,8 @@ void b2DynamicTree::RebuildBottomUp()
             continue;
         }
         made.push_back(node);
-        SortAlongSpread(first, range.count);
         // Deeper than this the heuristic peels off one leaf after another.
-        const int32 split = range.depth < BalanceLimit()
-                                ? FindSplit(first, range.count, costs.data())
-                                : range.count / 2;
+        const int32 split = divider.Divide(range, range.depth >= BalanceLimit());
         stack.Push({range.first, split, node, 0, range.depth + 1});
         stack.Push({range.first + split, range.count - split, node, 1, range.depth + 1});
     }

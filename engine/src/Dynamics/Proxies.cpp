@@ -4,6 +4,14 @@
 namespace box2d
 {
 
+namespace
+{
+
+/// Small trees are good enough as they grow.
+constexpr int32 kLeastAdded = 1000;
+
+} // namespace
+
 int32 Proxies::Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy)
 {
     const int32 tree = int32(mobility);
@@ -15,6 +23,7 @@ int32 Proxies::Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* p
     const int32 proxyId = (node << 2) | tree;
     Touch(proxyId);
     ++m_count;
+    m_staticAdded += mobility == Mobility::Static;
     return proxyId;
 }
 
@@ -38,6 +47,16 @@ void Proxies::Touch(int32 proxyId)
     {
         mark = kMoved;
         m_moved.push_back(proxyId);
+    }
+}
+
+void Proxies::RebuildStatic()
+{
+    b2DynamicTree& tree = m_trees[int32(Mobility::Static)];
+    if (m_staticAdded >= kLeastAdded && m_staticAdded >= tree.GetProxyCount() / 2)
+    {
+        tree.RebuildBottomUp();
+        m_staticAdded = 0;
     }
 }
 

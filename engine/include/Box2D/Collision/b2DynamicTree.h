@@ -196,7 +196,7 @@ class b2DynamicTree::Segment
 public:
     explicit Segment(const b2RayCastInput& input)
         : m_p1(input.p1), m_d(input.p2 - input.p1), m_across(m_d.Skew()),
-          m_absAcross(b2Abs(m_across))
+          m_absAcross(b2Abs(m_across)), m_twiceP1(2.0f * input.p1)
     {
         CutAt(input.maxFraction);
     }
@@ -213,8 +213,10 @@ public:
     /// a branch would cost more.
     bool Meets(const b2AABB& box) const
     {
-        const float32 offset = b2Dot(m_across, m_p1 - box.GetCenter());
-        const float32 reach = b2Dot(m_absAcross, box.GetExtents());
+        // Twice the distance of the centre and twice the reach of the box across the segment.
+        const b2Vec2 fromCenter = m_twiceP1 - (box.lowerBound + box.upperBound);
+        const float32 offset = b2Dot(m_across, fromCenter);
+        const float32 reach = b2Dot(m_absAcross, box.upperBound - box.lowerBound);
         return (box.lowerBound.x <= m_upper.x) & (m_lower.x <= box.upperBound.x) &
                (box.lowerBound.y <= m_upper.y) & (m_lower.y <= box.upperBound.y) &
                !(b2Abs(offset) > reach);
@@ -232,6 +234,7 @@ private:
     b2Vec2 m_d;
     b2Vec2 m_across;
     b2Vec2 m_absAcross;
+    b2Vec2 m_twiceP1;
     b2Vec2 m_lower; ///< the corners of the box around what is left of the segment
     b2Vec2 m_upper;
 };
