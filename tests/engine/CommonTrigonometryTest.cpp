@@ -60,6 +60,11 @@ TEST(SinCos, IsExactAtZeroAndAccurateAtQuarterTurns)
     box2d::SinCos(0.0f, &s, &c);
     EXPECT_EQ(s, 0.0f);
     EXPECT_EQ(c, 1.0f);
+    EXPECT_FALSE(std::signbit(s));
+    box2d::SinCos(-0.0f, &s, &c);
+    EXPECT_EQ(s, 0.0f);
+    EXPECT_TRUE(std::signbit(s));
+    EXPECT_EQ(c, 1.0f);
     for (int quarter = -4000; quarter <= 4000; ++quarter)
     {
         const double angle = quarter * 1.5707963267948966;

@@ -244,6 +244,27 @@ TEST(DynamicsContinuous, AnImpactWithinAStepIsReportedWithItsImpulse)
     EXPECT_NEAR(counter.largest, 100.0f * ball->GetMass(), 0.01f);
 }
 
+TEST(DynamicsContinuous, BothWallsOfACornerTakePartInTheImpact)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    Counter counter;
+    scene.world.SetContactListener(&counter);
+    for (const b2Vec2& end : {b2Vec2(0.0f, 5.0f), b2Vec2(5.0f, 0.0f)})
+    {
+        b2EdgeShape edge;
+        edge.Set(b2Vec2_zero, end);
+        Scene::Add(scene.Body(b2_staticBody, 0.0f, 0.0f), edge, 0.0f, 1.0f);
+    }
+    b2Body* ball = scene.Body(b2_dynamicBody, 1.3f, 1.3f);
+    Scene::AddBall(ball, 0.1f, 0.0f, 1.0f);
+    ball->SetBullet(true);
+    ball->SetLinearVelocity(b2Vec2(-50.0f, -50.0f));
+    scene.Step(2);
+    EXPECT_NEAR(ball->GetLinearVelocity().x, 50.0f, 0.1f);
+    EXPECT_NEAR(ball->GetLinearVelocity().y, 50.0f, 0.1f);
+    EXPECT_EQ(counter.postSolved, 2) << "one impact with two contacts";
+}
+
 TEST(DynamicsContinuous, AContactDisabledAtTheImpactLetsTheBodyGoOnItsWay)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));

@@ -113,6 +113,13 @@ double TaylorCosine(double x)
 template <int terms>
 void SineAndCosine(double angle, double* sine, double* cosine)
 {
+    // Most of what stands still has never been turned. The series give the same.
+    if (angle == 0.0)
+    {
+        *sine = angle;
+        *cosine = 1.0;
+        return;
+    }
     const Reduced r = TakeQuarterTurnsOff(angle);
     const double s = TaylorSine<terms>(r.angle);
     const double c = TaylorCosine<terms>(r.angle);

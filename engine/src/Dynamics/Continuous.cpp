@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
 #include "SolverArrays.h"
+#include "Sweeps.h"
 #include "World.h"
 
 #include <Box2D/Collision/b2TimeOfImpact.h>
@@ -9,7 +10,6 @@
 #include <Box2D/Dynamics/b2Fixture.h>
 
 #include <algorithm>
-#include <cmath>
 
 /// Continuous collision: impacts that the discrete step went through are found in the order of
 /// their times, the two bodies are taken back to the impact, solved there with what they touch, and
@@ -37,83 +37,6 @@ bool IsLater(const Event& a, const Event& b)
     return a.time != b.time ? a.time > b.time : a.order > b.order;
 }
 
-Pose Between(const Pose& from, const Pose& to, double share)
-{
-    return Pose{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
-                from.angle + share * (to.angle - from.angle)};
-}
-
-/// The body's pose at a fraction of the step that its way still covers.
-Pose PoseAt(const BodyData& body, float32 time)
-{
-    if (body.sweepStart >= 1.0f || time >= 1.0f)
-    {
-        return body.pose;
-    }
-    const double share = (double(time) - double(body.sweepStart)) / (1.0 - double(body.sweepStart));
-    return Between(body.previous, body.pose, share);
-}
-
-/// The rest of the way as a sweep from 0 to 1, seen from `origin`, with angles near zero.
-b2Sweep SweepFrom(const BodyData& body, float32 time, const Pose& origin)
-{
-    constexpr double turn = 2.0 * 3.14159265358979323846;
-    const Pose start = PoseAt(body, time);
-    const double wholeTurns = turn * std::floor(start.angle / turn);
-    b2Sweep sweep;
-    sweep.localCenter = body.localCenter;
-    sweep.c0 = b2Vec2(float32(start.x - origin.x), float32(start.y - origin.y));
-    sweep.c = b2Vec2(float32(body.pose.x - origin.x), float32(body.pose.y - origin.y));
-    sweep.a0 = float32(start.angle - wholeTurns);
-    sweep.a = float32(body.pose.angle - wholeTurns);
-    sweep.alpha0 = 0.0f;
-    return sweep;
-}
-
-b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep)
-{
-    b2Transform from;
-    b2Transform to;
-    sweep.GetTransform(&from, 0.0f);
-    sweep.GetTransform(&to, 1.0f);
-    b2AABB box;
-    b2AABB end;
-    shape.ComputeAABB(&box, from, child);
-    shape.ComputeAABB(&end, to, child);
-    box.Combine(end);
-    return box;
-}
-
-float32 Way(const BodyData& body)
-{
-    const float32 dx = float32(body.pose.x - body.previous.x);
-    const float32 dy = float32(body.pose.y - body.previous.y);
-    return b2Vec2(dx, dy).Length() +
-           b2Abs(float32(body.pose.angle - body.previous.angle)) * body.maxExtent;
-}
-
-bool IsFast(const BodyData& body)
-{
-    return body.IsDynamic() && Way(body) > kFastShare * body.minExtent;
-}
-
-/// Whether two bodies on their straight ways come as near to each other as their circles reach:
-/// nothing of them can touch else. Each way counts from its present start, all of it.
-bool CirclesMeet(const BodyData& a, const BodyData& b)
-{
-    const b2Vec2 start(float32(b.previous.x - a.previous.x), float32(b.previous.y - a.previous.y));
-    const b2Vec2 end(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
-    const b2Vec2 way = end - start;
-    const float32 along = -b2Dot(start, way);
-    const float32 square = way.LengthSquared();
-    // Where on the way, from 0 to 1, the centres are nearest.
-    const float32 share = along <= 0.0f || square == 0.0f ? 0.0f : b2Min(along / square, 1.0f);
-    const b2Vec2 nearest = start + share * way;
-    // A slop for what rounding adds.
-    const float32 reach = a.maxExtent + b.maxExtent + b2_linearSlop;
-    return nearest.LengthSquared() <= reach * reach;
-}
-
 /// Bodies that continuous collision stops at: immovable ones, or anything when a bullet is
 /// involved.
 bool IsObstacle(const BodyData& body)
@@ -138,6 +61,7 @@ private:
     bool IsValid(const Event& event) const;
     bool Resolve(const Event& event);
     void AddNeighbours(b2Body& body, float32 time);
+    static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
     void SolvePositions(b2Body& bodyA, b2Body& bodyB);
     void SolveVelocities(float32 timeLeft);
     void Advance(BodyData& body, float32 time);
@@ -151,6 +75,9 @@ private:
         float32 sweepStart;
         b2Vec2 v;
         float32 w;
+        b2Rot rotation; // and what else is made of the pose
+        b2Transform transform;
+        b2Vec2 worldCenter;
     };
     bool HasNewWay(std::size_t index) const;
     Backup Save(b2Body& body) const;
@@ -227,16 +154,17 @@ void ImpactSolver::LookAt(b2Contact& contact)
     {
         return;
     }
-    if (a.sweepStart == b.sweepStart && !CirclesMeet(a, b))
+    const Pose fromA = PoseAt(a, start);
+    const Pose fromB = PoseAt(b, start);
+    if (!CirclesMeet(a, fromA, b, fromB))
     {
         return;
     }
-    const Pose origin = PoseAt(a, start);
     const b2Shape& shapeA = *c.fixtureA->GetShape();
     const b2Shape& shapeB = *c.fixtureB->GetShape();
     b2TOIInput input;
-    input.sweepA = SweepFrom(a, start, origin);
-    input.sweepB = SweepFrom(b, start, origin);
+    input.sweepA = SweepFrom(a, fromA, fromA);
+    input.sweepB = SweepFrom(b, fromB, fromA);
     if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA),
                        SweptBox(shapeB, c.childB, input.sweepB)))
     {
@@ -271,7 +199,8 @@ ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const
 {
     const BodyData& data = Data(body);
     return Backup{&body,           data.pose,           data.previous,
-                  data.sweepStart, data.linearVelocity, data.angularVelocity};
+                  data.sweepStart, data.linearVelocity, data.angularVelocity,
+                  data.rotation,   data.transform,      data.worldCenter};
 }
 
 /// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
@@ -292,13 +221,15 @@ void ImpactSolver::Restore(const Backup& backup)
     data.pose = backup.pose;
     data.previous = backup.previous;
     data.sweepStart = backup.sweepStart;
-    SynchronizePose(data);
+    data.rotation = backup.rotation;
+    data.transform = backup.transform;
+    data.worldCenter = backup.worldCenter;
 }
 
 /// Stops the body where it is at that time.
 void ImpactSolver::Advance(BodyData& body, float32 time)
 {
-    if (body.mobility == Mobility::Static || body.sweepStart > time)
+    if (!CanAdvance(body, time))
     {
         return;
     }
@@ -357,6 +288,14 @@ bool ImpactSolver::Resolve(const Event& event)
     return true;
 }
 
+/// Whether a body could touch another that was not known to be part of the event.
+bool ImpactSolver::IsNear(const BodyData& body, const BodyData& other, bool known, float32 time)
+{
+    const Pose pose = known || !CanAdvance(other, time) ? other.pose : PoseAt(other, time);
+    const b2Vec2 offset(float32(pose.x - body.pose.x), float32(pose.y - body.pose.y));
+    return IsWithin(offset, Reach(body, other));
+}
+
 // What the body touches at the time of the impact takes part, except ordinary dynamic bodies: they
 // are not swept, and would get the impulse a second time.
 void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
@@ -377,6 +316,11 @@ void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
             continue;
         }
         const bool known = std::find(m_bodies.begin(), m_bodies.end(), &other) != m_bodies.end();
+        if (!c.IsTouching() && !IsNear(Data(body), Data(other), known, time))
+        {
+            c.flags |= kContactEnabled; // as every contact that is looked at
+            continue;
+        }
         const Backup backup = Save(other);
         if (!known)
         {

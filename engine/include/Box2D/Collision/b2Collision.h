@@ -184,6 +184,7 @@ bool b2TestOverlap(const b2Shape* shapeA, int32 indexA, const b2Shape* shapeB, i
 /// Boxes that only touch overlap too.
 constexpr bool b2TestOverlap(const b2AABB& a, const b2AABB& b)
 {
-    return a.lowerBound.x <= b.upperBound.x && b.lowerBound.x <= a.upperBound.x &&
-           a.lowerBound.y <= b.upperBound.y && b.lowerBound.y <= a.upperBound.y;
+    // All four are compared: which of them fails is hard to foresee, and a branch would cost more.
+    return (a.lowerBound.x <= b.upperBound.x) & (b.lowerBound.x <= a.upperBound.x) &
+           (a.lowerBound.y <= b.upperBound.y) & (b.lowerBound.y <= a.upperBound.y);
 }
