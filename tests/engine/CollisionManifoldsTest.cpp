@@ -193,6 +193,73 @@ TEST(Manifold, OfPolygonsEqualsPlainClipping)
     EXPECT_GT(onePoint, 500);
 }
 
+// The face of the first from which the other is furthest, one vertex after the other.
+int32 PlainFace(const b2PolygonShape& polygon, const b2PolygonShape& other,
+                const b2Transform& otherInPolygon, float32* separation)
+{
+    int32 face = 0;
+    *separation = -b2_maxFloat;
+    for (int32 i = 0; i < polygon.m_count; ++i)
+    {
+        float32 deepest = b2_maxFloat;
+        for (int32 j = 0; j < other.m_count; ++j)
+        {
+            const b2Vec2 v = b2Mul(otherInPolygon, other.m_vertices[j]);
+            deepest = b2Min(deepest, b2Dot(polygon.m_normals[i], v - polygon.m_vertices[i]));
+        }
+        if (deepest > *separation)
+        {
+            *separation = deepest;
+            face = i;
+        }
+    }
+    return face;
+}
+
+TEST(Manifold, OfPolygonsHasTheFaceOfAPlainSearchToTheBit)
+{
+    Random random(64);
+    int touching = 0;
+    int apart = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        b2PolygonShape a = random.Polygon(1.0f);
+        b2PolygonShape b = random.Polygon(random.Integer(0, 3) == 0 ? 1000.0f : 1.0f);
+        if (i % 4 == 0)
+        {
+            a.SetAsBox(random.Real(0.1f, 1.0f), random.Real(0.1f, 1.0f));
+        }
+        b2Transform bInA = random.Transform(i % 2 == 0 ? 2.0f : 0.5f);
+        if (i % 8 == 0) // the same polygon in the same place, or turned by a quarter
+        {
+            b = a;
+            bInA = b2Transform(random.Integer(0, 1) == 0 ? b2Vec2_zero : bInA.p, b2Rot());
+            bInA.q = random.Integer(0, 1) == 0 ? bInA.q : b2Rot(0.5f * b2_pi);
+        }
+        const b2Transform aInB(b2MulT(bInA.q, -bInA.p), b2MulT(bInA.q, b2Rot()));
+        float32 separationA;
+        float32 separationB;
+        const int32 faceA = PlainFace(a, b, bInA, &separationA);
+        const int32 faceB = PlainFace(b, a, aInB, &separationB);
+
+        b2Manifold manifold;
+        box2d::CollidePolygons(&manifold, a, b, bInA);
+        const float32 radius = a.m_radius + b.m_radius;
+        if (separationA > radius || separationB > radius)
+        {
+            ASSERT_EQ(manifold.pointCount, 0) << i;
+            ++apart;
+            continue;
+        }
+        const bool isFaceB = separationB > separationA + 0.1f * b2_linearSlop;
+        ASSERT_EQ(manifold.type, isFaceB ? b2Manifold::e_faceB : b2Manifold::e_faceA) << i;
+        ASSERT_EQ(manifold.localNormal, isFaceB ? b.m_normals[faceB] : a.m_normals[faceA]) << i;
+        ++touching;
+    }
+    EXPECT_GT(touching, 5000);
+    EXPECT_GT(apart, 2000);
+}
+
 TEST(Manifold, OfABoxOnABoxHasTwoPointsAndTheWorldSeesThemMidway)
 {
     b2PolygonShape ground;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../Common/Simd.h"
 #include "FaceClip.h"
 #include "Manifolds.h"
 
@@ -10,40 +11,72 @@ namespace
 // differ by rounding only; without this the choice would flicker and the impulses be lost.
 constexpr float32 kPreferA = 0.1f * b2_linearSlop;
 
+using simd::Float4;
+static_assert(b2_maxPolygonVertices % Float4::kLanes == 0, "groups of vertices must not overhang");
+static_assert(sizeof(b2Vec2) == 2 * sizeof(float), "vectors are loaded as pairs");
+
+// Four vectors at once, from the given one on.
+void LoadVectors(const b2Vec2* from, Float4& x, Float4& y)
+{
+    simd::LoadPairs(&from->x, x, y);
+}
+
 // One polygon as seen from the other's frame.
 struct Seen
 {
-    b2Vec2 vertices[b2_maxPolygonVertices];
+    float x[b2_maxPolygonVertices];
+    float y[b2_maxPolygonVertices];
     int32 count;
+
+    b2Vec2 Vertex(int32 i) const { return {x[i], y[i]}; }
 };
 
 Seen See(const b2PolygonShape& polygon, const b2Transform& xf)
 {
     Seen seen;
     seen.count = polygon.m_count;
-    for (int32 i = 0; i < seen.count; ++i)
+    const Float4 s = Float4::Set(xf.q.s);
+    const Float4 c = Float4::Set(xf.q.c);
+    for (int32 i = 0; i < seen.count; i += Float4::kLanes)
     {
-        seen.vertices[i] = b2Mul(xf, polygon.m_vertices[i]);
+        Float4 x;
+        Float4 y;
+        LoadVectors(polygon.m_vertices + i, x, y);
+        (c * x - s * y + Float4::Set(xf.p.x)).Store(seen.x + i);
+        (s * x + c * y + Float4::Set(xf.p.y)).Store(seen.y + i);
     }
     return seen;
 }
 
 // The face from which the other polygon is furthest: the axis of least overlap among the normals.
+// Four faces are looked at together; of the places beyond the last, nothing is used.
 int32 FindFace(const b2PolygonShape& polygon, const Seen& other, float32* separation)
 {
+    float deepest[b2_maxPolygonVertices];
+    for (int32 i = 0; i < polygon.m_count; i += Float4::kLanes)
+    {
+        Float4 x;
+        Float4 y;
+        Float4 normalX;
+        Float4 normalY;
+        LoadVectors(polygon.m_vertices + i, x, y);
+        LoadVectors(polygon.m_normals + i, normalX, normalY);
+        Float4 least = Float4::Set(b2_maxFloat);
+        for (int32 j = 0; j < other.count; ++j)
+        {
+            const Float4 wayX = Float4::Set(other.x[j]) - x;
+            const Float4 wayY = Float4::Set(other.y[j]) - y;
+            least = Min(least, normalX * wayX + normalY * wayY);
+        }
+        least.Store(deepest + i);
+    }
     int32 face = 0;
     *separation = -b2_maxFloat;
     for (int32 i = 0; i < polygon.m_count; ++i)
     {
-        const b2Vec2 normal = polygon.m_normals[i];
-        float32 deepest = b2_maxFloat;
-        for (int32 j = 0; j < other.count; ++j)
+        if (deepest[i] > *separation)
         {
-            deepest = b2Min(deepest, b2Dot(normal, other.vertices[j] - polygon.m_vertices[i]));
-        }
-        if (deepest > *separation)
-        {
-            *separation = deepest;
+            *separation = deepest[i];
             face = i;
         }
     }
@@ -72,7 +105,7 @@ void ClipPolygon(b2Manifold* manifold, const b2PolygonShape& reference, int32 fa
     const ReferenceFace referenceFace = {reference.m_vertices[face], reference.m_vertices[faceEnd],
                                          reference.m_normals[face],  static_cast<uint8>(face),
                                          static_cast<uint8>(face),   static_cast<uint8>(faceEnd)};
-    const IncidentSide incidentSide = {seen.vertices[side],        seen.vertices[sideEnd],
+    const IncidentSide incidentSide = {seen.Vertex(side),          seen.Vertex(sideEnd),
                                        incident.m_vertices[side],  incident.m_vertices[sideEnd],
                                        static_cast<uint8>(side),   static_cast<uint8>(side),
                                        static_cast<uint8>(sideEnd)};

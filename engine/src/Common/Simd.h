@@ -94,6 +94,15 @@ inline Float4 Select(Mask4 which, Float4 yes, Float4 no)
     return {_mm_or_ps(_mm_and_ps(which.v, yes.v), _mm_andnot_ps(which.v, no.v))};
 }
 
+/// Four pairs, one after the other, become their first and their second numbers.
+inline void LoadPairs(const float* from, Float4& first, Float4& second)
+{
+    const __m128 a = _mm_loadu_ps(from);
+    const __m128 b = _mm_loadu_ps(from + 4);
+    first.v = _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0));
+    second.v = _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1));
+}
+
 /// Four rows of four numbers become their four columns, and back.
 inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
 {
@@ -194,6 +203,12 @@ inline Float4 Max(Float4 a, Float4 b)
     return Select(Mask4{vcgtq_f32(a.v, b.v)}, a, b);
 }
 
+inline void LoadPairs(const float* from, Float4& first, Float4& second)
+{
+    const float32x4x2_t pairs = vld2q_f32(from);
+    first.v = pairs.val[0];
+    second.v = pairs.val[1];
+}
 inline void Transpose(Float4 (&m)[4])
 {
     const float32x4x2_t ab = vtrnq_f32(m[0].v, m[1].v);
@@ -303,6 +318,11 @@ inline Mask4 And(Mask4 a, Mask4 b)
 inline Float4 Select(Mask4 which, Float4 yes, Float4 no)
 {
     return EachLane([&](int i) { return which.v[i] ? yes.v[i] : no.v[i]; });
+}
+inline void LoadPairs(const float* from, Float4& first, Float4& second)
+{
+    first = EachLane([&](int i) { return from[2 * i]; });
+    second = EachLane([&](int i) { return from[2 * i + 1]; });
 }
 inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
 {
