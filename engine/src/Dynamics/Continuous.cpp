@@ -162,6 +162,11 @@ void ImpactSolver::LookAt(b2Contact& contact)
     }
     const b2Shape& shapeA = *c.fixtureA->GetShape();
     const b2Shape& shapeB = *c.fixtureB->GetShape();
+    if (a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, c.childA, b, fromB)
+                                  : StaysInFront(b, fromB, shapeB, c.childB, a, fromA))
+    {
+        return;
+    }
     b2TOIInput input;
     input.sweepA = SweepFrom(a, fromA, fromA);
     input.sweepB = SweepFrom(b, fromB, fromA);

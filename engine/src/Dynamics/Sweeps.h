@@ -3,7 +3,10 @@
 
 #include "Solver.h"
 
+#include <Box2D/Collision/Shapes/b2ChainShape.h>
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
+#include <Box2D/Collision/Shapes/b2EdgeShape.h>
+#include <Box2D/Collision/Shapes/b2PolygonShape.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
 #include <cmath>
@@ -119,6 +122,61 @@ inline bool CirclesMeet(const BodyData& a, const Pose& fromA, const BodyData& b,
     const float32 share = along <= 0.0f || square == 0.0f ? 0.0f : b2Min(along / square, 1.0f);
     const b2Vec2 nearest = start + share * way;
     return IsWithin(nearest, Reach(a, b));
+}
+
+/// How far a point is from the line of an edge, or beyond one of its ends along it.
+inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& point)
+{
+    b2Vec2 along = v2 - v1;
+    const float32 length = along.Normalize();
+    const b2Vec2 offset = point - v1;
+    const float32 way = b2Dot(along, offset);
+    return b2Max(b2Abs(b2Cross(along, offset)), b2Max(-way, way - length));
+}
+
+/// How far a point is in front of a face of the shape, in the shape's frame: the most of all faces,
+/// and no more than its distance from the shape's core. A circle has no faces.
+inline float32 InFront(const b2Shape& shape, int32 child, const b2Vec2& point)
+{
+    float32 most = -b2_maxFloat;
+    if (shape.GetType() == b2Shape::e_polygon)
+    {
+        const auto& polygon = static_cast<const b2PolygonShape&>(shape);
+        for (int32 i = 0; i < polygon.m_count; ++i)
+        {
+            most = b2Max(most, b2Dot(polygon.m_normals[i], point - polygon.m_vertices[i]));
+        }
+    }
+    else if (shape.GetType() == b2Shape::e_edge)
+    {
+        const auto& edge = static_cast<const b2EdgeShape&>(shape);
+        most = InFrontOfEdge(edge.m_vertex1, edge.m_vertex2, point);
+    }
+    else if (shape.GetType() == b2Shape::e_chain)
+    {
+        const b2Vec2* vertices = static_cast<const b2ChainShape&>(shape).m_vertices + child;
+        most = InFrontOfEdge(vertices[0], vertices[1], point);
+    }
+    return most;
+}
+
+/// Whether the other body, all of its circle, stays in front of one face of the shape for all of
+/// its way, farther than a time of impact looks. Many small bodies near a large one do. It is
+/// enough to know the end, where the rotation is known, and how far the other's centre can have
+/// come from: as seen from the body it goes its way, and turns about the body against its turn.
+inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& shape, int32 child,
+                         const BodyData& other, const Pose& otherFrom)
+{
+    const b2Vec2 start(float32(otherFrom.x - from.x), float32(otherFrom.y - from.y));
+    const b2Vec2 end(float32(other.pose.x - body.pose.x), float32(other.pose.y - body.pose.y));
+    const float32 away = b2Max(start.Length(), end.Length());
+    const float32 way =
+        (end - start).Length() + b2Abs(float32(body.pose.angle - from.angle)) * away;
+    const b2Vec2 center = b2MulT(body.rotation, end) + body.localCenter;
+    // The last part is for what rounding adds.
+    const float32 reach = way + other.maxExtent + shape.m_radius + 2.0f * b2_linearSlop +
+                          0.00001f * (away + way + body.maxExtent + other.maxExtent);
+    return InFront(shape, child, center) > reach;
 }
 
 } // namespace box2d
