@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <Dynamics/ContactBlocks.h>
 #include <golden/StateHash.h>
 #include <scenes/Scene.h>
 
@@ -15,9 +16,10 @@ namespace boxreel
 namespace
 {
 
-std::string StateAfter600Steps(const SceneEntry& entry)
+std::string StateAfter600Steps(const SceneEntry& entry, int32 threads = 1)
 {
     const std::unique_ptr<Scene> scene = entry.create(SceneSettings{});
+    scene->World().SetThreadCount(threads);
     for (int step = 0; step < 600; ++step)
     {
         scene->Step(StepSettings{});
@@ -49,6 +51,26 @@ TEST(SceneStates, AreThoseStoredAfter600Steps)
             << "When the change is meant, this line belongs into " << BOXREEL_SCENE_STATES << ":\n"
             << state << " " << name;
     }
+}
+
+TEST(SceneStates, AreThoseStoredWhateverTheNumberOfThreadsAndLanes)
+{
+    const std::map<std::string, std::string> stored = StoredStates();
+    for (const bool wide : {true, false})
+    {
+        box2d::UseWideInstructions(wide);
+        for (const int32 threads : {1, 2, 3, 4, 8})
+        {
+            for (const SceneEntry& entry : AllScenes())
+            {
+                const auto found = stored.find(std::string(entry.name));
+                EXPECT_TRUE(found != stored.end() &&
+                            found->second == StateAfter600Steps(entry, threads))
+                    << entry.name << " with " << threads << " threads, wide: " << wide;
+            }
+        }
+    }
+    box2d::UseWideInstructions(true);
 }
 
 TEST(SceneStates, AreTheSameOnEveryRun)

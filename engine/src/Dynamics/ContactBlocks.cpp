@@ -59,19 +59,24 @@ void UseWideInstructions(bool use)
     s_wide = use && DetectWideInstructions();
 }
 
-void ContactBlocks::Clear()
+void ContactBlocks::Reset(std::size_t contactCount, bool sharesBodies)
 {
+    constexpr std::size_t kinds = 5; // of each the last block may be part empty
+    const std::size_t most =
+        sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + kinds);
+    if (most > m_contacts.size())
+    {
+        // Some in reserve, for a colour that grows does so step by step.
+        m_contacts.resize(most + most / 8);
+        m_overlaps.resize(most + most / 8);
+    }
+    m_sorted.resize(contactCount);
+    m_buckets.resize(contactCount);
     m_count = 0;
-    m_ranges.clear();
 }
 
 int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
 {
-    if (std::size_t(m_count) == m_contacts.size())
-    {
-        m_contacts.emplace_back();
-        m_overlaps.emplace_back();
-    }
     ContactBlock& block = m_contacts[std::size_t(m_count)];
     OverlapBlock& overlap = m_overlaps[std::size_t(m_count)];
     block.count = 0;
@@ -81,30 +86,56 @@ int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
     return m_count++;
 }
 
-void ContactBlocks::AddColor(const Array<b2Contact*>& contacts, bool sharesBodies)
+/// By the place of the newer body, as near as a few buckets tell (counting sort).
+void ContactBlocks::Sort(const Array<b2Contact*>& contacts, std::size_t bodyCount)
 {
-    const int32 begin = m_count;
-    int32 open[] = {-1, -1, -1, -1, -1, -1}; // three ways to measure, of one or two points
-    for (b2Contact* contact : contacts)
+    constexpr std::size_t buckets = 64;
+    constexpr uint8 none = 255;
+    std::size_t ends[buckets] = {};
+    for (std::size_t i = 0; i < contacts.size(); ++i)
     {
-        const ContactData& c = Data(*contact);
-        const int32 pointCount = c.manifold.pointCount;
-        if (!c.IsEnabled() || pointCount == 0)
+        const ContactData& c = Data(*contacts[i]);
+        m_buckets[i] = none;
+        if (c.IsEnabled() && c.manifold.pointCount > 0)
         {
-            continue;
+            const int32 place = b2Max(Data(*c.bodyA).awakeIndex, Data(*c.bodyB).awakeIndex);
+            m_buckets[i] = uint8(std::size_t(place) * buckets / bodyCount);
+            ++ends[m_buckets[i]];
         }
-        const OverlapKind kind = KindOf(c.manifold);
-        int32& last = open[2 * int32(kind) + pointCount - 1];
+    }
+    std::size_t end = 0;
+    for (std::size_t& bucket : ends)
+    {
+        const std::size_t begin = end;
+        end += bucket;
+        bucket = begin;
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+        if (m_buckets[i] != none)
+        {
+            m_sorted[ends[m_buckets[i]]++] = contacts[i];
+        }
+    }
+    m_sorted.resize(end);
+}
+
+void ContactBlocks::Assign(const Array<b2Contact*>& contacts, bool sharesBodies,
+                           std::size_t bodyCount)
+{
+    Sort(contacts, sharesBodies ? SIZE_MAX : bodyCount); // all in one bucket keep their order
+    int32 open[] = {-1, -1, -1, -1, -1, -1}; // three ways to measure, of one or two points
+    for (b2Contact* contact : m_sorted)
+    {
+        const b2Manifold& manifold = Data(*contact).manifold;
+        const OverlapKind kind = KindOf(manifold);
+        int32& last = open[2 * int32(kind) + manifold.pointCount - 1];
         if (last == -1 || sharesBodies || Contacts(last).count == kBlockLanes)
         {
-            last = Add(kind, pointCount);
+            last = Add(kind, manifold.pointCount);
         }
         ContactBlock& block = Contacts(last);
         block.contact[block.count++] = contact;
-    }
-    if (m_count > begin)
-    {
-        m_ranges.push_back({begin, m_count, sharesBodies});
     }
 }
 

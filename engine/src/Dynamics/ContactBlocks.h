@@ -74,34 +74,30 @@ struct ContactLanes
     float32 normalImpulse[2][kBlockLanes], tangentImpulse[2][kBlockLanes];
 };
 
-/// The blocks of a step, colour after colour. Entries are used again without being cleared.
+/// The blocks of one colour. Entries are used again from step to step without being cleared.
 class ContactBlocks
 {
 public:
-    /// Blocks from begin to end are of one colour. Where bodies may be shared they must be solved
-    /// in order.
-    struct Range
-    {
-        int32 begin, end;
-        bool sharesBodies;
-    };
-
-    void Clear();
+    /// Makes room for the contacts of a colour and forgets the last step's.
+    void Reset(std::size_t contactCount, bool sharesBodies);
     /// Gives each contact that has to be solved a lane in a block of its kind; one block each when
-    /// they may share bodies. The blocks still have to be prepared.
-    void AddColor(const Array<b2Contact*>& contacts, bool sharesBodies);
+    /// they may share bodies, for then they must be solved in order. Else they are put in the order
+    /// of their bodies, `bodyCount` in all, so that neighbours in memory are solved by one thread.
+    /// The blocks still have to be prepared. Allocates nothing.
+    void Assign(const Array<b2Contact*>& contacts, bool sharesBodies, std::size_t bodyCount);
 
     int32 Count() const { return m_count; }
-    const Array<Range>& Ranges() const { return m_ranges; }
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
 
 private:
+    void Sort(const Array<b2Contact*>& contacts, std::size_t bodyCount);
     int32 Add(OverlapKind kind, int32 pointCount);
 
+    Array<b2Contact*> m_sorted; // those to be solved
+    Array<uint8> m_buckets;     // of each contact
     Array<ContactBlock> m_contacts;
     Array<OverlapBlock> m_overlaps;
-    Array<Range> m_ranges;
     int32 m_count = 0;
 };
 

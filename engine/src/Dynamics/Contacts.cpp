@@ -17,6 +17,8 @@ namespace box2d
 namespace
 {
 
+constexpr int32 kContactGrain = 32; ///< contacts that one thread takes at a time
+
 void PushEdge(b2ContactEdge& edge, b2Contact& contact, b2Body& body, b2Body& other)
 {
     BodyData& data = Data(body);
@@ -130,11 +132,14 @@ bool World::ShouldCollide(b2Fixture& fixtureA, b2Fixture& fixtureB) const
 
 void World::FindNewContacts()
 {
-    proxies.FindPairs([this](b2FixtureProxy* a, b2FixtureProxy* b) {
-        if (!CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
-            pairs.Contains(a->proxyId, b->proxyId) || !ShouldCollide(*a->fixture, *b->fixture))
+    const auto isKnown = [this](const b2FixtureProxy* a, const b2FixtureProxy* b) {
+        return !CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
+               pairs.Contains(a->proxyId, b->proxyId);
+    };
+    proxies.FindPairs(threads.get(), isKnown, [this](b2FixtureProxy* a, b2FixtureProxy* b) {
+        if (!ShouldCollide(*a->fixture, *b->fixture))
         {
-            return;
+            return; // the filter is the program's, and asked on its thread
         }
         pairs.Insert(a->proxyId, b->proxyId);
         b2Contact* contact = MakeContact(*this, *a, *b);
@@ -167,52 +172,159 @@ void World::UpdateContacts()
             contact = next;
         }
     }
-    // The list changes under the loop: a contact that goes is replaced by the last one, those that
-    // wake are appended and updated as well.
+    // Without a listener most contacts need no more than the first part.
+    ComputeContacts() && listener == nullptr ? FinishContactsInNeed() : FinishContacts();
+}
+
+/// The first part of all updates, on all threads. With one thread each contact is done in its turn
+/// instead, and this returns false: the results are the same, for poses do not change meanwhile.
+bool World::ComputeContacts()
+{
+    if (!threads)
+    {
+        return false;
+    }
+    const bool keepOld = listener != nullptr;
+    oldManifolds.resize(keepOld ? awakeContacts.size() : 0);
+    attention.resize(awakeContacts.size());
+    ParallelFor(threads.get(), int32(awakeContacts.size()), kContactGrain,
+                [&](int32 begin, int32 end) {
+                    b2Manifold unused;
+                    for (int32 i = begin; i < end; ++i)
+                    {
+                        b2Contact& contact = *awakeContacts[std::size_t(i)];
+                        Data(contact).oldIndex = i;
+                        ComputeContact(contact, keepOld ? oldManifolds[std::size_t(i)] : unused);
+                        attention[std::size_t(i)] = NeedsAttention(contact);
+                    }
+                });
+    return true;
+}
+
+/// Whether more follows from the first part of an update than that the contact takes part in the
+/// step, when nobody listens.
+bool World::NeedsAttention(b2Contact& contact) const
+{
+    ContactData& c = Data(contact);
+    const bool touching = (c.flags & kContactMeets) != 0;
+    if ((c.flags & kContactApart) != 0 || touching != c.IsTouching() || listener != nullptr ||
+        (touching && !c.IsSensor() && WakesNeighbours(Data(*c.bodyA), Data(*c.bodyB))))
+    {
+        return true;
+    }
+    c.flags |= kContactEnabled;
+    c.flags &= ~std::uint32_t(kContactComputed);
+    return false;
+}
+
+// In both of these the list changes under the loop: a contact that goes is replaced by the last
+// one, those that wake are appended and updated as well.
+
+void World::FinishContacts()
+{
+    b2Manifold old;
     for (std::size_t i = 0; i < awakeContacts.size();)
     {
         b2Contact* contact = awakeContacts[i];
-        const ContactData& c = Data(*contact);
-        if (b2TestOverlap(ProxyA(c).aabb, ProxyB(c).aabb))
+        ContactData& c = Data(*contact);
+        const bool computed = (c.flags & kContactComputed) != 0;
+        if (!computed)
         {
-            UpdateContact(*contact);
-            ++i;
+            ComputeContact(*contact, old);
         }
-        else
+        if ((c.flags & kContactApart) != 0)
         {
             DestroyContact(*contact);
+            continue;
+        }
+        const bool kept = computed && !oldManifolds.empty();
+        FinishContact(*contact, kept ? oldManifolds[std::size_t(c.oldIndex)] : old);
+        ++i;
+    }
+}
+
+void World::FinishContactsInNeed()
+{
+    b2Manifold old;
+    for (std::size_t i = 0; i < awakeContacts.size();)
+    {
+        if (i < attention.size() && attention[i] == 0)
+        {
+            ++i;
+            continue;
+        }
+        b2Contact* contact = awakeContacts[i];
+        ContactData& c = Data(*contact);
+        if ((c.flags & kContactComputed) == 0)
+        {
+            ComputeContact(*contact, old);
+        }
+        if ((c.flags & kContactApart) == 0)
+        {
+            FinishContact(*contact, old);
+            ++i;
+            continue;
+        }
+        DestroyContact(*contact);
+        const std::size_t last = awakeContacts.size(); // where the one at i has come from
+        if (i < attention.size())
+        {
+            attention[i] = last < attention.size() ? attention[last] : 1;
+            attention.resize(b2Min(attention.size(), last));
         }
     }
 }
 
 void World::UpdateContact(b2Contact& contact)
 {
-    ContactData& c = Data(contact);
-    const BodyData& a = Data(*c.bodyA);
-    const BodyData& b = Data(*c.bodyB);
-    const b2Manifold old = c.manifold;
-    const bool wasTouching = c.IsTouching();
-    const b2Transform bInA = RelativeTransform(a, b);
-    c.radiusA = c.fixtureA->GetShape()->m_radius;
-    c.radiusB = c.fixtureB->GetShape()->m_radius;
+    b2Manifold old;
+    ComputeManifold(contact, old);
+    FinishContact(contact, old);
+}
 
-    c.flags |= kContactEnabled;
+void World::ComputeContact(b2Contact& contact, b2Manifold& old)
+{
+    ContactData& c = Data(contact);
+    c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
+    if (!b2TestOverlap(ProxyA(c).aabb, ProxyB(c).aabb))
+    {
+        c.flags |= kContactApart;
+        return;
+    }
+    ComputeManifold(contact, old);
+}
+
+void World::ComputeManifold(b2Contact& contact, b2Manifold& old)
+{
+    ContactData& c = Data(contact);
+    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
+    const b2Shape& shapeA = *c.fixtureA->GetShape();
+    const b2Shape& shapeB = *c.fixtureB->GetShape();
+    c.radiusA = shapeA.m_radius;
+    c.radiusB = shapeB.m_radius;
+    old = c.manifold;
     bool touching = false;
     if (c.IsSensor())
     {
-        touching = b2TestOverlap(c.fixtureA->GetShape(), c.childA, c.fixtureB->GetShape(), c.childB,
-                                 b2Transform(), bInA);
+        touching = b2TestOverlap(&shapeA, c.childA, &shapeB, c.childB, b2Transform(), bInA);
         c.manifold.pointCount = 0;
     }
     else
     {
-        Collide(&c.manifold, *c.fixtureA->GetShape(), c.childA, *c.fixtureB->GetShape(), c.childB,
-                bInA);
+        Collide(&c.manifold, shapeA, c.childA, shapeB, c.childB, bInA);
         CarryImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
     }
+    c.flags = touching ? c.flags | kContactMeets : c.flags & ~std::uint32_t(kContactMeets);
+}
 
-    if (touching != wasTouching)
+void World::FinishContact(b2Contact& contact, const b2Manifold& old)
+{
+    ContactData& c = Data(contact);
+    const bool touching = (c.flags & kContactMeets) != 0;
+    c.flags |= kContactEnabled;
+    c.flags &= ~std::uint32_t(kContactComputed);
+    if (touching != c.IsTouching())
     {
         c.flags ^= kContactTouching;
         if (!c.IsSensor())

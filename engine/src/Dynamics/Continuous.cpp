@@ -24,6 +24,8 @@ namespace
 /// Corrections at an impact are gentle enough not to disturb: this many sweeps at most.
 constexpr int32 kImpactPositionIterations = 20;
 
+constexpr int32 kContactGrain = 64; ///< contacts that one thread takes at a time
+
 struct Event
 {
     float32 time; // fraction of the step
@@ -56,7 +58,8 @@ public:
 
 private:
     void LookAt(b2Body& body);
-    void LookAt(b2Contact& contact);
+    float32 TimeOfImpact(const ContactData& c) const;
+    void AddEvent(b2Contact& contact, float32 time);
     bool IsCandidate(const ContactData& c) const;
     bool IsValid(const Event& event) const;
     bool Resolve(const Event& event);
@@ -97,13 +100,20 @@ private:
 
 void ImpactSolver::Run()
 {
-    for (b2Contact* contact : m_world.awakeContacts)
+    const Array<b2Contact*>& contacts = m_world.awakeContacts;
+    m_arrays.impactTimes.resize(contacts.size());
+    ParallelFor(m_world.threads.get(), int32(contacts.size()), kContactGrain,
+                [&](int32 begin, int32 end) {
+                    for (auto i = std::size_t(begin); i < std::size_t(end); ++i)
+                    {
+                        ContactData& c = Data(*contacts[i]);
+                        c.toiCount = m_world.stepComplete ? 0 : c.toiCount;
+                        m_arrays.impactTimes[i] = TimeOfImpact(c);
+                    }
+                });
+    for (std::size_t i = 0; i < contacts.size(); ++i)
     {
-        if (m_world.stepComplete)
-        {
-            Data(*contact).toiCount = 0;
-        }
-        LookAt(*contact);
+        AddEvent(*contacts[i], m_arrays.impactTimes[i]);
     }
     m_world.stepComplete = true;
     while (!m_events.empty())
@@ -123,7 +133,7 @@ void ImpactSolver::LookAt(b2Body& body)
 {
     for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
     {
-        LookAt(*edge->contact);
+        AddEvent(*edge->contact, TimeOfImpact(Data(*edge->contact)));
     }
 }
 
@@ -140,25 +150,25 @@ bool ImpactSolver::IsCandidate(const ContactData& c) const
     return !c.IsTouching() || IsFast(a) || IsFast(b);
 }
 
-void ImpactSolver::LookAt(b2Contact& contact)
+/// As a fraction of the step; 1 when there is none.
+float32 ImpactSolver::TimeOfImpact(const ContactData& c) const
 {
-    const ContactData& c = Data(contact);
     if (!IsCandidate(c))
     {
-        return;
+        return 1.0f;
     }
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
     const float32 start = b2Max(a.sweepStart, b.sweepStart);
     if (start >= 1.0f)
     {
-        return;
+        return 1.0f;
     }
     const Pose fromA = PoseAt(a, start);
     const Pose fromB = PoseAt(b, start);
     if (!CirclesMeet(a, fromA, b, fromB))
     {
-        return;
+        return 1.0f;
     }
     const b2Shape& shapeA = *c.fixtureA->GetShape();
     const b2Shape& shapeB = *c.fixtureB->GetShape();
@@ -173,21 +183,24 @@ void ImpactSolver::LookAt(b2Contact& contact)
     if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA),
                        SweptBox(shapeB, c.childB, input.sweepB)))
     {
-        return;
+        return 1.0f;
     }
     input.proxyA.Set(&shapeA, c.childA);
     input.proxyB.Set(&shapeB, c.childB);
     input.tMax = 1.0f;
     b2TOIOutput output;
     b2TimeOfImpact(&output, &input);
-    if (output.state != b2TOIOutput::e_touching)
-    {
-        return;
-    }
-    const float32 time = b2Min(start + (1.0f - start) * output.t, 1.0f);
+    return output.state == b2TOIOutput::e_touching ? b2Min(start + (1.0f - start) * output.t, 1.0f)
+                                                   : 1.0f;
+}
+
+void ImpactSolver::AddEvent(b2Contact& contact, float32 time)
+{
     if (time < 1.0f)
     {
-        m_events.push_back(Event{time, m_order++, &contact, a.sweepVersion, b.sweepVersion});
+        const ContactData& c = Data(contact);
+        m_events.push_back(Event{time, m_order++, &contact, Data(*c.bodyA).sweepVersion,
+                                 Data(*c.bodyB).sweepVersion});
         std::push_heap(m_events.begin(), m_events.end(), IsLater);
     }
 }

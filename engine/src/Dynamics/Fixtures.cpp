@@ -202,6 +202,15 @@ void World::DestroyProxies(b2Fixture& fixture)
 
 void World::UpdateProxies(BodyData& body, bool swept)
 {
+    if (RefreshBoxes(body, swept))
+    {
+        MoveProxies(body);
+    }
+}
+
+bool World::RefreshBoxes(BodyData& body, bool swept)
+{
+    bool left = false;
     b2Transform before = body.transform;
     b2Vec2 displacement(0.0f, 0.0f);
     displacement.x = float32(body.pose.x - body.previous.x);
@@ -230,6 +239,24 @@ void World::UpdateProxies(BodyData& body, bool swept)
             if (!proxy.aabb.Contains(box))
             {
                 proxy.aabb = Fatten(box, displacement);
+                left = true;
+            }
+        }
+    }
+    return left;
+}
+
+void World::MoveProxies(BodyData& body)
+{
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            const b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            const b2AABB& known = proxies.FatBox(proxy.proxyId);
+            if (known.lowerBound != proxy.aabb.lowerBound ||
+                known.upperBound != proxy.aabb.upperBound)
+            {
                 proxies.Move(proxy.proxyId, proxy.aabb);
             }
         }
@@ -277,6 +304,7 @@ void World::UpdateSensor(b2Fixture& fixture)
         if (sensor != c.IsSensor())
         {
             c.flags ^= kContactSensor;
+            c.flags &= ~std::uint32_t(kContactComputed); // as something else
             UpdateActivity(*edge->contact);
             Wake(*c.bodyA);
             Wake(*c.bodyB);

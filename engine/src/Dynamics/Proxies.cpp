@@ -65,6 +65,21 @@ bool Proxies::HasMoved(int32 proxyId) const
     return m_marks[proxyId & 3][std::size_t(proxyId >> 2)] != kAtRest;
 }
 
+void Proxies::ListMoved()
+{
+    std::size_t count = 0;
+    for (const int32 moved : m_moved)
+    {
+        uint8& mark = m_marks[moved & 3][std::size_t(moved >> 2)];
+        if (mark == kMoved) // else destroyed since, or here a second time under a number used again
+        {
+            mark = kLookedFor;
+            m_moved[count++] = moved;
+        }
+    }
+    m_moved.resize(count);
+}
+
 void Proxies::ShiftOrigin(const b2Vec2& newOrigin)
 {
     for (b2DynamicTree& tree : m_trees)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../Common/ThreadPool.h"
+
 #include <Box2D/Collision/b2DynamicTree.h>
 #include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
@@ -37,9 +39,12 @@ public:
 
     /// Calls report(b2FixtureProxy* moved, b2FixtureProxy* other) for every overlapping pair with
     /// at least one moved proxy of which one could be dynamic, each pair once; then forgets what
-    /// has moved. Pairs come in an order that depends on nothing but the calls made so far.
-    template <class Report>
-    void FindPairs(Report&& report);
+    /// has moved. Pairs come in an order that depends on nothing but the calls made so far. The
+    /// trees are searched by all threads, which pass over the pairs for which
+    /// isKnown(b2FixtureProxy* moved, b2FixtureProxy* other) is true; reports come from the calling
+    /// thread.
+    template <class IsKnown, class Report>
+    void FindPairs(ThreadPool* threads, IsKnown&& isKnown, Report&& report);
 
     /// Calls report(b2FixtureProxy*) -> bool for every proxy whose box overlaps; false ends the
     /// query.
@@ -66,43 +71,118 @@ private:
     {
         kAtRest,
         kMoved,     // in m_moved
-        kLookedFor, // its pairs have been reported
+        kLookedFor, // its pairs have been reported, or are about to be
     };
+
+    struct Pair
+    {
+        int32 moved, other; // ids
+    };
+    /// What was found for a few moved proxies. When there is no room for all the search is done
+    /// again by the calling thread: memory is its to allocate.
+    struct Found
+    {
+        static constexpr int32 kProxies = 16;
+        static constexpr int32 kRoom = 4 * kProxies;
+        int32 count;
+        bool complete;
+        Pair pairs[kRoom];
+    };
+
+    /// Leaves each proxy that has moved, and still exists, once in the list.
+    void ListMoved();
+    template <class IsKnown, class Report>
+    void FindPairsOf(int32 moved, const IsKnown& isKnown, Report&& report) const;
+    template <class IsKnown>
+    void FindPairsOf(int32 begin, int32 end, const IsKnown& isKnown, Found& found) const;
 
     b2DynamicTree m_trees[kTreeCount];
     Array<uint8> m_marks[kTreeCount]; // by node: one of the above
     Array<int32> m_moved;             // ids, in the order they moved; some may be destroyed since
+    Array<Found> m_found;             // by the threads
     int32 m_count = 0;
     int32 m_staticAdded = 0; // to the static tree since it was built anew
 };
 
-template <class Report>
-void Proxies::FindPairs(Report&& report)
+template <class IsKnown, class Report>
+void Proxies::FindPairsOf(int32 moved, const IsKnown& isKnown, Report&& report) const
+{
+    const b2AABB box = FatBox(moved);
+    b2FixtureProxy* const proxy = Get(moved);
+    const int32 firstTree = MobilityOf(moved) == Mobility::Dynamic ? 0 : int32(Mobility::Dynamic);
+    for (int32 tree = firstTree; tree < kTreeCount; ++tree)
+    {
+        m_trees[tree].ForEachOverlap(box, [&](int32 node) {
+            const int32 other = (node << 2) | tree;
+            // When both have moved, the pair is reported from the larger id only.
+            return other == moved || (other > moved && HasMoved(other)) ||
+                   isKnown(proxy, Get(other)) || report(other);
+        });
+    }
+}
+
+template <class IsKnown>
+void Proxies::FindPairsOf(int32 begin, int32 end, const IsKnown& isKnown, Found& found) const
+{
+    found.count = 0;
+    found.complete = true;
+    for (int32 i = begin; i < end && found.complete; ++i)
+    {
+        const int32 moved = m_moved[std::size_t(i)];
+        FindPairsOf(moved, isKnown, [&](int32 other) {
+            found.complete = found.count < Found::kRoom;
+            if (found.complete)
+            {
+                found.pairs[found.count++] = {moved, other};
+            }
+            return found.complete;
+        });
+    }
+}
+
+template <class IsKnown, class Report>
+void Proxies::FindPairs(ThreadPool* threads, IsKnown&& isKnown, Report&& report)
 {
     RebuildStatic();
-    for (std::size_t i = 0; i < m_moved.size(); ++i)
-    {
-        const int32 moved = m_moved[i];
-        uint8& mark = m_marks[moved & 3][std::size_t(moved >> 2)];
-        if (mark != kMoved)
+    ListMoved();
+    const int32 count = int32(m_moved.size());
+    const auto reportAll = [&](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
         {
-            continue; // destroyed since, or here a second time because the node was used again
-        }
-        mark = kLookedFor;
-        const b2AABB box = FatBox(moved);
-        const int32 firstTree =
-            MobilityOf(moved) == Mobility::Dynamic ? 0 : int32(Mobility::Dynamic);
-        for (int32 tree = firstTree; tree < kTreeCount; ++tree)
-        {
-            m_trees[tree].ForEachOverlap(box, [&](int32 node) {
-                const int32 other = (node << 2) | tree;
-                // When both have moved, the pair is reported from the larger id only.
-                if (other != moved && !(other > moved && HasMoved(other)))
-                {
-                    report(Get(moved), Get(other));
-                }
+            const int32 moved = m_moved[std::size_t(i)];
+            FindPairsOf(moved, isKnown, [&](int32 other) {
+                report(Get(moved), Get(other));
                 return true;
             });
+        }
+    };
+    if (threads == nullptr || count < 4 * Found::kProxies)
+    {
+        reportAll(0, count);
+    }
+    else
+    {
+        const int32 groups = (count + Found::kProxies - 1) / Found::kProxies;
+        const auto beginOf = [&](int32 group) { return b2Min(group * Found::kProxies, count); };
+        m_found.resize(b2Max(m_found.size(), std::size_t(groups)));
+        ParallelFor(threads, groups, 1, [&](int32 first, int32 last) {
+            for (int32 group = first; group < last; ++group)
+            {
+                FindPairsOf(beginOf(group), beginOf(group + 1), isKnown,
+                            m_found[std::size_t(group)]);
+            }
+        });
+        for (int32 group = 0; group < groups; ++group)
+        {
+            const Found& found = m_found[std::size_t(group)];
+            for (int32 i = 0; i < found.count && found.complete; ++i)
+            {
+                report(Get(found.pairs[i].moved), Get(found.pairs[i].other));
+            }
+            if (!found.complete)
+            {
+                reportAll(beginOf(group), beginOf(group + 1));
+            }
         }
     }
     for (const int32 moved : m_moved)

@@ -77,6 +77,13 @@ void World::UpdateActivity(b2Contact& contact)
         Data(*last).awakeIndex = c.awakeIndex;
         awakeContacts.pop_back();
         c.awakeIndex = -1;
+        // A listener let a body sleep before the contact's turn in the present update has come:
+        // then it has none.
+        if ((c.flags & kContactComputed) != 0 && !oldManifolds.empty())
+        {
+            c.flags &= ~std::uint32_t(kContactComputed);
+            c.manifold = oldManifolds[std::size_t(c.oldIndex)];
+        }
     }
 
     const bool solved = c.IsTouching() && !c.IsSensor() && (IsPushed(a) || IsPushed(b));
@@ -194,6 +201,12 @@ void World::WakeAttached(b2Body& body)
         Wake(*edge->other);
         Wake(body);
     }
+}
+
+bool World::WakesNeighbours(const BodyData& a, const BodyData& b)
+{
+    return (a.IsDynamic() && !a.IsAwake()) || (b.IsDynamic() && !b.IsAwake()) ||
+           IsMovingPlatform(a) || IsMovingPlatform(b);
 }
 
 void World::WakeNeighbours(b2Body& bodyA, b2Body& bodyB)

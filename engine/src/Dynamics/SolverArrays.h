@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ConstraintGraph.h"
 #include "ContactBlocks.h"
 #include "Solver.h"
 
@@ -11,8 +12,10 @@ namespace box2d
 struct SolverArrays
 {
     Array<SolverBody> bodies;
-    ContactBlocks contacts;          ///< of the step
+    ContactBlocks contacts[ConstraintGraph::kColorCount]; ///< of the step, by colour
+    Array<uint8> left;               ///< by awake body: whether a shape has left its box
     Array<b2Contact*> reported;      ///< whose impulses the listener wants to know, in order
+    Array<float32> impactTimes;      ///< by awake contact
     Array<ContactConstraint> impact; ///< of one impact
     Array<OverlapConstraint> impactOverlaps;
 };

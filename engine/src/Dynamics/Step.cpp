@@ -7,6 +7,7 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
+#include <atomic>
 #include <optional>
 
 /// One step of the world: find and update contacts, solve velocities, move, solve positions, look
@@ -52,11 +53,41 @@ constexpr float32 kLongestStep = 1e6f;
 /// after a very short step this much of them, and no more, is carried over.
 constexpr float32 kMostStepRatio = 10.0f;
 
+// What one thread takes at a time.
+constexpr int32 kBlockGrain = 8;
+constexpr int32 kBodyGrain = 64;
+
+/// Keeps the threads ready while a step lasts.
+class ThreadsReady
+{
+public:
+    explicit ThreadsReady(ThreadPool* threads) : m_threads(threads)
+    {
+        if (m_threads)
+        {
+            m_threads->Begin();
+        }
+    }
+    ~ThreadsReady()
+    {
+        if (m_threads)
+        {
+            m_threads->End();
+        }
+    }
+    ThreadsReady(const ThreadsReady&) = delete;
+    ThreadsReady& operator=(const ThreadsReady&) = delete;
+
+private:
+    ThreadPool* m_threads;
+};
+
 /// The stages of solving one step, over arrays that the world lends.
 class StepSolver
 {
 public:
-    StepSolver(World& world, float32 timeStep) : m_world(world), m_arrays(*world.solver)
+    StepSolver(World& world, float32 timeStep)
+        : m_world(world), m_arrays(*world.solver), m_threads(world.threads.get())
     {
         m_context.timeStep = timeStep;
         m_context.inverseStep = 1.0f / timeStep;
@@ -76,12 +107,21 @@ public:
     void LetRest();
 
 private:
+    template <class Function>
+    void ForColors(Direction direction, Function&& some);
+    template <class Function>
+    void ForBlocks(Function&& function);
+    template <class Function>
+    void ForBodies(Function&& function);
+    SolverBody WithForces(const BodyData& body) const;
+    bool WriteBack(BodyData& body, SolverBody& moved) const;
     bool SolveContacts(Direction direction);
     float32 SolveOverlaps(Direction direction);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
 
     World& m_world;
     SolverArrays& m_arrays;
+    ThreadPool* m_threads; // may be null
     SolverContext m_context;
 };
 
@@ -111,75 +151,135 @@ void StepSolver::WakeJointNeighbours()
 
 void StepSolver::IntegrateVelocities()
 {
-    const float32 h = m_context.timeStep;
     m_arrays.bodies.resize(m_world.awakeBodies.size() + 1);
     m_arrays.bodies[0] = SolverBody();
     m_context.bodies = m_arrays.bodies.data();
-    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    ForBodies([this](std::size_t i) {
+        m_arrays.bodies[i + 1] = WithForces(Data(*m_world.awakeBodies[i]));
+    });
+}
+
+SolverBody StepSolver::WithForces(const BodyData& body) const
+{
+    const float32 h = m_context.timeStep;
+    SolverBody s;
+    s.v = body.linearVelocity;
+    s.w = body.angularVelocity;
+    if (body.IsDynamic())
     {
-        const BodyData& body = Data(*m_world.awakeBodies[i]);
-        SolverBody s;
-        s.v = body.linearVelocity;
-        s.w = body.angularVelocity;
-        if (body.IsDynamic())
-        {
-            s.v += h * (body.gravityScale * m_world.gravity + body.invMass * body.force);
-            s.w += h * body.invInertia * body.torque;
-            // dv/dt = -c v, one implicit step: stable for any c.
-            s.v *= 1.0f / (1.0f + h * body.linearDamping);
-            s.w *= 1.0f / (1.0f + h * body.angularDamping);
-        }
-        s.v = Bounded(s.v);
-        s.w = Bounded(s.w);
-        m_arrays.bodies[i + 1] = s;
+        s.v += h * (body.gravityScale * m_world.gravity + body.invMass * body.force);
+        s.w += h * body.invInertia * body.torque;
+        // dv/dt = -c v, one implicit step: stable for any c.
+        s.v *= 1.0f / (1.0f + h * body.linearDamping);
+        s.w *= 1.0f / (1.0f + h * body.angularDamping);
     }
+    s.v = Bounded(s.v);
+    s.w = Bounded(s.w);
+    return s;
 }
 
 void StepSolver::PrepareConstraints()
 {
-    ContactBlocks& blocks = m_arrays.contacts;
-    blocks.Clear();
-    blocks.AddColor(m_world.graph.Contacts(ConstraintGraph::kOverflow), true);
-    for (int32 color = 0; color < ConstraintGraph::kOverflow; ++color)
+    for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
     {
-        blocks.AddColor(m_world.graph.Contacts(color), false);
+        m_arrays.contacts[color].Reset(m_world.graph.Contacts(color).size(),
+                                       color == ConstraintGraph::kOverflow);
     }
-    for (int32 i = 0; i < blocks.Count(); ++i)
-    {
-        PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), m_context);
-    }
-    for (int32 i = 0; i < blocks.Count(); ++i)
-    {
-        WarmStartBlock(blocks.Contacts(i), m_context.bodies);
-    }
+    ParallelFor(m_threads, ConstraintGraph::kColorCount, 1, [this](int32 begin, int32 end) {
+        for (int32 color = begin; color < end; ++color)
+        {
+            m_arrays.contacts[color].Assign(m_world.graph.Contacts(color),
+                                            color == ConstraintGraph::kOverflow,
+                                            m_world.awakeBodies.size());
+        }
+    });
+    ForBlocks([this](ContactBlock& block, OverlapBlock& overlap) {
+        PrepareBlock(block, overlap, m_context);
+    });
+    ForBlocks(
+        [this](ContactBlock& block, OverlapBlock&) { WarmStartBlock(block, m_context.bodies); });
     for (b2Joint* joint : m_world.graph.Joints())
     {
         JointAccess::Prepare(*joint, m_context);
     }
 }
 
+/// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
+/// each on all threads. `some` is called with a colour's blocks and the part of them to work on.
+template <class Function>
+void StepSolver::ForColors(Direction direction, Function&& some)
+{
+    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    {
+        const int32 place = direction == Direction::Forward ? i : ConstraintGraph::kOverflow - i;
+        const int32 color = place == 0 ? ConstraintGraph::kOverflow : place - 1;
+        ContactBlocks& blocks = m_arrays.contacts[color];
+        ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
+        ParallelFor(threads, blocks.Count(), kBlockGrain,
+                    [&](int32 begin, int32 end) { some(blocks, begin, end); });
+    }
+}
+
+template <class Function>
+void StepSolver::ForBlocks(Function&& function)
+{
+    ForColors(Direction::Forward, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            function(blocks.Contacts(i), blocks.Overlaps(i));
+        }
+    });
+}
+
+template <class Function>
+void StepSolver::ForBodies(Function&& function)
+{
+    ParallelFor(m_threads, int32(m_world.awakeBodies.size()), kBodyGrain,
+                [&](int32 begin, int32 end) {
+                    for (int32 i = begin; i < end; ++i)
+                    {
+                        function(std::size_t(i));
+                    }
+                });
+}
+
+// Blocks of a colour share no bodies: only in the overflow, which is one part, does the direction
+// within a colour matter.
+
 bool StepSolver::SolveContacts(Direction direction)
 {
-    ContactBlocks& blocks = m_arrays.contacts;
-    bool changed = false;
-    for (int32 i = 0; i < blocks.Count(); ++i)
-    {
-        const int32 index = direction == Direction::Forward ? i : blocks.Count() - 1 - i;
-        changed = SolveBlock(blocks.Contacts(index), m_context.bodies) || changed;
-    }
+    std::atomic<bool> changed = false;
+    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        bool some = false;
+        for (int32 i = 0; i < end - begin; ++i)
+        {
+            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
+            some = SolveBlock(blocks.Contacts(index), m_context.bodies) || some;
+        }
+        if (some && !changed.load(std::memory_order_relaxed))
+        {
+            changed.store(true, std::memory_order_relaxed);
+        }
+    });
     return changed;
 }
 
+/// Returns the smallest separation [m], or 0 if that is smaller.
 float32 StepSolver::SolveOverlaps(Direction direction)
 {
-    ContactBlocks& blocks = m_arrays.contacts;
-    float32 smallest = 0.0f;
-    for (int32 i = 0; i < blocks.Count(); ++i)
-    {
-        const int32 index = direction == Direction::Forward ? i : blocks.Count() - 1 - i;
-        const OverlapBlock& block = blocks.Overlaps(index);
-        smallest = b2Min(smallest, SolveBlock(block, m_context.bodies, b2_baumgarte));
-    }
+    std::atomic<float32> smallest = 0.0f;
+    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        float32 found = 0.0f;
+        for (int32 i = 0; i < end - begin; ++i)
+        {
+            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
+            found =
+                b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, b2_baumgarte));
+        }
+        float32 before = smallest.load(std::memory_order_relaxed);
+        while (found < before && !smallest.compare_exchange_weak(before, found))
+        {}
+    });
     return smallest;
 }
 
@@ -197,10 +297,7 @@ void StepSolver::SolveVelocities(int32 iterations)
             break;
         }
     }
-    for (int32 i = 0; i < m_arrays.contacts.Count(); ++i)
-    {
-        StoreImpulses(m_arrays.contacts.Contacts(i));
-    }
+    ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
 }
 
 /// In the order of the colours; notes them before any is put to sleep.
@@ -251,10 +348,8 @@ void StepSolver::SolvePositions(int32 iterations)
 
 void StepSolver::IntegratePositions()
 {
-    for (std::size_t i = 1; i < m_arrays.bodies.size(); ++i)
-    {
-        MoveByVelocity(m_arrays.bodies[i], m_context.timeStep);
-    }
+    ForBodies(
+        [this](std::size_t i) { MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep); });
 }
 
 // Slow means slow in both velocity and what position correction did: something that is still being
@@ -279,31 +374,42 @@ float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved
 
 void StepSolver::WriteBack()
 {
-    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    m_arrays.left.resize(m_world.awakeBodies.size());
+    ForBodies([this](std::size_t i) {
+        m_arrays.left[i] = WriteBack(Data(*m_world.awakeBodies[i]), m_arrays.bodies[i + 1]);
+    });
+    for (std::size_t i = 0; i < m_arrays.left.size(); ++i)
     {
-        BodyData& body = Data(*m_world.awakeBodies[i]);
-        SolverBody& s = m_arrays.bodies[i + 1];
-        if (!IsFinite(s))
+        if (m_arrays.left[i] != 0)
         {
-            s = SolverBody(); // it stops rather than vanish
+            m_world.MoveProxies(Data(*m_world.awakeBodies[i]));
         }
-        body.linearVelocity = s.v;
-        body.angularVelocity = s.w;
-        body.sleepTime = SleepTimeAfter(body, s);
-        body.previous = body.pose;
-        body.sweepStart = 0.0f;
-        ++body.sweepVersion;
-        if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f)
-        {
-            continue;
-        }
-        body.pose.x += double(s.d.x);
-        body.pose.y += double(s.d.y);
-        body.pose.angle += double(s.angle);
-        SynchronizePose(body);
-        const float32 way = s.d.Length() + b2Abs(s.angle) * body.maxExtent;
-        m_world.UpdateProxies(body, way > kFastShare * body.minExtent);
     }
+}
+
+/// Whether a shape has left its box.
+bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
+{
+    if (!IsFinite(s))
+    {
+        s = SolverBody(); // it stops rather than vanish
+    }
+    body.linearVelocity = s.v;
+    body.angularVelocity = s.w;
+    body.sleepTime = SleepTimeAfter(body, s);
+    body.previous = body.pose;
+    body.sweepStart = 0.0f;
+    ++body.sweepVersion;
+    if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f)
+    {
+        return false;
+    }
+    body.pose.x += double(s.d.x);
+    body.pose.y += double(s.d.y);
+    body.pose.angle += double(s.angle);
+    SynchronizePose(body);
+    const float32 way = s.d.Length() + b2Abs(s.angle) * body.maxExtent;
+    return World::RefreshBoxes(body, way > kFastShare * body.minExtent);
 }
 
 void StepSolver::LetRest()
@@ -363,6 +469,7 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
     profile = b2Profile();
     ProfileScope step(profiling, profile.step);
     const Lock lock(*this);
+    const ThreadsReady ready(threads.get());
     if (proxies.HasMoved())
     {
         ProfileScope broadphase(profiling, profile.broadphase);
@@ -431,6 +538,11 @@ void World::SolveAwake(float32 timeStep, int32 velocityIterations, int32 positio
 
 void World::ClearForces()
 {
+    if (!forcesApplied)
+    {
+        return;
+    }
+    forcesApplied = false;
     for (b2Body* body : awakeBodies)
     {
         Data(*body).force.SetZero();

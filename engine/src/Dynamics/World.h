@@ -6,6 +6,8 @@
 #include "PairSet.h"
 #include "Proxies.h"
 
+#include "../Common/ThreadPool.h"
+
 #include <Box2D/Common/b2BlockAllocator.h>
 #include <Box2D/Dynamics/b2ContactManager.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
@@ -62,6 +64,10 @@ public:
     /// After its body has moved: new boxes where the shapes have left theirs. `swept` also covers
     /// the way from the pose at the start of the step.
     void UpdateProxies(BodyData& body, bool swept);
+    /// The same in two parts: new boxes, of this body alone; then, when that was true, the broad
+    /// phase is told.
+    static bool RefreshBoxes(BodyData& body, bool swept);
+    void MoveProxies(BodyData& body);
     /// Boxes anew whether the shapes have left theirs or not.
     void ResetProxies(BodyData& body);
 
@@ -77,6 +83,16 @@ public:
     void FindNewContacts();
     void UpdateContacts();
     void UpdateContact(b2Contact& contact);
+    /// The same in two parts: what concerns this contact alone, with the manifold as it was left in
+    /// `old`; then what follows from it.
+    static void ComputeManifold(b2Contact& contact, b2Manifold& old);
+    void FinishContact(b2Contact& contact, const b2Manifold& old);
+    /// The first part, unless the boxes are apart.
+    static void ComputeContact(b2Contact& contact, b2Manifold& old);
+    bool ComputeContacts();
+    bool NeedsAttention(b2Contact& contact) const;
+    void FinishContacts();
+    void FinishContactsInNeed();
     void DestroyContact(b2Contact& contact);
     /// The pair may have contacts as far as bodies, joints and the filter are concerned.
     bool ShouldCollide(b2Fixture& fixtureA, b2Fixture& fixtureB) const;
@@ -92,6 +108,8 @@ public:
     void UpdateActivity(b2Joint& joint);
     /// Wakes what is held by a contact or joint with something that moves.
     void WakeNeighbours(b2Body& bodyA, b2Body& bodyB);
+    /// False when the above would do nothing.
+    static bool WakesNeighbours(const BodyData& a, const BodyData& b);
     /// After a change by hand: wakes the body with everything it has contacts or joints with, for
     /// contacts between sleeping bodies are not looked at. One that has none sleeps on.
     void WakeAttached(b2Body& body);
@@ -117,9 +135,12 @@ public:
     ConstraintGraph graph;
     Islands islands;
 
-    Array<b2Body*> awakeBodies;           ///< kinematic and dynamic
-    Array<b2Contact*> awakeContacts;      ///< with a body that is awake and not static
+    Array<b2Body*> awakeBodies;      ///< kinematic and dynamic
+    Array<b2Contact*> awakeContacts; ///< with a body that is awake and not static
+    Array<b2Manifold> oldManifolds;  ///< of these, before the present update
+    Array<uint8> attention; ///< of these, by place: whether the second part of the update is due
     std::unique_ptr<SolverArrays> solver; ///< scratch, reused from step to step
+    std::unique_ptr<ThreadPool> threads;  ///< null when the caller's is the only one
 
     b2Body* bodyList = nullptr;
     b2Joint* jointList = nullptr;
@@ -149,6 +170,7 @@ public:
     bool stepComplete = true; ///< false between the sub-steps of SetSubStepping
     bool autoClearForces = true;
     mutable bool locked = false; ///< a callback of the program may run: nothing may come or go
+    bool forcesApplied = false;  ///< since they were last cleared
     bool filtersChanged = false; ///< some contact has kContactFilter set
 };
 

@@ -32,6 +32,7 @@ bool TakesForces(b2Body& body, bool wake)
     {
         body.SetAwake(true);
     }
+    data.world->forcesApplied = true;
     return data.awakeIndex != -1;
 }
 

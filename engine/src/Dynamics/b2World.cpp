@@ -148,6 +148,28 @@ const b2Contact* b2World::GetContactList() const
     return m_world->contactList;
 }
 
+void b2World::SetThreadCount(int32 count)
+{
+    if (!B2_REQUIRE(!IsLocked(),
+                    "b2World::SetThreadCount must not be called from inside a callback."))
+    {
+        return;
+    }
+    (void)B2_REQUIRE(count >= 1 && count <= box2d::ThreadPool::kMaxThreads,
+                     "The number of threads must be from 1 to 64.");
+    count = b2Clamp(count, 1, box2d::ThreadPool::kMaxThreads);
+    if (count != GetThreadCount())
+    {
+        m_world->threads.reset(); // the old ones end before the new ones begin
+        m_world->threads = count > 1 ? std::make_unique<box2d::ThreadPool>(count) : nullptr;
+    }
+}
+
+int32 b2World::GetThreadCount() const
+{
+    return m_world->threads ? m_world->threads->Count() : 1;
+}
+
 void b2World::SetAllowSleeping(bool flag)
 {
     if (flag == m_world->allowSleep)

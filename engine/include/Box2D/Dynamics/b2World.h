@@ -21,7 +21,8 @@ namespace box2d
 class World;
 }
 
-/// The hub: owns bodies, joints and contacts, steps them, answers queries. One thread at a time.
+/// The hub: owns bodies, joints and contacts, steps them, answers queries. To be called by one
+/// thread at a time, whatever the number of threads that help it.
 class b2World
 {
 public:
@@ -73,6 +74,12 @@ public:
     /// One time of impact a step, for watching them.
     void SetSubStepping(bool flag);
     bool GetSubStepping() const;
+
+    /// How many threads share the work of a step, the calling one included; 1 to 64, and 1 unless
+    /// said. The results are the same to the last bit whatever the number. Callbacks come from the
+    /// calling thread, in the same order. More threads than processors only cost.
+    void SetThreadCount(int32 count);
+    int32 GetThreadCount() const;
 
     int32 GetProxyCount() const;
     int32 GetBodyCount() const;

@@ -30,6 +30,10 @@ enum ContactFlag : std::uint32_t
     kContactSensor = 1u << 2, ///< one of the fixtures is a sensor
     kContactFilter = 1u << 3, ///< the filters have changed: look again whether they collide
     kContactLinked = 1u << 4, ///< joins its bodies' islands
+    // From the first part of an update to the second:
+    kContactComputed = 1u << 5, ///< the first part is done
+    kContactApart = 1u << 6,    ///< the boxes do not overlap any more
+    kContactMeets = 1u << 7,    ///< the shapes touch
 };
 
 struct ContactData
@@ -52,6 +56,7 @@ struct ContactData
 
     std::int32_t awakeIndex =
         -1; ///< place among the contacts updated each step, -1 when both bodies rest
+    std::int32_t oldIndex = 0; ///< of its manifold before the present update
     std::int32_t color = -1; ///< of the constraint graph, -1 when not solved
     std::int32_t colorIndex = -1;
     std::int32_t toiCount = 0; ///< times of impact handled in this step
