@@ -175,7 +175,7 @@ float32 ImpactSolver::TimeOfImpact(const ContactData& c) const
     if (a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, c.childA, b, fromB)
                                   : StaysInFront(b, fromB, shapeB, c.childB, a, fromA))
     {
-        return;
+        return 1.0f;
     }
     b2TOIInput input;
     input.sweepA = SweepFrom(a, fromA, fromA);
