@@ -4,6 +4,7 @@
 #include "Scenes.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -42,19 +43,40 @@ long ResidentMemory()
     return resident * 4;
 }
 
-/// What a run must have in common with those of the other engines.
-struct Verdict
+bool IsInside(const BodyState& s, const Bounds& bounds)
+{
+    return s.x >= bounds.left && s.x <= bounds.right && s.y >= bounds.bottom && s.y <= bounds.top;
+}
+
+bool IsFinite(const BodyState& s)
+{
+    return std::isfinite(s.x + s.y + s.angle + s.vx + s.vy + s.w);
+}
+
+/// What is compared with the runs of the other engines, and with those of other thread counts.
+struct EndState
 {
     bool finite = true;
     int escaped = 0;
+    int asleep = 0;
     double meanHeight = 0.0;
     double highest = -1e30;
     double meanSpeed = 0.0;
+    std::uint64_t bits = 14695981039346656037u; ///< FNV-1a of all numbers of all bodies
 };
 
-Verdict Judge(const Sim& sim, const Bounds& bounds)
+void AddBits(std::uint64_t& hash, double value)
 {
-    Verdict verdict;
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    for (int shift = 0; shift < 64; shift += 8)
+    {
+        hash = (hash ^ (bits >> shift & 0xffu)) * 1099511628211u;
+    }
+}
+
+EndState Look(const Sim& sim, const Bounds& bounds)
+{
+    EndState end;
     int count = 0;
     for (BodyId body = 0; body < sim.BodyCount(); ++body)
     {
@@ -64,40 +86,71 @@ Verdict Judge(const Sim& sim, const Bounds& bounds)
             continue;
         }
         ++count;
-        verdict.finite = verdict.finite && std::isfinite(s.x + s.y + s.angle + s.vx + s.vy + s.w);
-        verdict.escaped += !(s.x >= bounds.left && s.x <= bounds.right && s.y >= bounds.bottom &&
-                             s.y <= bounds.top);
-        verdict.meanHeight += s.y;
-        verdict.highest = std::max(verdict.highest, s.y);
-        verdict.meanSpeed += std::hypot(s.vx, s.vy);
+        end.finite = end.finite && IsFinite(s);
+        end.escaped += !IsInside(s, bounds);
+        end.asleep += sim.IsAsleep(body);
+        end.meanHeight += s.y;
+        end.highest = std::max(end.highest, s.y);
+        end.meanSpeed += std::hypot(s.vx, s.vy);
+        for (const double value : {s.x, s.y, s.angle, s.vx, s.vy, s.w})
+        {
+            AddBits(end.bits, value);
+        }
     }
-    verdict.meanHeight /= std::max(1, count);
-    verdict.meanSpeed /= std::max(1, count);
-    return verdict;
+    end.meanHeight /= std::max(1, count);
+    end.meanSpeed /= std::max(1, count);
+    return end;
+}
+
+std::vector<BodyId> AwakeBodies(const Sim& sim)
+{
+    std::vector<BodyId> awake;
+    for (BodyId body = 0; body < sim.BodyCount(); ++body)
+    {
+        if (sim.State(body).dynamic && !sim.IsAsleep(body))
+        {
+            awake.push_back(body);
+        }
+    }
+    return awake;
 }
 
 struct Timing
 {
     std::vector<double> calls; ///< wall time of each call, or the mean of its block [s]
     double cpu = 0.0;          ///< of a call, on average [s]
+    int count = 0;             ///< calls made: fewer than the scene's when it broke
 };
 
+/// A world that has burst need not be watched for minutes: once a simulated second, outside what is
+/// timed, those bodies are looked at that were awake at the start.
 Timing Time(Sim& sim, const Scene& scene)
 {
     const auto act = [&](int call) { scene.action ? scene.action(sim, call) : sim.Step(); };
+    const std::vector<BodyId> watched = AwakeBodies(sim);
+    const auto isSound = [&](BodyId body) {
+        const BodyState s = sim.State(body);
+        return IsFinite(s) && IsInside(s, scene.bounds);
+    };
     Timing timing;
     timing.calls.reserve(std::size_t(scene.steps / scene.block));
-    const double cpu = CpuTime();
-    for (int call = 0; call < scene.steps; call += scene.block)
+    const int between = std::max(60, scene.block);
+    while (timing.count < scene.steps && std::all_of(watched.begin(), watched.end(), isSound))
     {
-        const double start = WallTime();
-        for (int i = 0; i < scene.block; ++i)
+        const double cpu = CpuTime();
+        for (const int end = std::min(timing.count + between, scene.steps); timing.count < end;)
         {
-            act(call + i);
+            const double start = WallTime();
+            for (int i = 0; i < scene.block; ++i)
+            {
+                act(timing.count + i);
+            }
+            timing.calls.push_back((WallTime() - start) / scene.block);
+            timing.count += scene.block;
         }
-        timing.calls.push_back((WallTime() - start) / scene.block);
+        timing.cpu += CpuTime() - cpu;
     }
-    timing.cpu = (CpuTime() - cpu) / scene.steps;
+    timing.cpu /= std::max(1, timing.count);
     return timing;
 }
 
@@ -117,43 +170,74 @@ double Quantile(const std::vector<double>& sorted, double share)
     return sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
 }
 
+bool AllAsleep(const Sim& sim)
+{
+    return AwakeBodies(sim).empty();
+}
+
+void Prepare(Sim& sim, const Scene& scene)
+{
+    scene.build(sim);
+    for (int step = 0; scene.untilAsleep && !AllAsleep(sim) && step < 3000; ++step)
+    {
+        sim.Step();
+    }
+    for (int step = 0; step < scene.warmup; ++step)
+    {
+        sim.Step();
+    }
+}
+
 int Run(const Scene& scene, int threads)
 {
     const long before = ResidentMemory();
     SimSettings settings = scene.settings;
     settings.threads = threads;
     const std::unique_ptr<Sim> sim = CreateSim(settings);
-    scene.build(*sim);
-    for (int step = 0; scene.untilAsleep && !sim->AllAsleep() && step < 3000; ++step)
-    {
-        sim->Step();
-    }
-    for (int step = 0; step < scene.warmup; ++step)
-    {
-        sim->Step();
-    }
+    Prepare(*sim, scene);
     Timing timing = Time(*sim, scene);
+    if (timing.calls.empty())
+    {
+        std::fprintf(stderr, "'%s' broke before anything was timed.\n", scene.name.c_str());
+        return 1;
+    }
     const long memory = ResidentMemory() - before;
-    const Verdict verdict = Judge(*sim, scene.bounds);
+    const EndState end = Look(*sim, scene.bounds);
     const double mean = Mean(timing.calls);
     std::sort(timing.calls.begin(), timing.calls.end());
     std::printf("{\"engine\":\"%s\",\"scene\":\"%s\",\"threads\":%d,\"calls\":%d,\"mean\":%.9g,"
-                "\"median\":%.9g,\"p99\":%.9g,\"worst\":%.9g,\"cpu\":%.9g,\"contacts\":%d,"
-                "\"memory\":%ld,\"finite\":%s,\"escaped\":%d,\"meanHeight\":%.9g,\"highest\":%.9g,"
-                "\"meanSpeed\":%.9g,\"asleep\":%s}\n",
-                EngineName().c_str(), scene.name.c_str(), threads, scene.steps, mean,
+                "\"median\":%.9g,\"p99\":%.9g,\"worst\":%.9g,\"cpu\":%.9g,",
+                EngineName().c_str(), scene.name.c_str(), sim->Threads(), timing.count, mean,
                 Quantile(timing.calls, 0.5), Quantile(timing.calls, 0.99), timing.calls.back(),
-                timing.cpu, sim->TouchingContacts(), memory, verdict.finite ? "true" : "false",
-                verdict.escaped, verdict.meanHeight, verdict.highest, verdict.meanSpeed,
-                sim->AllAsleep() ? "true" : "false");
+                timing.cpu);
+    std::printf("\"contacts\":%d,\"memory\":%ld,\"finite\":%s,\"escaped\":%d,\"awake\":%d,"
+                "\"meanHeight\":%.9g,\"highest\":%.9g,\"meanSpeed\":%.9g,\"bits\":\"%016llx\"}\n",
+                sim->TouchingContacts(), memory, end.finite ? "true" : "false", end.escaped,
+                std::max(0, scene.sleepers - end.asleep), end.meanHeight, end.highest,
+                end.meanSpeed, static_cast<unsigned long long>(end.bits));
     return 0;
 }
 
+/// Name, what it is, and what `boxreel bench` has to know of it, apart by tabs.
 int List()
 {
     for (const Scene& scene : AllScenes())
     {
-        std::printf("%s\t%s\n", scene.name.c_str(), scene.what.c_str());
+        std::printf("%s\t%s\t", scene.name.c_str(), scene.what.c_str());
+        if (scene.goalTimesFaster > 0.0)
+        {
+            std::printf("faster=%g ", scene.goalTimesFaster);
+        }
+        if (scene.goalSeconds > 0.0)
+        {
+            std::printf("seconds=%g ", scene.goalSeconds);
+        }
+        if (!scene.curve.empty())
+        {
+            std::printf("%s=%s count=%d ", scene.onlyForCurve ? "only-curve" : "curve",
+                        scene.curve.c_str(), scene.count);
+        }
+        std::printf("like=%s\n", scene.likeness == Likeness::Speeds ? "speeds" : "heights");
     }
     return 0;
 }

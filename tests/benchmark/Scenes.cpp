@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bench
@@ -107,6 +108,7 @@ void BuildJointGrid(Sim& sim)
             {
                 sim.AddRevolute(bodies.back(), body, k, -i + 0.5);
             }
+            // Not between two static ones: that joint would hold nothing.
             if (k > 0 && (moves || std::abs(k - 1 - size / 2) > 3))
             {
                 sim.AddRevolute(bodies[bodies.size() - size], body, k - 0.5, -i);
@@ -202,6 +204,19 @@ void BuildBullets(Sim& sim)
     }
 }
 
+/// 200 boxes of half-size 0.5 in 40 stacks of 5, on a ground whose top is at 0.
+void AddStacks(Sim& sim, double speed)
+{
+    for (int i = 0; i < 200; ++i)
+    {
+        BodySpec spec;
+        spec.x = 2.0 * (i / 5 - 20);
+        spec.y = 0.5 + i % 5;
+        spec.vx = speed;
+        sim.AddBox(sim.AddBody(spec), 0.5, 0.5, 0.0, 0.0, kPlain);
+    }
+}
+
 void BuildStatic(Sim& sim, int count)
 {
     sim.AddBox(AddStatic(sim, 0.0, -1.0), 100.0, 1.0, 0.0, 0.0, kPlain);
@@ -210,10 +225,54 @@ void BuildStatic(Sim& sim, int count)
         const BodyId body = AddStatic(sim, 3.0 * (i % 500 - 250), -10.0 - 3.0 * (i / 500));
         sim.AddBox(body, 1.0, 1.0, 0.0, 0.0, kPlain);
     }
-    for (int i = 0; i < 200; ++i)
+    AddStacks(sim, 0.0);
+}
+
+/// Boxes of half-size 1 on an edge, 3 m apart. They begin as far above it as Box2D keeps them.
+std::vector<BodyId> AddRow(Sim& sim, int count, double y)
+{
+    sim.AddEdge(AddStatic(sim), -755.0, y - 1.0, 755.0, y - 1.0, kPlain);
+    std::vector<BodyId> row;
+    for (int i = 0; i < count; ++i)
     {
-        AddBoxAt(sim, 2.0 * (i / 5 - 20), 0.5 + i % 5, 0.5);
+        row.push_back(AddAt(sim, 3.0 * (i - 250), y + 0.015));
+        sim.AddBox(row.back(), 1.0, 1.0, 0.0, 0.0, kPlain);
     }
+    return row;
+}
+
+/// What sleeps are rows of 500 boxes 3 m apart, from y = -10 down. What moves are the stacks, for
+/// their ground carries them along: nothing else would keep them awake in a world that sleeps.
+void BuildAsleep(Sim& sim, int count)
+{
+    // Chipmunk's time to put n awake bodies to sleep grows with n * n, so never all at once.
+    constexpr int rowsAtOnce = 20;
+    std::vector<BodyId> settling;
+    for (int row = 0; row * 500 < count; ++row)
+    {
+        const int left = count - row * 500;
+        const std::vector<BodyId> added = AddRow(sim, std::min(500, left), -10.0 - 3.0 * row);
+        settling.insert(settling.end(), added.begin(), added.end());
+        if (left > 500 && (row + 1) % rowsAtOnce != 0)
+        {
+            continue;
+        }
+        for (int step = 0; step < 10; ++step) // until they touch what they lie on
+        {
+            sim.Step();
+        }
+        for (const BodyId sleeper : settling)
+        {
+            sim.PutToSleep(sleeper);
+        }
+        settling.clear();
+    }
+    BodySpec ground;
+    ground.kind = Kind::Kinematic;
+    ground.y = -1.0;
+    ground.vx = 1.0;
+    sim.AddBox(sim.AddBody(ground), 100.0, 1.0, 0.0, 0.0, kPlain);
+    AddStacks(sim, ground.vx);
 }
 
 void BuildOneBox(Sim& sim)
@@ -255,62 +314,115 @@ Scene Make(const char* name, const char* what, std::function<void(Sim&)> build, 
     return scene;
 }
 
-std::vector<Scene> MakeAll()
+using Scenes = std::vector<Scene>;
+
+Scene& Append(Scenes& scenes, Scene scene, double goalTimesFaster)
 {
-    std::vector<Scene> scenes;
-    const auto add = [&](Scene scene) -> Scene& {
-        scenes.push_back(std::move(scene));
-        return scenes.back();
-    };
-    add(Make("large-pyramid", "pyramid of base 100, 5050 boxes", BuildLargePyramid, 300)).bounds = {
-        -110.0, -0.2, 110.0, 110.0};
-    add(Make("pyramids", "100 pyramids of base 10", BuildPyramids, 300)).bounds = {-81.0, -0.2,
-                                                                                   81.0, 130.0};
-    add(Make("tumbler", "2000 small boxes in a turning drum", BuildTumbler, 600)).bounds = {
-        -15.0, -5.0, 15.0, 25.0};
-    add(Make("joint-grid", "10,000 circles on 19,800 revolute joints", BuildJointGrid, 300))
+    scenes.push_back(std::move(scene));
+    scenes.back().goalTimesFaster = goalTimesFaster;
+    return scenes.back();
+}
+
+void AddLargeScenes(Scenes& scenes)
+{
+    Append(scenes, Make("large-pyramid", "pyramid of base 100, 5050 boxes", BuildLargePyramid, 300),
+           7.0)
+        .bounds = {-110.0, -0.2, 110.0, 110.0};
+    Append(scenes, Make("pyramids", "100 pyramids of base 10", BuildPyramids, 300), 7.0).bounds = {
+        -81.0, -0.2, 81.0, 130.0};
+    Append(scenes, Make("tumbler", "2000 boxes in a turning drum", BuildTumbler, 600), 9.0)
+        .bounds = {-15.0, -5.0, 15.0, 25.0};
+    Append(scenes,
+           Make("joint-grid", "10,000 circles on 19,794 revolute joints", BuildJointGrid, 300), 2.5)
         .bounds = {-200.0, -300.0, 300.0, 200.0};
-    add(Make("rain", "5000 circles into a container", BuildRain, 600)).bounds = {-20.0, -0.1, 20.0,
-                                                                                 200.0};
-    add(Make("ragdolls", "300 ragdolls of 10 bodies", BuildRagdolls, 600)).bounds = {-20.1, -0.2,
-                                                                                     20.1, 300.0};
-    Scene& bullets = add(Make("bullets", "500 bullets at 100 m/s in a box", BuildBullets, 600));
+    Append(scenes, Make("rain", "5000 circles into a container", BuildRain, 600), 8.0).bounds = {
+        -20.0, -0.1, 20.0, 200.0};
+    Append(scenes, Make("ragdolls", "300 ragdolls of 10 bodies", BuildRagdolls, 600), 12.0)
+        .bounds = {-20.1, -0.2, 20.1, 300.0};
+    Scene& bullets =
+        Append(scenes, Make("bullets", "500 bullets at 100 m/s in a box", BuildBullets, 600), 20.0);
     bullets.settings.gravity = 0.0;
     bullets.bounds = {-20.0, -20.0, 20.0, 20.0};
-    for (const int count : {200, 2000, 20000, 200000})
+    bullets.likeness = Likeness::Speeds;
+}
+
+void AddCurves(Scenes& scenes)
+{
+    constexpr int counts[] = {200, 2000, 20000, 200000};
+    for (const int count : counts)
     {
-        Scene& scene = add(Make(
-            "", "", [count](Sim& sim) { BuildStatic(sim, count); }, 300));
+        Scene& scene = Append(scenes,
+                              Make(
+                                  "", "", [count](Sim& sim) { BuildStatic(sim, count); }, 300),
+                              count == 20000 ? 20.0 : 0.0);
         scene.name = "static-" + std::to_string(count);
         scene.what = std::to_string(count) + " static boxes beside 200 that move";
         scene.warmup = 60;
+        scene.curve = "static";
+        scene.count = count;
+        scene.onlyForCurve = count < 20000;
     }
-    Scene& asleep = add(Make("asleep", "the 100 pyramids, asleep", BuildPyramids, 2000));
+    for (const int count : counts)
+    {
+        Scene& scene = Append(scenes,
+                              Make(
+                                  "", "", [count](Sim& sim) { BuildAsleep(sim, count); }, 300),
+                              0.0);
+        scene.name = "asleep-" + std::to_string(count);
+        scene.what = std::to_string(count) + " boxes asleep beside 200 that move";
+        scene.settings.sleep = true;
+        scene.warmup = 60;
+        scene.sleepers = count;
+        scene.curve = "asleep";
+        scene.count = count;
+        scene.onlyForCurve = true;
+    }
+}
+
+void AddSmallScenes(Scenes& scenes)
+{
+    Scene& asleep =
+        Append(scenes, Make("asleep", "the 100 pyramids, asleep", BuildPyramids, 2000), 400.0);
     asleep.settings.sleep = true;
     asleep.untilAsleep = true;
-    asleep.block = 100;
-    Scene& empty = add(Make(
-        "empty", "an empty world", [](Sim&) {}, 200000));
+    asleep.sleepers = 5500;
+    asleep.block = asleep.steps; // a look at the clock takes longer than a step
+    Scene& empty = Append(scenes,
+                          Make(
+                              "empty", "an empty world", [](Sim&) {}, 200000),
+                          0.0);
     empty.block = 1000;
-    Scene& oneBox = add(Make("one-box", "one box on the ground", BuildOneBox, 100000));
+    empty.goalSeconds = 0.1e-6;
+    Scene& oneBox =
+        Append(scenes, Make("one-box", "one box on the ground", BuildOneBox, 100000), 0.0);
     oneBox.warmup = 120;
     oneBox.block = 500;
-    Scene& rays = add(Make("ray-casts", "a ray of 50 m in 20,000 boxes", BuildTargets, 100000));
+    oneBox.goalSeconds = 0.75e-6;
+    Scene& rays = Append(
+        scenes, Make("ray-casts", "a ray of 50 m in 20,000 boxes", BuildTargets, 100000), 0.0);
     rays.warmup = 1;
     rays.block = 500;
     rays.action = CastOneRay;
-    Scene& bodies = add(Make("create-destroy", "a body made and destroyed", BuildOneBox, 100000));
+    rays.goalSeconds = 1.0e-6;
+    Scene& bodies = Append(
+        scenes, Make("create-destroy", "a body made and destroyed", BuildOneBox, 100000), 0.0);
     bodies.block = 500;
     bodies.action = CreateAndDestroy;
-    return scenes;
+    bodies.goalSeconds = 2.0e-6;
 }
 
 } // namespace
 
 const std::vector<Scene>& AllScenes()
 {
-    static const std::vector<Scene> scenes = MakeAll();
-    return scenes;
+    static const Scenes all = [] {
+        Scenes scenes;
+        AddLargeScenes(scenes);
+        AddCurves(scenes);
+        AddSmallScenes(scenes);
+        return scenes;
+    }();
+    return all;
 }
 
 } // namespace bench

@@ -18,6 +18,13 @@ struct Bounds
     double left = -1e4, bottom = -1e4, right = 1e4, top = 1e4;
 };
 
+/// What a run must have in common with those of the peers, beside its contacts.
+enum class Likeness
+{
+    Heights, ///< of the bodies at the end, on average
+    Speeds,  ///< of the bodies at the end, on average: energy kept where nothing comes to rest
+};
+
 struct Scene
 {
     std::string name;
@@ -33,6 +40,15 @@ struct Scene
     std::function<void(Sim&, int call)> action;
     /// Steps until all sleep before anything is timed.
     bool untilAsleep = false;
+    int sleepers = 0; ///< bodies that must be asleep all the time that is measured
+    Likeness likeness = Likeness::Heights;
+
+    double goalTimesFaster = 0.0; ///< than Box2D 2.4; 0: no such goal
+    double goalSeconds = 0.0;     ///< of a call; 0: no such goal
+    /// Scenes of one curve differ only in `count`, what the cost of a step must not grow with.
+    std::string curve;
+    int count = 0;
+    bool onlyForCurve = false; ///< not run unless named, or for the curve
 };
 
 const std::vector<Scene>& AllScenes();

@@ -65,12 +65,16 @@ public:
     /// The fraction of the way at which a ray first hits something, 1 when nothing.
     virtual double CastRay(double x1, double y1, double x2, double y2) = 0;
 
+    /// At once, though the engine would not yet; only in a world that lets bodies sleep.
+    virtual void PutToSleep(BodyId body) = 0;
+    virtual bool IsAsleep(BodyId body) const = 0;
+
     virtual int BodyCount() const = 0;
     virtual BodyState State(BodyId body) const = 0;
     /// Pairs of shapes that touch.
     virtual int TouchingContacts() = 0;
-    /// Whether anything still moves, as the engine sees it.
-    virtual bool AllAsleep() const = 0;
+    /// That a step runs on, the calling one included.
+    virtual int Threads() const = 0;
 };
 
 struct SimSettings

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Our engine, and Debian's Box2D 2.4 when BENCHMARK_BOX2D_24 is defined: nearly one interface.
+// Our engine, and Debian's Box2D 2.4 when BENCHMARK_BOX2D_24 (its version) is defined: nearly one
+// interface.
 #include "Sim.h"
 
 #ifdef BENCHMARK_BOX2D_24
@@ -113,6 +114,16 @@ public:
         return double(nearest.fraction);
     }
 
+    void PutToSleep(BodyId body) override
+    {
+        m_bodies[std::size_t(body)]->SetAwake(false);
+    }
+
+    bool IsAsleep(BodyId body) const override
+    {
+        return !m_bodies[std::size_t(body)]->IsAwake();
+    }
+
     int BodyCount() const override
     {
         return m_world.GetBodyCount();
@@ -142,16 +153,9 @@ public:
         return count;
     }
 
-    bool AllAsleep() const override
+    int Threads() const override
     {
-        for (const b2Body* body : m_bodies)
-        {
-            if (body->GetType() != b2_staticBody && body->IsAwake())
-            {
-                return false;
-            }
-        }
-        return true;
+        return 1;
     }
 
 private:
@@ -176,10 +180,9 @@ private:
 std::string EngineName()
 {
 #ifdef BENCHMARK_BOX2D_24
-    return "Box2D " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) +
-           "." + std::to_string(b2_version.revision);
+    return "Box2D " BENCHMARK_BOX2D_24;
 #else
-    return "boxreel";
+    return "boxreel " BOXREEL_VERSION;
 #endif
 }
 

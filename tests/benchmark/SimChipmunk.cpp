@@ -120,6 +120,13 @@ public:
         return hit ? info.alpha : 1.0;
     }
 
+    void PutToSleep(BodyId body) override { cpBodySleep(m_bodies[std::size_t(body)]); }
+
+    bool IsAsleep(BodyId body) const override
+    {
+        return cpBodyIsSleeping(m_bodies[std::size_t(body)]);
+    }
+
     int BodyCount() const override { return int(m_bodies.size()); }
 
     BodyState State(BodyId id) const override
@@ -164,17 +171,7 @@ public:
         return (count - withStatic) / 2 + withStatic;
     }
 
-    bool AllAsleep() const override
-    {
-        for (cpBody* body : m_bodies)
-        {
-            if (cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC && !cpBodyIsSleeping(body))
-            {
-                return false;
-            }
-        }
-        return true;
-    }
+    int Threads() const override { return 1; }
 
 private:
     void Add(BodyId id, cpShape* shape, double area, const Material& material)
