@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "Benchmark.h"
 
-#include <nlohmann/json.hpp>
+#include "ChartScale.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 
 namespace boxreel
@@ -11,121 +13,146 @@ namespace boxreel
 namespace
 {
 
-/// Three digits and a unit that fits: 7.26 ms, 350 us, 0.35 us.
-std::string TimeText(double seconds)
+constexpr double kGoalOfP99 = 2.0; // times the median
+
+std::string Format(const char* format, ...)
 {
-    const bool isLong = seconds >= 0.9995e-3;
-    const double value = seconds * (isLong ? 1e3 : 1e6);
-    const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f %s", decimals, value, isLong ? "ms" : "us");
+    char text[320];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
     return text;
 }
 
-std::string RatioText(double ratio)
+/// How far the slowest steps are from the usual one, with a sign where that is beyond the goal.
+std::string SpreadText(const BenchFigures& figures)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, ratio >= 9.95 ? "%.0fx" : "%.1fx", ratio);
-    return ratio > 0.0 ? text : "";
+    const double spread = figures.median > 0.0 ? figures.p99 / figures.median : 0.0;
+    return Format("%.2f", spread) + (spread > kGoalOfP99 ? "!" : " ");
 }
 
-std::string Row(const std::string& scene, const BenchFigures& figures, const std::string& ratio)
+std::string Head(bool withThreads)
 {
-    char text[256];
+    return Format("%-15s %-16s %s%9s %9s %9s %8s  %9s %8s %8s %8s %8s %9s  %s\n", "scene", "engine",
+                  withThreads ? "threads speed-up " : "", "mean", "median", "p99", "/median", "CPU",
+                  "ratio", "CPU", "goal", "contacts", "memory", "verdict");
+}
+
+std::string GoalText(const BenchScene& scene, const BenchFigures& figures)
+{
+    if (figures.isOurs && scene.goalSeconds > 0.0)
+    {
+        return TimeText(scene.goalSeconds);
+    }
+    return IsGoalPeer(figures) ? RatioText(scene.goalTimesFaster) : "";
+}
+
+/// The wall time of one thread over that of these; empty where there is nothing to compare.
+std::string SpeedUp(const BenchResult& result, const BenchFigures& figures)
+{
+    const auto one = std::find_if(result.engines.begin(), result.engines.end(),
+                                  [](const BenchFigures& e) { return e.isOurs && e.threads == 1; });
+    const bool known = figures.isOurs && figures.threads > 1 && one != result.engines.end();
+    return known ? RatioText(WallRatio(figures, *one)) : "";
+}
+
+std::string Row(const BenchResult& result, const BenchFigures& figures, bool withThreads)
+{
+    const BenchFigures& first = result.engines.front();
+    const std::string scene = &figures == &first ? result.scene.name : "";
+    const std::string threads =
+        withThreads ? Format("%7d %8s ", figures.threads, SpeedUp(result, figures).c_str()) : "";
     if (!figures.failure.empty())
     {
-        std::snprintf(text, sizeof text, "%-15s %-16s %s\n", scene.c_str(), figures.engine.c_str(),
+        return Format("%-15s %-16s %s%s\n", scene.c_str(), figures.engine.c_str(), threads.c_str(),
                       figures.verdict.c_str());
-        return text;
     }
-    std::snprintf(text, sizeof text, "%-15s %-16s %9s %9s %9s %9s %6s %8ld %6.1f MB  %s\n",
-                  scene.c_str(), figures.engine.c_str(), TimeText(figures.mean).c_str(),
-                  TimeText(figures.median).c_str(), TimeText(figures.p99).c_str(),
-                  TimeText(figures.cpu).c_str(), ratio.c_str(), std::lround(figures.contacts),
+    const std::string wall = figures.isOurs ? "" : RatioText(WallRatio(first, figures));
+    const std::string cpu = figures.isOurs ? "" : RatioText(CpuRatio(first, figures));
+    return Format("%-15s %-16s %s%9s %9s %9s %9s %9s %8s %8s %8s %8ld %6.1f MB  %s\n",
+                  scene.c_str(), figures.engine.c_str(), threads.c_str(),
+                  TimeText(figures.mean).c_str(), TimeText(figures.median).c_str(),
+                  TimeText(figures.p99).c_str(), SpreadText(figures).c_str(),
+                  TimeText(figures.cpu).c_str(), wall.c_str(), cpu.c_str(),
+                  GoalText(result.scene, figures).c_str(), std::lround(figures.contacts),
                   figures.memory / 1024.0, figures.verdict.c_str());
-    return text;
+}
+
+bool HasThreads(const std::vector<BenchResult>& results)
+{
+    const auto hasMany = [](const BenchFigures& engine) { return engine.threads > 1; };
+    return std::any_of(results.begin(), results.end(), [&](const BenchResult& result) {
+        return std::any_of(result.engines.begin(), result.engines.end(), hasMany);
+    });
+}
+
+/// What the largest of each curve's scenes takes against the smallest, an engine a line.
+std::string GrowthLines(const std::vector<BenchResult>& results)
+{
+    std::string lines;
+    for (const BenchResult& small : results)
+    {
+        const BenchResult* large = nullptr;
+        bool isSmallest = !small.scene.curve.empty();
+        for (const BenchResult& other : results)
+        {
+            const bool sameCurve = other.scene.curve == small.scene.curve;
+            isSmallest = isSmallest && !(sameCurve && other.scene.count < small.scene.count);
+            if (sameCurve && other.scene.count > (large ? large->scene.count : small.scene.count))
+            {
+                large = &other;
+            }
+        }
+        const std::size_t engines =
+            isSmallest && large ? std::min(small.engines.size(), large->engines.size()) : 0;
+        for (std::size_t i = 0; i < engines; ++i)
+        {
+            const double growth = CpuRatio(small.engines[i], large->engines[i]);
+            lines +=
+                Format("%-15s %-16s %s takes %s the CPU time of %s\n",
+                       i == 0 ? small.scene.curve.c_str() : "", small.engines[i].engine.c_str(),
+                       large->scene.name.c_str(), growth > 0.0 ? RatioText(growth).c_str() : "?",
+                       small.scene.name.c_str());
+        }
+    }
+    return lines.empty() ? "" : "\n" + lines;
 }
 
 } // namespace
 
-Result<BenchFigures> ParseFigures(const std::string& output)
+std::string TimeText(double seconds)
 {
-    // A library may talk before; the figures are the last line.
-    const std::size_t end = output.find_last_not_of('\n');
-    const std::size_t start = output.rfind('\n', end);
-    const std::string line = output.substr(start == std::string::npos ? 0 : start + 1);
-    const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
-    const auto number = [&json](const char* name) {
-        return json.is_object() && json.contains(name) && json[name].is_number()
-                   ? json[name].get<double>()
-                   : std::nan("");
-    };
-    BenchFigures figures;
-    figures.mean = number("mean");
-    figures.median = number("median");
-    figures.p99 = number("p99");
-    figures.cpu = number("cpu");
-    figures.contacts = number("contacts");
-    figures.memory = number("memory");
-    figures.escaped = number("escaped");
-    figures.meanHeight = number("meanHeight");
-    const double sum = figures.mean + figures.median + figures.p99 + figures.cpu +
-                       figures.contacts + figures.memory + figures.escaped;
-    if (!std::isfinite(sum) || !json.contains("engine") || !json["engine"].is_string())
+    const bool isLong = seconds >= 0.9995e-3;
+    const double value = seconds * (isLong ? 1e3 : 1e6);
+    const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : value >= 0.0995 ? 2 : 3;
+    return Format("%.*f %s", decimals, value, isLong ? "ms" : "us");
+}
+
+std::string RatioText(double ratio)
+{
+    if (ratio <= 0.0)
     {
-        return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
+        return "";
     }
-    figures.engine = json["engine"].get<std::string>();
-    figures.finite = json.value("finite", false);
-    return figures;
+    return ratio >= 999.5   ? ChartNumber(std::stod(Format("%.3g", ratio))) + "x"
+           : ratio >= 9.95  ? Format("%.0fx", ratio)
+           : ratio >= 0.095 ? Format("%.1fx", ratio)
+                            : Format("%.2fx", ratio);
 }
 
 std::string BenchTable(const std::vector<BenchResult>& results)
 {
-    char head[256];
-    std::snprintf(head, sizeof head, "%-15s %-16s %9s %9s %9s %9s %6s %8s %9s  %s\n", "scene",
-                  "engine", "mean", "median", "p99", "CPU", "ratio", "contacts", "memory",
-                  "verdict");
-    std::string table = head;
+    const bool withThreads = HasThreads(results);
+    std::string table = Head(withThreads);
     for (const BenchResult& result : results)
     {
         for (const BenchFigures& engine : result.engines)
         {
-            const bool ours = &engine == &result.engines.front();
-            table += Row(ours ? result.scene.name : "", engine,
-                         ours ? "" : RatioText(RatioTo(result.engines.front(), engine)));
+            table += Row(result, engine, withThreads);
         }
     }
-    return table;
-}
-
-std::string BenchJson(const std::vector<BenchResult>& results)
-{
-    nlohmann::ordered_json scenes = nlohmann::ordered_json::array();
-    for (const BenchResult& result : results)
-    {
-        nlohmann::ordered_json engines = nlohmann::ordered_json::array();
-        for (const BenchFigures& e : result.engines)
-        {
-            nlohmann::ordered_json entry{{"engine", e.engine}, {"verdict", e.verdict}};
-            if (e.failure.empty())
-            {
-                entry.update({{"meanSeconds", e.mean},
-                              {"medianSeconds", e.median},
-                              {"p99Seconds", e.p99},
-                              {"cpuSeconds", e.cpu},
-                              {"ratio", RatioTo(result.engines.front(), e)},
-                              {"contacts", e.contacts},
-                              {"memoryKilobytes", e.memory},
-                              {"escaped", e.escaped},
-                              {"meanHeightMetres", e.meanHeight}});
-            }
-            engines.push_back(std::move(entry));
-        }
-        scenes.push_back(
-            {{"scene", result.scene.name}, {"what", result.scene.what}, {"engines", engines}});
-    }
-    return nlohmann::ordered_json{{"scenes", scenes}}.dump(2) + "\n";
+    return table + GrowthLines(results);
 }
 
 } // namespace boxreel

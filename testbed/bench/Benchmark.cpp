@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include <unistd.h>
@@ -28,18 +29,33 @@ double Median(std::vector<double> values)
     return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-/// How far our contacts and heights may lie outside those of the peers: scenes are chaotic, and
-/// engines keep different gaps.
+/// How far our contacts, heights and speeds may lie outside those of the peers: scenes are chaotic,
+/// and engines keep different gaps.
 constexpr double kContactsShare = 0.15;
+constexpr double kContactsLeast = 10.0;
 constexpr double kHeightShare = 0.03;
 constexpr double kHeightLeast = 0.1; // m
+constexpr double kSpeedShare = 0.05;
+constexpr double kSpeedLeast = 0.1; // m/s
 
-bool IsWithin(double value, const std::vector<double>& peers, double share, double least)
+/// Whether ours is within a share of what the peers reach, or within a least distance.
+bool IsLike(const std::vector<const BenchFigures*>& peers, const BenchFigures& ours,
+            double BenchFigures::*number, double share, double least)
 {
-    const auto [low, high] = std::minmax_element(peers.begin(), peers.end());
-    const double below = std::max(least, share * std::abs(*low));
-    const double above = std::max(least, share * std::abs(*high));
-    return value >= *low - below && value <= *high + above;
+    double low = peers.front()->*number, high = low;
+    for (const BenchFigures* peer : peers)
+    {
+        low = std::min(low, peer->*number);
+        high = std::max(high, peer->*number);
+    }
+    const double value = ours.*number;
+    return value >= low - std::max(least, share * std::abs(low)) &&
+           value <= high + std::max(least, share * std::abs(high));
+}
+
+std::string CountText(double count)
+{
+    return std::to_string(std::lround(count));
 }
 
 std::string JudgeAlone(const BenchFigures& figures)
@@ -54,9 +70,48 @@ std::string JudgeAlone(const BenchFigures& figures)
     }
     if (figures.escaped > 0.0)
     {
-        return std::to_string(std::lround(figures.escaped)) + " escaped";
+        return CountText(figures.escaped) + " escaped";
     }
-    return "sound";
+    return figures.awake > 0.0 ? CountText(figures.awake) + " awake" : "sound";
+}
+
+/// What is wrong with ours beside the peers; empty: nothing.
+std::string JudgeBeside(const BenchScene& scene, const BenchFigures& ours,
+                        const std::vector<const BenchFigures*>& peers)
+{
+    if (peers.empty())
+    {
+        return "";
+    }
+    if (!IsLike(peers, ours, &BenchFigures::contacts, kContactsShare, kContactsLeast))
+    {
+        return "other contacts";
+    }
+    if (scene.comparesSpeeds)
+    {
+        return IsLike(peers, ours, &BenchFigures::meanSpeed, kSpeedShare, kSpeedLeast)
+                   ? ""
+                   : "other speeds";
+    }
+    return IsLike(peers, ours, &BenchFigures::meanHeight, kHeightShare, kHeightLeast)
+               ? ""
+               : "other heights";
+}
+
+BenchFigures RunOnce(const std::filesystem::path& program, const std::string& scene, int threads)
+{
+    const Result<std::string> output = OutputOf(program, {"run", scene, std::to_string(threads)});
+    const Result<BenchFigures> figures =
+        output ? ParseFigures(*output) : Result<BenchFigures>(output.GetError());
+    if (figures)
+    {
+        return *figures;
+    }
+    BenchFigures failed;
+    failed.engine = program.filename().string();
+    failed.threads = threads;
+    failed.failure = "failed";
+    return failed;
 }
 
 } // namespace
@@ -91,11 +146,31 @@ Result<std::vector<BenchScene>> ListBenchScenes(const std::filesystem::path& pro
     std::istringstream lines(*output);
     for (std::string line; std::getline(lines, line);)
     {
-        const std::size_t tab = line.find('\t');
-        scenes.push_back(
-            {line.substr(0, tab), tab == std::string::npos ? "" : line.substr(tab + 1)});
+        scenes.push_back(ParseBenchScene(line));
     }
     return scenes;
+}
+
+BenchScene ParseBenchScene(const std::string& line)
+{
+    BenchScene scene;
+    std::istringstream fields(line);
+    std::getline(fields, scene.name, '\t');
+    std::getline(fields, scene.what, '\t');
+    for (std::string word; fields >> word;)
+    {
+        const std::size_t at = std::min(word.find('='), word.size());
+        const std::string key = word.substr(0, at);
+        const std::string value = word.substr(std::min(at + 1, word.size()));
+        const double number = std::strtod(value.c_str(), nullptr);
+        scene.goalTimesFaster = key == "faster" ? number : scene.goalTimesFaster;
+        scene.goalSeconds = key == "seconds" ? number : scene.goalSeconds;
+        scene.count = key == "count" ? number : scene.count;
+        scene.onlyForCurve = scene.onlyForCurve || key == "only-curve";
+        scene.curve = key == "curve" || key == "only-curve" ? value : scene.curve;
+        scene.comparesSpeeds = scene.comparesSpeeds || word == "like=speeds";
+    }
+    return scene;
 }
 
 BenchFigures MedianOf(const std::vector<BenchFigures>& rounds)
@@ -104,7 +179,7 @@ BenchFigures MedianOf(const std::vector<BenchFigures>& rounds)
     for (double BenchFigures::*number :
          {&BenchFigures::mean, &BenchFigures::median, &BenchFigures::p99, &BenchFigures::cpu,
           &BenchFigures::contacts, &BenchFigures::memory, &BenchFigures::escaped,
-          &BenchFigures::meanHeight})
+          &BenchFigures::awake, &BenchFigures::meanHeight, &BenchFigures::meanSpeed})
     {
         std::vector<double> values;
         for (const BenchFigures& round : rounds)
@@ -117,71 +192,89 @@ BenchFigures MedianOf(const std::vector<BenchFigures>& rounds)
     {
         result.finite = result.finite && round.finite;
         result.failure = result.failure.empty() ? round.failure : result.failure;
+        result.bits = result.bits == round.bits ? result.bits : "vary";
     }
     return result;
 }
 
 BenchResult RunBenchScene(const std::vector<std::filesystem::path>& programs,
-                          const BenchScene& scene, int rounds)
+                          const BenchScene& scene, const BenchPlan& plan)
 {
-    std::vector<std::vector<BenchFigures>> measured(programs.size());
-    for (int round = 0; round < rounds; ++round)
+    struct Entry
     {
-        for (std::size_t i = 0; i < programs.size(); ++i)
+        std::filesystem::path program;
+        int threads;
+        std::vector<BenchFigures> rounds;
+    };
+    std::vector<Entry> entries;
+    for (const int threads : plan.threads)
+    {
+        entries.push_back({programs.front(), threads, {}});
+    }
+    for (std::size_t i = 1; i < programs.size(); ++i)
+    {
+        entries.push_back({programs[i], 1, {}});
+    }
+    for (int round = 0; round < plan.rounds; ++round)
+    {
+        for (Entry& entry : entries)
         {
-            const Result<std::string> output = OutputOf(programs[i], {"run", scene.name});
-            Result<BenchFigures> figures =
-                output ? ParseFigures(*output) : Result<BenchFigures>(output.GetError());
-            if (!figures)
-            {
-                BenchFigures failed;
-                failed.engine = programs[i].filename().string();
-                failed.failure = "failed";
-                figures = failed;
-            }
-            measured[i].push_back(*figures);
+            entry.rounds.push_back(RunOnce(entry.program, scene.name, entry.threads));
         }
     }
     BenchResult result{scene, {}};
-    for (const std::vector<BenchFigures>& engine : measured)
+    for (const Entry& entry : entries)
     {
-        result.engines.push_back(MedianOf(engine));
+        result.engines.push_back(MedianOf(entry.rounds));
+        result.engines.back().isOurs = result.engines.size() <= plan.threads.size();
     }
-    Judge(result.engines);
+    Judge(result);
     return result;
 }
 
-void Judge(std::vector<BenchFigures>& engines)
+void Judge(BenchResult& result)
 {
-    std::vector<double> contacts, heights;
-    for (BenchFigures& engine : engines)
+    std::vector<const BenchFigures*> peers;
+    for (BenchFigures& engine : result.engines)
     {
         engine.verdict = JudgeAlone(engine);
-        if (&engine != &engines.front() && engine.verdict == "sound")
+        if (!engine.isOurs && engine.verdict == "sound")
         {
-            contacts.push_back(engine.contacts);
-            heights.push_back(engine.meanHeight);
+            peers.push_back(&engine);
         }
     }
-    BenchFigures& ours = engines.front();
-    if (ours.verdict != "sound" || contacts.empty())
+    for (BenchFigures& ours : result.engines)
     {
-        return;
-    }
-    if (!IsWithin(ours.contacts, contacts, kContactsShare, 10.0))
-    {
-        ours.verdict = "other contacts";
-    }
-    else if (!IsWithin(ours.meanHeight, heights, kHeightShare, kHeightLeast))
-    {
-        ours.verdict = "other heights";
+        if (!ours.isOurs || ours.verdict != "sound")
+        {
+            continue;
+        }
+        const bool sameBits = ours.bits != "vary" && ours.bits == result.engines.front().bits;
+        const std::string beside = JudgeBeside(result.scene, ours, peers);
+        ours.verdict = !sameBits ? "other bits" : beside.empty() ? "sound" : beside;
     }
 }
 
-double RatioTo(const BenchFigures& ours, const BenchFigures& other)
+bool IsComparable(const BenchFigures& figures)
 {
-    const bool known = ours.failure.empty() && other.failure.empty() && ours.cpu > 0.0;
-    return known ? other.cpu / ours.cpu : 0.0;
+    return figures.failure.empty() && figures.finite && figures.escaped == 0.0 &&
+           figures.awake == 0.0;
+}
+
+double CpuRatio(const BenchFigures& ours, const BenchFigures& other)
+{
+    return IsComparable(ours) && IsComparable(other) && ours.cpu > 0.0 ? other.cpu / ours.cpu : 0.0;
+}
+
+double WallRatio(const BenchFigures& ours, const BenchFigures& other)
+{
+    return IsComparable(ours) && IsComparable(other) && ours.mean > 0.0 ? other.mean / ours.mean
+                                                                        : 0.0;
+}
+
+bool IsGoalPeer(const BenchFigures& figures)
+{
+    return figures.engine.rfind("Box2D 2.4", 0) == 0;
 }
 
 } // namespace boxreel

@@ -13,32 +13,51 @@
 namespace boxreel
 {
 
+/// A scene, and what its figures are held against.
 struct BenchScene
 {
     std::string name;
-    std::string what; ///< in a few words
+    std::string what;             ///< in a few words
+    double goalTimesFaster = 0.0; ///< than Box2D 2.4; 0: no such goal
+    double goalSeconds = 0.0;     ///< CPU time of a step; 0: no such goal
+    std::string curve;            ///< scenes of one curve differ only in `count`; empty: none
+    double count = 0.0;
+    bool onlyForCurve = false;   ///< run for the curve or when named, else not
+    bool comparesSpeeds = false; ///< the bodies' mean speed tells a sound run, not their height
 };
 
 /// What one engine took for a scene. Times in seconds, of a step or of what the scene does instead.
 struct BenchFigures
 {
-    std::string engine;
-    double mean = 0.0, median = 0.0, p99 = 0.0;
-    double cpu = 0.0; ///< of the whole process, on average
+    std::string engine; ///< name and version
+    bool isOurs = false;
+    int threads = 1;
+    double mean = 0.0, median = 0.0, p99 = 0.0; ///< wall time
+    double cpu = 0.0;                           ///< of the whole process, on average
     double contacts = 0.0;
     double memory = 0.0; ///< growth of the process [kB]
     bool finite = true;
     double escaped = 0.0;    ///< bodies that left the scene's bounds
+    double awake = 0.0;      ///< bodies that should sleep and do not
     double meanHeight = 0.0; ///< of the dynamic bodies at the end [m]
+    double meanSpeed = 0.0;  ///< of the dynamic bodies at the end [m/s]
+    std::string bits;        ///< of all bodies at the end, hashed; "vary": not the same every time
     std::string failure;     ///< why there are no figures; empty: there are
     std::string verdict;     ///< "sound", or what is wrong in a few words
 };
 
-/// One scene, our engine first.
+/// One scene, our engine first: what all others are compared with. With several thread counts it
+/// comes once for each, in the order asked for, before the peers.
 struct BenchResult
 {
     BenchScene scene;
     std::vector<BenchFigures> engines;
+};
+
+struct BenchPlan
+{
+    int rounds = 3;
+    std::vector<int> threads{1}; ///< of our engine; the peers have one
 };
 
 /// The programs found beside this one, ours first; empty when the benchmark was not built.
@@ -46,9 +65,12 @@ std::vector<std::filesystem::path> FindBenchPrograms();
 
 Result<std::vector<BenchScene>> ListBenchScenes(const std::filesystem::path& program);
 
-/// Every engine `rounds` times in turn; each figure is the median of the rounds.
+/// Every engine and thread count `rounds` times in turn; each figure is the median of the rounds.
 BenchResult RunBenchScene(const std::vector<std::filesystem::path>& programs,
-                          const BenchScene& scene, int rounds);
+                          const BenchScene& scene, const BenchPlan& plan);
+
+/// One line of a program's list.
+BenchScene ParseBenchScene(const std::string& line);
 
 /// One engine's line of JSON as figures.
 Result<BenchFigures> ParseFigures(const std::string& output);
@@ -56,16 +78,32 @@ Result<BenchFigures> ParseFigures(const std::string& output);
 /// The median of each number.
 BenchFigures MedianOf(const std::vector<BenchFigures>& rounds);
 
-/// Fills the verdicts: nothing that is not finite, nobody escaped, and for our engine contacts and
-/// heights like those of the others.
-void Judge(std::vector<BenchFigures>& engines);
+/// Fills the verdicts: nothing that is not finite, nobody escaped or awake, and for our engine
+/// contacts, and heights or speeds, like those of the sound peers, and the same bits whenever it
+/// runs, at every thread count.
+void Judge(BenchResult& result);
 
-/// How many times less CPU time ours takes than the other; 0 when that cannot be said.
-double RatioTo(const BenchFigures& ours, const BenchFigures& other);
+/// Whether there are figures, of a world that did not burst: others are not compared.
+bool IsComparable(const BenchFigures& figures);
+
+/// How many times less CPU time, or wall time, ours takes than the other; 0 when they cannot be
+/// compared.
+double CpuRatio(const BenchFigures& ours, const BenchFigures& other);
+double WallRatio(const BenchFigures& ours, const BenchFigures& other);
+
+/// Whether the scene's goal of times faster is against this engine.
+bool IsGoalPeer(const BenchFigures& figures);
 
 /// A table for people, a row an engine.
 std::string BenchTable(const std::vector<BenchResult>& results);
 /// All figures and ratios for programs.
 std::string BenchJson(const std::vector<BenchResult>& results);
+/// What BenchJson wrote, without the ratios. `name` is for the error's sentence.
+Result<std::vector<BenchResult>> ParseBenchJson(const std::string& text, const std::string& name);
+
+/// 7.26 ms, 350 us: three digits and a unit that fits.
+std::string TimeText(double seconds);
+/// 2.6x, 31x, 12,300x; empty for 0.
+std::string RatioText(double ratio);
 
 } // namespace boxreel

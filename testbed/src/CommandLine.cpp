@@ -241,6 +241,21 @@ Result<Request> CheckDiff(DiffOptions options)
     return Request(std::move(options));
 }
 
+Result<Request> CheckBench(BenchOptions options)
+{
+    if (options.curve && !options.scenes.empty())
+    {
+        return Unusable("--curve names its scenes itself; leave '" + options.scenes.front() +
+                        "' out, or --curve.");
+    }
+    if (!options.from.empty() && !options.scenes.empty())
+    {
+        return Unusable("--from shows all that was run before; leave '" + options.scenes.front() +
+                        "' out, or --from.");
+    }
+    return Request(std::move(options));
+}
+
 Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
 {
     const std::string name = program.get_subcommands().front()->get_name();
@@ -262,7 +277,7 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     }
     if (name == "bench")
     {
-        return Request(std::move(parsed.bench));
+        return CheckBench(std::move(parsed.bench));
     }
     return Request(parsed.list);
 }

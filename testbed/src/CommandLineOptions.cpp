@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "CommandLineOptions.h"
 
+#include <algorithm>
+#include <sstream>
+
 namespace boxreel
 {
 namespace
@@ -39,6 +42,28 @@ auto WholeBetween(std::int64_t lowest, std::int64_t highest)
     return [lowest, highest](const std::string& option, const std::string& text) {
         return ParseWhole(option, text, lowest, highest);
     };
+}
+
+/// "1,2,4": thread counts, each once.
+Result<std::vector<int>> ParseThreads(const std::string& option, const std::string& text)
+{
+    std::vector<int> counts;
+    std::istringstream words(text + ",");
+    for (std::string word; std::getline(words, word, ',');)
+    {
+        const Result<std::int64_t> count = ParseWhole(option, word, 1, 64);
+        if (!count)
+        {
+            return count.GetError();
+        }
+        if (std::find(counts.begin(), counts.end(), int(*count)) != counts.end())
+        {
+            return Error{ErrorKind::Unusable,
+                         option + " names " + word + " twice; give each count once."};
+        }
+        counts.push_back(int(*count));
+    }
+    return counts;
 }
 
 void AddScene(CLI::App& command, std::string& scene)
@@ -198,17 +223,39 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
     command->add_option("SCENES", bench.scenes, "Such as large-pyramid; all when none is given")
         ->type_name("");
     command->add_flag("--list", bench.list, "Only say which scenes there are");
+    command->add_flag("--curve", bench.curve,
+                      "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies");
     AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
              "How often each engine runs, in turn; figures are medians (3)");
+    AddValue(*command, "--threads", "N[,N...]", bench.threads, ParseThreads,
+             "Of our engine (1); peers are compared with the first count");
     command->add_flag("--json", bench.json, "Print all figures as JSON instead of a table");
+    AddPath(*command, "--from", "FILE", bench.from,
+            "Show what an earlier --json printed; run nothing");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--chart",
+            [&bench](const std::vector<std::string>& names) {
+                bench.charts.assign(names.begin(), names.end());
+            },
+            "Draw the ratios: .png or .svg; may be given again")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    AddForce(*command, bench.force);
     command->footer(
-        "Times are those of a step, CPU that of the whole process a step; the ratio says how many\n"
-        "times more CPU time the peer takes. Peers are those whose packages were there when the\n"
-        "tests were built: libbox2d-dev, libchipmunk-dev.\n\n"
+        "Times are those of a step, CPU that of the whole process a step. The ratios, wall and "
+        "CPU,\n"
+        "say how many times more the peer takes; only runs that did not burst are compared. p99\n"
+        "should be at most twice the median; beyond that stands a sign. Peers are those whose\n"
+        "packages were there when the tests were built: libbox2d-dev, libchipmunk-dev. Wall times\n"
+        "mean little while other programs run.\n\n"
         "Examples:\n"
         "  boxreel bench\n"
         "  boxreel bench large-pyramid tumbler --rounds 7\n"
-        "  boxreel bench --json > bench.json");
+        "  boxreel bench rain --threads 1,2,4\n"
+        "  boxreel bench --json > bench.json\n"
+        "  boxreel bench --from bench.json --chart bench.png --chart bench.svg\n"
+        "  boxreel bench --curve --chart curve.png");
 }
 
 } // namespace boxreel

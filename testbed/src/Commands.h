@@ -68,9 +68,14 @@ struct GoldenOptions
 struct BenchOptions
 {
     bool list = false;               ///< only say which scenes there are
-    std::vector<std::string> scenes; ///< empty: all
+    std::vector<std::string> scenes; ///< empty: all that are not only for the curve
+    bool curve = false;              ///< the scenes of the curve, and its chart
     int rounds = 3;
-    bool json = false; ///< figures for programs instead of a table
+    std::vector<int> threads{1};               ///< of our engine
+    bool json = false;                         ///< figures for programs instead of a table
+    std::filesystem::path from;                ///< figures of an earlier run; empty: run
+    std::vector<std::filesystem::path> charts; ///< .png or .svg
+    bool force = false;
 };
 
 Result<int> RunList(const ListOptions& options);

@@ -7,8 +7,12 @@
 
 namespace boxreel
 {
+namespace
+{
 
-Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
+/// `isFormat`: the name's end is one of those that can be written; `formats` says which these are.
+Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFormat,
+                       const std::string& formats)
 {
     const std::string name = std::string("'").append(path.string()).append("'");
     std::error_code ignored;
@@ -17,10 +21,9 @@ Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
         return Error{ErrorKind::Unusable,
                      name + " is a folder; name a file in it, such as picture.png."};
     }
-    if (path.extension() != ".png")
+    if (!isFormat)
     {
-        return Error{ErrorKind::Unusable,
-                     name + " does not end in .png, the one format pictures are written in."};
+        return Error{ErrorKind::Unusable, name + " does not end in " + formats + "."};
     }
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     if (!std::filesystem::is_directory(folder, ignored))
@@ -38,6 +41,20 @@ Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
         return Error{ErrorKind::Unusable, name + " exists; --force overwrites it."};
     }
     return {};
+}
+
+} // namespace
+
+Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
+{
+    return CheckPath(path, force, path.extension() == ".png",
+                     ".png, the one format pictures are written in");
+}
+
+Result<void> CheckChartPath(const std::filesystem::path& path, bool force)
+{
+    return CheckPath(path, force, path.extension() == ".png" || path.extension() == ".svg",
+                     ".png or .svg, the two formats charts are written in");
 }
 
 } // namespace boxreel

@@ -13,4 +13,7 @@ namespace boxreel
 /// written to, and no file is in the way unless `force`. Changes nothing.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
 
+/// The same for a chart, whose name ends in .png or .svg.
+Result<void> CheckChartPath(const std::filesystem::path& path, bool force);
+
 } // namespace boxreel

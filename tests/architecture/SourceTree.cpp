@@ -69,6 +69,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"stb", {"render/src/FontAtlas"}},
         {"CLI/", {"testbed/src/CommandLine"}},
         {"nlohmann/", {"testbed/bench/", "testbed/rube/"}},
+        {"cairo", {"testbed/bench/ChartCairo."}},
         {"chipmunk/", {"tests/benchmark/"}},
         {"box2d/", {"tests/benchmark/"}},
         {"gtest/", {}},

@@ -102,6 +102,12 @@ EndState Look(const Sim& sim, const Bounds& bounds)
     return end;
 }
 
+/// JSON knows no other numbers.
+double Finite(double value)
+{
+    return std::isfinite(value) ? value : 0.0;
+}
+
 std::vector<BodyId> AwakeBodies(const Sim& sim)
 {
     std::vector<BodyId> awake;
@@ -213,8 +219,9 @@ int Run(const Scene& scene, int threads)
     std::printf("\"contacts\":%d,\"memory\":%ld,\"finite\":%s,\"escaped\":%d,\"awake\":%d,"
                 "\"meanHeight\":%.9g,\"highest\":%.9g,\"meanSpeed\":%.9g,\"bits\":\"%016llx\"}\n",
                 sim->TouchingContacts(), memory, end.finite ? "true" : "false", end.escaped,
-                std::max(0, scene.sleepers - end.asleep), end.meanHeight, end.highest,
-                end.meanSpeed, static_cast<unsigned long long>(end.bits));
+                std::max(0, scene.sleepers - end.asleep), Finite(end.meanHeight),
+                Finite(end.highest), Finite(end.meanSpeed),
+                static_cast<unsigned long long>(end.bits));
     return 0;
 }
 

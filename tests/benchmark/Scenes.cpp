@@ -346,6 +346,14 @@ void AddLargeScenes(Scenes& scenes)
     bullets.likeness = Likeness::Speeds;
 }
 
+/// 20,000
+std::string Words(int count)
+{
+    const std::string digits = std::to_string(count);
+    const std::size_t ending = digits.size() - 3;
+    return count < 10000 ? digits : digits.substr(0, ending) + "," + digits.substr(ending);
+}
+
 void AddCurves(Scenes& scenes)
 {
     constexpr int counts[] = {200, 2000, 20000, 200000};
@@ -356,7 +364,7 @@ void AddCurves(Scenes& scenes)
                                   "", "", [count](Sim& sim) { BuildStatic(sim, count); }, 300),
                               count == 20000 ? 20.0 : 0.0);
         scene.name = "static-" + std::to_string(count);
-        scene.what = std::to_string(count) + " static boxes beside 200 that move";
+        scene.what = Words(count) + " static boxes beside 200 that move";
         scene.warmup = 60;
         scene.curve = "static";
         scene.count = count;
@@ -369,7 +377,7 @@ void AddCurves(Scenes& scenes)
                                   "", "", [count](Sim& sim) { BuildAsleep(sim, count); }, 300),
                               0.0);
         scene.name = "asleep-" + std::to_string(count);
-        scene.what = std::to_string(count) + " boxes asleep beside 200 that move";
+        scene.what = Words(count) + " boxes asleep beside 200 that move";
         scene.settings.sleep = true;
         scene.warmup = 60;
         scene.sleepers = count;

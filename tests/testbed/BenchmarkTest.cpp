@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <bench/BenchChart.h>
 #include <bench/Benchmark.h>
 
 #include <gmock/gmock.h>
@@ -9,29 +10,83 @@ namespace
 {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kLine =
-    R"({"engine":"boxreel","scene":"rain","threads":1,"calls":600,"mean":0.004,"median":0.0039,)"
+    R"({"engine":"boxreel 1.0","scene":"rain","threads":2,"calls":600,"mean":0.004,"median":0.0039,)"
     R"("p99":0.006,"worst":0.007,"cpu":0.0041,"contacts":13624,"memory":5000,"finite":true,)"
-    R"("escaped":0,"meanHeight":12.6,"highest":30,"meanSpeed":0.1,"asleep":false})";
+    R"("escaped":0,"awake":0,"meanHeight":12.6,"highest":30,"meanSpeed":0.1,"bits":"0f"})";
 
-BenchFigures Figures(double cpu, double contacts, double height)
+BenchFigures Figures(const std::string& engine, double cpu, double contacts, double height)
 {
     BenchFigures figures;
-    figures.engine = "engine";
+    figures.engine = engine;
+    figures.isOurs = engine.rfind("boxreel", 0) == 0;
     figures.mean = figures.median = figures.p99 = figures.cpu = cpu;
     figures.contacts = contacts;
     figures.meanHeight = height;
+    figures.bits = "00";
     return figures;
+}
+
+BenchScene SceneNamed(const std::string& name)
+{
+    BenchScene scene;
+    scene.name = name;
+    scene.what = "5000 circles";
+    return scene;
+}
+
+/// Ours, Box2D five times slower and Chipmunk twice as fast.
+BenchResult Rain()
+{
+    BenchResult result{SceneNamed("rain"),
+                       {Figures("boxreel 1.0", 0.004, 100, 5),
+                        Figures("Box2D 2.4.1", 0.02, 104, 5.1),
+                        Figures("Chipmunk 7", 0.002, 97, 5)}};
+    result.scene.goalTimesFaster = 8.0;
+    Judge(result);
+    return result;
+}
+
+BenchResult Point(const std::string& curve, double count, double ours, double peer)
+{
+    BenchResult result{SceneNamed(curve + "-" + std::to_string(int(count))),
+                       {Figures("boxreel 1.0", ours, 1, 1), Figures("Box2D 2.4.1", peer, 1, 1)}};
+    result.scene.curve = curve;
+    result.scene.count = count;
+    Judge(result);
+    return result;
+}
+
+TEST(Benchmark, ReadsWhatAProgramSaysOfItsScenes)
+{
+    const BenchScene scene = ParseBenchScene(
+        "static-20\tin a few words\tfaster=7.5 only-curve=static count=20 like=speeds");
+    EXPECT_EQ(scene.name, "static-20");
+    EXPECT_EQ(scene.what, "in a few words");
+    EXPECT_EQ(scene.goalTimesFaster, 7.5);
+    EXPECT_EQ(scene.goalSeconds, 0.0);
+    EXPECT_EQ(scene.curve, "static");
+    EXPECT_EQ(scene.count, 20.0);
+    EXPECT_TRUE(scene.onlyForCurve);
+    EXPECT_TRUE(scene.comparesSpeeds);
+    const BenchScene plain = ParseBenchScene("empty\tan empty world\tseconds=1e-07 like=heights");
+    EXPECT_EQ(plain.goalSeconds, 1e-7);
+    EXPECT_FALSE(plain.onlyForCurve || plain.comparesSpeeds);
+    EXPECT_EQ(ParseBenchScene("alone").name, "alone");
 }
 
 TEST(Benchmark, ReadsTheLastLineOfWhatAProgramPrints)
 {
     const Result<BenchFigures> figures = ParseFigures(std::string("Initializing\n") + kLine + "\n");
     ASSERT_TRUE(figures);
-    EXPECT_EQ(figures->engine, "boxreel");
+    EXPECT_EQ(figures->engine, "boxreel 1.0");
+    EXPECT_EQ(figures->threads, 2);
     EXPECT_EQ(figures->cpu, 0.0041);
     EXPECT_EQ(figures->contacts, 13624.0);
+    EXPECT_EQ(figures->meanSpeed, 0.1);
+    EXPECT_EQ(figures->bits, "0f");
     EXPECT_TRUE(figures->finite);
 }
 
@@ -45,46 +100,208 @@ TEST(Benchmark, RefusesWhatIsNoLineOfFigures)
 
 TEST(Benchmark, TakesTheMedianOfEachFigure)
 {
-    const BenchFigures median =
-        MedianOf({Figures(3.0, 10.0, 1.0), Figures(1.0, 30.0, 1.0), Figures(2.0, 20.0, 1.0)});
+    const auto with = [](double cpu, double contacts) {
+        return Figures("boxreel 1.0", cpu, contacts, 1.0);
+    };
+    const BenchFigures median = MedianOf({with(3.0, 10.0), with(1.0, 30.0), with(2.0, 20.0)});
     EXPECT_EQ(median.cpu, 2.0);
     EXPECT_EQ(median.contacts, 20.0);
-    EXPECT_EQ(MedianOf({Figures(1.0, 0.0, 0.0), Figures(2.0, 0.0, 0.0)}).cpu, 1.5);
+    EXPECT_EQ(median.bits, "00");
+    EXPECT_EQ(MedianOf({with(1.0, 0.0), with(2.0, 0.0)}).cpu, 1.5);
 }
 
 TEST(Benchmark, CallsARunSoundThatEndsLikeThoseOfThePeers)
 {
-    std::vector<BenchFigures> engines{Figures(1, 100, 5), Figures(2, 104, 5.1), Figures(2, 97, 5)};
-    Judge(engines);
+    BenchResult result = Rain();
+    std::vector<BenchFigures>& engines = result.engines;
     EXPECT_EQ(engines[0].verdict, "sound");
     engines[0].contacts = 60;
-    Judge(engines);
+    Judge(result);
     EXPECT_EQ(engines[0].verdict, "other contacts");
     engines[0].contacts = 100;
     engines[0].meanHeight = -8;
-    Judge(engines);
+    Judge(result);
     EXPECT_EQ(engines[0].verdict, "other heights");
     engines[1].escaped = 3;
     engines[2].finite = false;
-    Judge(engines);
+    Judge(result);
     EXPECT_EQ(engines[1].verdict, "3 escaped");
     EXPECT_EQ(engines[2].verdict, "not finite");
     EXPECT_EQ(engines[0].verdict, "sound") << "nobody sound to be compared with";
+    engines[0].awake = 7;
+    Judge(result);
+    EXPECT_EQ(engines[0].verdict, "7 awake");
 }
 
-TEST(Benchmark, ShowsTimesWithUnitsAndRatiosInATable)
+TEST(Benchmark, ComparesSpeedsWhereNothingComesToRest)
 {
-    BenchResult result{{"rain", "5000 circles"}, {Figures(0.004, 1, 1), Figures(0.02, 1, 1)}};
+    BenchResult result = Rain();
+    result.scene.comparesSpeeds = true;
+    result.engines[0].meanHeight = -8; // of no interest there
+    result.engines[0].meanSpeed = 45;
+    result.engines[1].meanSpeed = 46;
+    result.engines[2].meanSpeed = 99;
+    result.engines[2].escaped = 496; // and so not compared
+    Judge(result);
+    EXPECT_EQ(result.engines[0].verdict, "sound");
+    result.engines[0].meanSpeed = 60;
+    Judge(result);
+    EXPECT_EQ(result.engines[0].verdict, "other speeds");
+    result.engines[0].meanSpeed = 30;
+    Judge(result);
+    EXPECT_EQ(result.engines[0].verdict, "other speeds");
+}
+
+TEST(Benchmark, WantsTheSameBitsEveryTimeAtEveryThreadCount)
+{
+    BenchResult result = Rain();
+    result.engines.insert(result.engines.begin() + 1, result.engines.front());
+    result.engines[1].threads = 2;
+    Judge(result);
+    EXPECT_EQ(result.engines[1].verdict, "sound");
+    result.engines[1].bits = "01";
+    Judge(result);
+    EXPECT_EQ(result.engines[0].verdict, "sound");
+    EXPECT_EQ(result.engines[1].verdict, "other bits");
+
+    std::vector<BenchFigures> rounds(3, Rain().engines.front());
+    rounds[2].bits = "02";
+    result = Rain();
+    result.engines[0] = MedianOf(rounds);
+    Judge(result);
+    EXPECT_EQ(result.engines[0].verdict, "other bits");
+}
+
+TEST(Benchmark, ARunThatBurstIsNotCompared)
+{
+    const BenchFigures ours = Figures("boxreel 1.0", 1, 1, 1);
+    BenchFigures peer = Figures("Chipmunk 7", 3, 1, 1);
+    EXPECT_EQ(CpuRatio(ours, peer), 3.0);
+    EXPECT_EQ(WallRatio(ours, peer), 3.0);
+    peer.escaped = 1;
+    EXPECT_EQ(CpuRatio(ours, peer), 0.0);
+    EXPECT_EQ(WallRatio(peer, ours), 0.0) << "nor can a broken run of ours win";
+}
+
+TEST(Benchmark, ShowsTimesWithUnitsRatiosAndGoalsInATable)
+{
+    BenchResult result = Rain();
+    result.engines[0].p99 = 0.009;
     BenchFigures failed;
     failed.engine = "other";
     failed.failure = "failed";
     result.engines.push_back(failed);
-    Judge(result.engines);
+    Judge(result);
     const std::string table = BenchTable({result});
-    EXPECT_THAT(table, HasSubstr("4.00 ms"));
-    EXPECT_THAT(table, HasSubstr("5.0x"));
-    EXPECT_THAT(table, HasSubstr("failed"));
-    EXPECT_THAT(BenchJson({result}), HasSubstr("\"ratio\": 5.0"));
+    for (const char* text : {"4.00 ms", "5.0x", "8.0x", "2.25!", "0.5x", "failed", "104", "sound"})
+    {
+        EXPECT_THAT(table, HasSubstr(text));
+    }
+    EXPECT_THAT(table, Not(HasSubstr("threads"))) << "only where there are several";
+}
+
+TEST(Benchmark, ShowsTheSpeedUpOfThreads)
+{
+    BenchResult result = Rain();
+    result.engines.insert(result.engines.begin() + 1, result.engines.front());
+    result.engines[1].threads = 2;
+    result.engines[1].mean = 0.0025;
+    Judge(result);
+    const std::string table = BenchTable({result});
+    EXPECT_THAT(table, HasSubstr("threads speed-up"));
+    EXPECT_THAT(table, HasSubstr("      2     1.6x"));
+}
+
+TEST(Benchmark, SaysHowACurveGrows)
+{
+    const std::string table =
+        BenchTable({Point("static", 200, 1.0, 2.0), Point("static", 2000, 1.1, 30.0),
+                    Point("static", 20000, 1.2, 300.0)});
+    EXPECT_THAT(table, HasSubstr("static-20000 takes 1.2x the CPU time of static-200\n"));
+    EXPECT_THAT(table, HasSubstr("static-20000 takes 150x the CPU time of static-200\n"));
+    EXPECT_THAT(BenchTable({Point("static", 200, 1.0, 2.0)}), Not(HasSubstr("takes")));
+}
+
+TEST(Benchmark, ReadsItsOwnJsonBack)
+{
+    BenchResult rain = Rain();
+    BenchFigures failed;
+    failed.engine = "other";
+    failed.failure = "failed";
+    rain.engines.push_back(failed);
+    Judge(rain);
+    const std::vector<BenchResult> results{rain, Point("asleep", 200, 1.0, 2.0)};
+    const std::string json = BenchJson(results);
+    EXPECT_THAT(json, HasSubstr("\"cpuRatio\": 5.0"));
+    const Result<std::vector<BenchResult>> read = ParseBenchJson(json, "a.json");
+    ASSERT_TRUE(read) << read.GetError().message;
+    EXPECT_EQ(BenchJson(*read), json);
+    EXPECT_EQ(BenchTable(*read), BenchTable(results));
+}
+
+TEST(Benchmark, RefusesOtherJson)
+{
+    for (const char* text : {"", "{}", "[]", R"({"scenes":[]})", R"({"scenes":[{"scene":"a"}]})",
+                             R"({"scenes":[3]})", R"({"scenes":[{"scene":"a","engines":[1]}]})"})
+    {
+        const Result<std::vector<BenchResult>> read = ParseBenchJson(text, "a.json");
+        ASSERT_FALSE(read) << text;
+        EXPECT_EQ(read.GetError().kind, ErrorKind::Unusable);
+        EXPECT_THAT(read.GetError().message, HasSubstr("a.json"));
+    }
+}
+
+TEST(BenchChart, ShowsRatiosGoalsAndWhatIsNotCompared)
+{
+    BenchResult burst = Rain();
+    burst.scene = SceneNamed("one-box");
+    burst.scene.goalSeconds = 0.01;
+    burst.engines[2].escaped = 9;
+    burst.engines[0].contacts = 1000;
+    Judge(burst);
+    const Result<BarChart> chart = RatioChart({Rain(), burst});
+    ASSERT_TRUE(chart);
+    ASSERT_EQ(chart->series.size(), 2u);
+    EXPECT_EQ(chart->series[0].name, "than Box2D 2.4.1");
+    EXPECT_EQ(chart->start, 1.0);
+    const std::vector<ChartBar>& rain = chart->groups[0].bars;
+    EXPECT_EQ(rain[0].value, 5.0);
+    EXPECT_EQ(rain[0].mark, 8.0);
+    EXPECT_EQ(rain[1].value, 0.5);
+    EXPECT_FALSE(rain[0].doubtful);
+    EXPECT_TRUE(std::isnan(rain[1].mark)) << "the goals are against Box2D";
+    const std::vector<ChartBar>& box = chart->groups[1].bars;
+    EXPECT_EQ(box[0].mark, 2.0) << "the peer's time over the goal's";
+    EXPECT_TRUE(box[0].doubtful);
+    EXPECT_THAT(box[0].label, HasSubstr("other contacts"));
+    EXPECT_TRUE(std::isnan(box[1].value));
+    EXPECT_THAT(box[1].label, HasSubstr("9 escaped"));
+}
+
+TEST(BenchChart, NeedsAPeer)
+{
+    BenchResult alone{SceneNamed("rain"), {Figures("boxreel 1.0", 1, 1, 1)}};
+    const Result<BarChart> chart = RatioChart({alone});
+    ASSERT_FALSE(chart);
+    EXPECT_THAT(chart.GetError().message, HasSubstr("libbox2d-dev"));
+}
+
+TEST(BenchChart, ShowsALineAnEngineAndKindInTheOrderOfTheCounts)
+{
+    const Result<LineChart> chart =
+        CurveChart({Point("static", 2000, 1e-6, 30e-6), Point("static", 200, 1e-6, 2e-6),
+                    Point("asleep", 200, 1e-6, 2e-6), Rain()});
+    ASSERT_TRUE(chart);
+    ASSERT_EQ(chart->lines.size(), 4u);
+    const ChartLine& peer = chart->lines[1];
+    EXPECT_EQ(peer.series.name, "Box2D 2.4.1, static");
+    ASSERT_EQ(peer.points.size(), 2u);
+    EXPECT_EQ(peer.points[0].x, 200.0);
+    EXPECT_NEAR(peer.points[1].y, 30.0, 1e-9) << "microseconds";
+    EXPECT_THAT(peer.points[1].label, HasSubstr("15"));
+    EXPECT_EQ(chart->lines[2].series.color, chart->lines[0].series.color) << "both are ours";
+    EXPECT_TRUE(chart->lines[2].series.dashed);
+    EXPECT_FALSE(CurveChart({Rain()}));
 }
 
 } // namespace

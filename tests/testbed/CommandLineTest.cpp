@@ -268,7 +268,8 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
         {"shot", shot},
         {"diff", {"-o,--output", "--preset", "--force"}},
         {"golden", {"verify", "accept"}},
-        {"bench", {"--list", "--rounds", "--json"}},
+        {"bench",
+         {"--list", "--curve", "--rounds", "--threads", "--json", "--from", "--chart", "--force"}},
         {"golden verify", {"--references", "--output"}},
         {"golden accept", {"--references", "--output"}},
     };
@@ -282,6 +283,24 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
         }
         EXPECT_EQ(Parsed<TextRequest>("help " + command).text, help);
     }
+}
+
+TEST(CommandLine, BenchTakesSeveralChartsAndThreadCountsAndLeavesScenesToThemselves)
+{
+    const BenchOptions options = Parsed<BenchOptions>(
+        "bench --chart a.png rain --threads 1,2 --chart b.svg tumbler --rounds 7 --force");
+    EXPECT_EQ(options.charts, (std::vector<std::filesystem::path>{"a.png", "b.svg"}));
+    EXPECT_EQ(options.scenes, (std::vector<std::string>{"rain", "tumbler"}));
+    EXPECT_EQ(options.threads, (std::vector<int>{1, 2}));
+    EXPECT_EQ(options.rounds, 7);
+    EXPECT_TRUE(options.force);
+    EXPECT_EQ(Parsed<BenchOptions>("bench").threads, std::vector<int>{1});
+    EXPECT_THAT(Refusal("bench --threads 1,0"), HasSubstr("--threads"));
+    EXPECT_THAT(Refusal("bench --threads 2,2"), HasSubstr("twice"));
+    EXPECT_THAT(Refusal("bench --threads 1,,2"), HasSubstr("--threads"));
+    EXPECT_THAT(Refusal("bench --curve rain"), HasSubstr("'rain'"));
+    EXPECT_THAT(Refusal("bench --from a.json rain"), HasSubstr("'rain'"));
+    EXPECT_THAT(Refusal("bench --chart"), HasSubstr("--chart needs a value"));
 }
 
 TEST(CommandLine, APanelThatWouldBeCutOffIsRefused)

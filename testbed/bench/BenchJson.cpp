@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "Benchmark.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+double Number(const Json& json, const char* name, double otherwise)
+{
+    return json.is_object() && json.contains(name) && json[name].is_number()
+               ? json[name].get<double>()
+               : otherwise;
+}
+
+std::string Text(const Json& json, const char* name)
+{
+    return json.is_object() && json.contains(name) && json[name].is_string()
+               ? json[name].get<std::string>()
+               : "";
+}
+
+bool Flag(const Json& json, const char* name)
+{
+    return json.is_object() && json.contains(name) && json[name] == true;
+}
+
+Json EngineJson(const BenchFigures& e, const BenchFigures& first)
+{
+    Json json{
+        {"engine", e.engine}, {"ours", e.isOurs}, {"threads", e.threads}, {"verdict", e.verdict}};
+    if (!e.failure.empty())
+    {
+        json["failure"] = e.failure;
+        return json;
+    }
+    json.update({{"meanSeconds", e.mean},
+                 {"medianSeconds", e.median},
+                 {"p99Seconds", e.p99},
+                 {"cpuSeconds", e.cpu},
+                 {"wallRatio", WallRatio(first, e)},
+                 {"cpuRatio", CpuRatio(first, e)},
+                 {"contacts", e.contacts},
+                 {"memoryKilobytes", e.memory},
+                 {"finite", e.finite},
+                 {"escaped", e.escaped},
+                 {"awake", e.awake},
+                 {"meanHeightMetres", e.meanHeight},
+                 {"meanSpeedMetresPerSecond", e.meanSpeed},
+                 {"bits", e.bits}});
+    return json;
+}
+
+BenchFigures EngineFrom(const Json& json)
+{
+    BenchFigures e;
+    e.engine = Text(json, "engine");
+    e.isOurs = Flag(json, "ours");
+    e.threads = int(Number(json, "threads", 1.0));
+    e.failure = Text(json, "failure");
+    e.mean = Number(json, "meanSeconds", 0.0);
+    e.median = Number(json, "medianSeconds", 0.0);
+    e.p99 = Number(json, "p99Seconds", 0.0);
+    e.cpu = Number(json, "cpuSeconds", 0.0);
+    e.contacts = Number(json, "contacts", 0.0);
+    e.memory = Number(json, "memoryKilobytes", 0.0);
+    e.finite = Flag(json, "finite");
+    e.escaped = Number(json, "escaped", 0.0);
+    e.awake = Number(json, "awake", 0.0);
+    e.meanHeight = Number(json, "meanHeightMetres", 0.0);
+    e.meanSpeed = Number(json, "meanSpeedMetresPerSecond", 0.0);
+    e.bits = Text(json, "bits");
+    return e;
+}
+
+Json SceneJson(const BenchScene& scene)
+{
+    Json json{{"scene", scene.name}, {"what", scene.what}};
+    if (scene.goalTimesFaster > 0.0)
+    {
+        json["goalTimesFaster"] = scene.goalTimesFaster;
+    }
+    if (scene.goalSeconds > 0.0)
+    {
+        json["goalSeconds"] = scene.goalSeconds;
+    }
+    if (!scene.curve.empty())
+    {
+        json.update({{"curve", scene.curve}, {"count", scene.count}});
+    }
+    json["comparesSpeeds"] = scene.comparesSpeeds;
+    return json;
+}
+
+BenchScene SceneFrom(const Json& json)
+{
+    BenchScene scene;
+    scene.name = Text(json, "scene");
+    scene.what = Text(json, "what");
+    scene.goalTimesFaster = Number(json, "goalTimesFaster", 0.0);
+    scene.goalSeconds = Number(json, "goalSeconds", 0.0);
+    scene.curve = Text(json, "curve");
+    scene.count = Number(json, "count", 0.0);
+    scene.comparesSpeeds = Flag(json, "comparesSpeeds");
+    return scene;
+}
+
+} // namespace
+
+Result<BenchFigures> ParseFigures(const std::string& output)
+{
+    // A library may talk before; the figures are the last line.
+    const std::size_t end = output.find_last_not_of('\n');
+    const std::size_t start = output.rfind('\n', end);
+    const std::string line = output.substr(start == std::string::npos ? 0 : start + 1);
+    const Json json = Json::parse(line, nullptr, false);
+    BenchFigures figures;
+    bool complete = true;
+    const std::pair<const char*, double BenchFigures::*> numbers[] = {
+        {"mean", &BenchFigures::mean},         {"median", &BenchFigures::median},
+        {"p99", &BenchFigures::p99},           {"cpu", &BenchFigures::cpu},
+        {"contacts", &BenchFigures::contacts}, {"memory", &BenchFigures::memory},
+        {"escaped", &BenchFigures::escaped},   {"awake", &BenchFigures::awake},
+    };
+    for (const auto& [name, number] : numbers)
+    {
+        figures.*number = Number(json, name, std::nan(""));
+        complete = complete && std::isfinite(figures.*number);
+    }
+    figures.engine = Text(json, "engine");
+    if (!complete || figures.engine.empty())
+    {
+        return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
+    }
+    // Of a world that burst these may not be numbers.
+    figures.meanHeight = Number(json, "meanHeight", 0.0);
+    figures.meanSpeed = Number(json, "meanSpeed", 0.0);
+    figures.threads = int(Number(json, "threads", 1.0));
+    figures.finite = Flag(json, "finite");
+    figures.bits = Text(json, "bits");
+    return figures;
+}
+
+std::string BenchJson(const std::vector<BenchResult>& results)
+{
+    Json scenes = Json::array();
+    for (const BenchResult& result : results)
+    {
+        Json scene = SceneJson(result.scene);
+        scene["engines"] = Json::array();
+        for (const BenchFigures& engine : result.engines)
+        {
+            scene["engines"].push_back(EngineJson(engine, result.engines.front()));
+        }
+        scenes.push_back(std::move(scene));
+    }
+    return Json{{"scenes", scenes}}.dump(2) + "\n";
+}
+
+Result<std::vector<BenchResult>> ParseBenchJson(const std::string& text, const std::string& name)
+{
+    const Json json = Json::parse(text, nullptr, false);
+    const bool isOurs = json.is_object() && json.contains("scenes") && json["scenes"].is_array();
+    std::vector<BenchResult> results;
+    for (const Json& scene : isOurs ? json["scenes"] : Json::array())
+    {
+        BenchResult result{SceneFrom(scene), {}};
+        if (scene.is_object() && scene.contains("engines") && scene["engines"].is_array())
+        {
+            for (const Json& engine : scene["engines"])
+            {
+                result.engines.push_back(EngineFrom(engine));
+            }
+        }
+        if (result.scene.name.empty() || result.engines.empty() || !result.engines.front().isOurs)
+        {
+            results.clear();
+            break;
+        }
+        Judge(result);
+        results.push_back(std::move(result));
+    }
+    if (results.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "'" + name + "' is not what `boxreel bench --json` prints; make it again."};
+    }
+    return results;
+}
+
+} // namespace boxreel
