@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// `boxreel bench` in a process of its own: what it refuses before anything is run, and what it
+// writes.
+#include "Subprocess.h"
+
+#include <render/Png.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Two engines in a scene of a curve, as `--json` prints it.
+constexpr const char* kEarlierRun = R"({"scenes":[{"scene":"static-200","what":"few",
+  "goalTimesFaster":20,"curve":"static","count":200,"comparesSpeeds":false,"engines":[
+  {"engine":"boxreel 0.1.0","ours":true,"threads":1,"meanSeconds":1e-5,"medianSeconds":1e-5,
+   "p99Seconds":1.2e-5,"cpuSeconds":1e-5,"contacts":200,"memoryKilobytes":700,"finite":true,
+   "escaped":0,"awake":0,"meanHeightMetres":2.5,"meanSpeedMetresPerSecond":0,"bits":"00"},
+  {"engine":"Box2D 2.4.1","ours":false,"threads":1,"meanSeconds":7e-5,"medianSeconds":7e-5,
+   "p99Seconds":8e-5,"cpuSeconds":7e-5,"contacts":200,"memoryKilobytes":600,"finite":true,
+   "escaped":0,"awake":0,"meanHeightMetres":2.5,"meanSpeedMetresPerSecond":0,"bits":"11"}]}]})";
+
+class BenchCommand : public testing::Test
+{
+protected:
+    BenchCommand() { std::ofstream(folder / "run.json") << kEarlierRun; }
+
+    Outcome Run(std::vector<std::string> arguments) const
+    {
+        arguments.insert(arguments.begin(), "bench");
+        return RunBoxreel(arguments, folder.Path());
+    }
+
+    /// One sentence with the culprit, and no file more.
+    void ExpectRefusal(const std::vector<std::string>& arguments, const std::string& culprit) const
+    {
+        const std::vector<std::string> before = folder.Files();
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.code, 1) << outcome.errors;
+        EXPECT_THAT(outcome.errors, testing::StartsWith("boxreel: "));
+        EXPECT_THAT(outcome.errors, HasSubstr(culprit));
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
+            << outcome.errors;
+        EXPECT_EQ(outcome.output, "");
+        EXPECT_EQ(folder.Files(), before);
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(BenchCommand, RefusesAChartThatCouldNotBeWrittenBeforeAnythingIsRun)
+{
+    std::ofstream(folder / "old.svg") << "old";
+    ExpectRefusal({"rain", "--chart", "chart.jpg"}, "'chart.jpg' does not end in .png or .svg");
+    ExpectRefusal({"rain", "--chart", "none/chart.png"}, "There is no folder 'none'");
+    ExpectRefusal({"rain", "--chart", "old.svg"}, "'old.svg' exists; --force overwrites it");
+    ExpectRefusal({"rain", "--chart", "a.png", "--chart", "a.png"}, "'a.png' twice");
+    EXPECT_EQ(ReadFile(folder / "old.svg"), "old");
+}
+
+TEST_F(BenchCommand, RefusesFiguresThatAreNoFigures)
+{
+    std::ofstream(folder / "other.json") << "{}";
+    ExpectRefusal({"--from", "other.json"}, "'other.json'");
+    ExpectRefusal({"--from", "absent.json"}, "Cannot read 'absent.json'");
+}
+
+TEST_F(BenchCommand, DrawsAnEarlierRunInBothFormats)
+{
+    const Outcome outcome = Run({"--from", "run.json", "--chart", "a.png", "--chart", "a.svg"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_THAT(outcome.output, HasSubstr("7.0x"));
+    EXPECT_THAT(folder.Files(), ElementsAre("a.png", "a.svg", "run.json"));
+    EXPECT_TRUE(ReadPng(folder / "a.png"));
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(BenchCommand, DrawsTheCurveInstead)
+{
+    EXPECT_EQ(Run({"--from", "run.json", "--chart", "bars.svg"}).code, 0);
+    EXPECT_EQ(Run({"--from", "run.json", "--curve", "--chart", "curve.svg"}).code, 0);
+    EXPECT_NE(ReadFile(folder / "bars.svg"), ReadFile(folder / "curve.svg"));
+}
+
+TEST_F(BenchCommand, OverwritesAChartOnlyWhenToldTo)
+{
+    std::ofstream(folder / "a.svg") << "old";
+    EXPECT_EQ(Run({"--from", "run.json", "--chart", "a.svg", "--force"}).code, 0);
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(BenchCommand, RunsASceneOnAllEnginesAndPrintsWhatItCanReadAgain)
+{
+    const Outcome outcome = Run({"asleep-200", "--rounds", "1", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("\"engine\": \"boxreel "));
+    EXPECT_THAT(outcome.output, HasSubstr("\"verdict\": \"sound\""));
+    std::ofstream(folder / "again.json") << outcome.output;
+    EXPECT_EQ(Run({"--from", "again.json", "--json"}).output, outcome.output);
+}
+
+TEST_F(BenchCommand, ListsAllScenes)
+{
+    const Outcome outcome = Run({"--list"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    for (const char* scene : {"large-pyramid", "static-200000", "asleep-200000", "create-destroy"})
+    {
+        EXPECT_THAT(outcome.output, HasSubstr(scene));
+    }
+}
+
+} // namespace
+} // namespace boxreel
