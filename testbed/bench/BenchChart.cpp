@@ -121,7 +121,8 @@ Result<BarChart> RatioChart(const std::vector<BenchResult>& results)
     chart.markName = "goal against Box2D 2.4";
     for (const std::string& peer : peers)
     {
-        chart.series.push_back({"than " + peer, int(chart.series.size())});
+        // The first colour is that of ours, in the curve.
+        chart.series.push_back({"than " + peer, int(chart.series.size()) + 1});
     }
     for (const BenchResult& result : results)
     {
@@ -187,8 +188,8 @@ Result<LineChart> CurveChart(const std::vector<BenchResult>& results)
     chart.frame.subtitle = "CPU time of a step with 200 moving boxes and a growing number of "
                            "static boxes, or of boxes asleep";
     chart.frame.notes = {
-        "At the end of each line: how many times the first of its steps the last "
-        "one takes. dt 1/60 s; 8 velocity and 3 position iterations, Chipmunk 10."};
+        "At the end of each line: the time at its last point over the time at its first. Steps of "
+        "1/60 s; 8 velocity and 3 position iterations, Chipmunk 10."};
     chart.x = {"static boxes, or boxes asleep", true};
     chart.y = {"CPU time of a step [\u00b5s]", true};
     return chart;
