@@ -229,10 +229,17 @@ TEST(Benchmark, ReadsItsOwnJsonBack)
     failed.engine = "other";
     failed.failure = "failed";
     rain.engines.push_back(failed);
+    rain.engines[1].threads = 2;
+    rain.engines[1].meanSpeed = 3.0;
+    rain.engines[1].escaped = 5.0;
+    rain.engines[2].awake = 4.0;
+    rain.engines[2].memory = 1000.0;
+    rain.scene.comparesSpeeds = true;
+    rain.scene.goalSeconds = 1e-6;
     Judge(rain);
     const std::vector<BenchResult> results{rain, Point("asleep", 200, 1.0, 2.0)};
     const std::string json = BenchJson(results);
-    EXPECT_THAT(json, HasSubstr("\"cpuRatio\": 5.0"));
+    EXPECT_THAT(json, HasSubstr("\"cpuRatio\": 2.0"));
     const Result<std::vector<BenchResult>> read = ParseBenchJson(json, "a.json");
     ASSERT_TRUE(read) << read.GetError().message;
     EXPECT_EQ(BenchJson(*read), json);

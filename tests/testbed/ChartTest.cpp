@@ -248,8 +248,8 @@ TEST(Chart, BecomesAPngOfTwoPixelsAPoint)
     ASSERT_TRUE(WriteWhole(folder / "chart.png", *bytes, false));
     const Result<Frame> frame = ReadPng(folder / "chart.png");
     ASSERT_TRUE(frame);
-    EXPECT_EQ(frame->width, 2000);
-    EXPECT_EQ(frame->height, 2 * int(std::ceil(HeightOf(chart))));
+    ASSERT_EQ(frame->width, 2000);
+    ASSERT_EQ(frame->height, 2 * int(std::ceil(HeightOf(chart))));
 
     // The first bar has its colour where the layout says, and paper is white.
     Recorder canvas;
