@@ -264,7 +264,7 @@ int main(int count, char** words)
         {
             if (scene.name == words[2])
             {
-                return bench::Run(scene, count > 3 ? std::max(1, std::atoi(words[3])) : 1);
+                return bench::Run(scene, count > 3 ? std::clamp(std::atoi(words[3]), 1, 64) : 1);
             }
         }
         std::fprintf(stderr, "No scene is called '%s'; `list` names them all.\n", words[2]);

@@ -39,6 +39,9 @@ public:
     explicit SimBox2D(const SimSettings& settings) : m_world(Vector(0.0, settings.gravity))
     {
         m_world.SetAllowSleeping(settings.sleep);
+#ifndef BENCHMARK_BOX2D_24
+        m_world.SetThreadCount(settings.threads);
+#endif
     }
 
     BodyId AddBody(const BodySpec& spec) override
@@ -155,7 +158,11 @@ public:
 
     int Threads() const override
     {
+#ifdef BENCHMARK_BOX2D_24
         return 1;
+#else
+        return m_world.GetThreadCount();
+#endif
     }
 
 private:
