@@ -108,6 +108,10 @@ std::string GrowthLines(const std::vector<BenchResult>& results)
             isSmallest && large ? std::min(small.engines.size(), large->engines.size()) : 0;
         for (std::size_t i = 0; i < engines; ++i)
         {
+            if (i > 0 && small.engines[i].isOurs)
+            {
+                continue; // the same at another thread count
+            }
             const double growth = CpuRatio(small.engines[i], large->engines[i]);
             lines +=
                 Format("%-15s %-16s %s takes %s the CPU time of %s\n",

@@ -220,6 +220,15 @@ TEST(Benchmark, SaysHowACurveGrows)
     EXPECT_THAT(table, HasSubstr("static-20000 takes 1.2x the CPU time of static-200\n"));
     EXPECT_THAT(table, HasSubstr("static-20000 takes 150x the CPU time of static-200\n"));
     EXPECT_THAT(BenchTable({Point("static", 200, 1.0, 2.0)}), Not(HasSubstr("takes")));
+
+    std::vector<BenchResult> threads{Point("static", 200, 1.0, 2.0), Point("static", 400, 1, 2)};
+    for (BenchResult& result : threads)
+    {
+        result.engines.insert(result.engines.begin() + 1, result.engines.front());
+        result.engines[1].engine = "again";
+    }
+    EXPECT_THAT(BenchTable(threads), Not(HasSubstr("again            static-400 takes")))
+        << "one thread count is enough";
 }
 
 TEST(Benchmark, ReadsItsOwnJsonBack)
