@@ -180,27 +180,35 @@ int32 b2DynamicTree::FindSibling(const b2AABB& aabb) const
 {
     const float32 own = HalfPerimeter(aabb);
     int32 node = m_root;
+    float32 alone = HalfPerimeter(m_nodes[node].aabb);
+    float32 together = HalfPerimeter(Union(m_nodes[node].aabb, aabb));
     while (!m_nodes[node].IsLeaf())
     {
-        const float32 together = HalfPerimeter(Union(m_nodes[node].aabb, aabb));
-        const float32 growth = together - HalfPerimeter(m_nodes[node].aabb);
+        const int32* children = m_nodes[node].link.child;
+        const float32 growth = together - alone;
+        float32 childAlone[2];
+        float32 childTogether[2];
         float32 cost[2];
         for (int32 i = 0; i < 2; ++i)
         {
-            const Node& child = m_nodes[m_nodes[node].link.child[i]];
-            const float32 grown = HalfPerimeter(Union(child.aabb, aabb));
-            cost[i] = growth + (child.IsLeaf() ? grown : grown - HalfPerimeter(child.aabb) + own);
+            const Node& child = m_nodes[children[i]];
+            childAlone[i] = HalfPerimeter(child.aabb);
+            childTogether[i] = HalfPerimeter(Union(child.aabb, aabb));
+            cost[i] = growth + (child.IsLeaf() ? childTogether[i]
+                                               : childTogether[i] - childAlone[i] + own);
         }
-        const int32* child = m_nodes[node].link.child;
         // Of equal children the lower one, so that many boxes in one place make no list.
         const bool isEqual = cost[0] == cost[1];
         const bool isSecond =
-            isEqual ? m_nodes[child[1]].height < m_nodes[child[0]].height : cost[1] < cost[0];
-        if (together < cost[isSecond ? 1 : 0])
+            isEqual ? m_nodes[children[1]].height < m_nodes[children[0]].height : cost[1] < cost[0];
+        const int32 chosen = isSecond ? 1 : 0;
+        if (together < cost[chosen])
         {
             break;
         }
-        node = child[isSecond ? 1 : 0];
+        node = children[chosen];
+        alone = childAlone[chosen];
+        together = childTogether[chosen];
     }
     return node;
 }
@@ -304,21 +312,23 @@ void b2DynamicTree::Rotate(int32 node)
     {
         const Node& child = m_nodes[children[side]];
         const Node& sibling = m_nodes[children[1 - side]];
+        const float32 before = HalfPerimeter(sibling.aabb);
         for (int32 nephewSide = 0; nephewSide < 2 && !sibling.IsLeaf(); ++nephewSide)
         {
-            const Node& nephew = m_nodes[sibling.link.child[nephewSide]];
             const Node& staying = m_nodes[sibling.link.child[1 - nephewSide]];
-            const float32 change =
-                HalfPerimeter(Union(child.aabb, staying.aabb)) - HalfPerimeter(sibling.aabb);
+            const float32 change = HalfPerimeter(Union(child.aabb, staying.aabb)) - before;
+            if (!mustSink && !(change < bestChange))
+            {
+                continue; // as nearly always
+            }
+            const Node& nephew = m_nodes[sibling.link.child[nephewSide]];
             const int32 siblingHeight = 1 + b2Max(child.height, staying.height);
             const int32 height = 1 + b2Max(nephew.height, siblingHeight);
             const bool isBalanced = b2Abs(child.height - staying.height) <= limit &&
                                     b2Abs(nephew.height - siblingHeight) <= limit;
             const bool isLower = height < bestHeight ||
                                  (bestSide >= 0 && height == bestHeight && change < bestChange);
-            const bool isSmaller =
-                change < bestChange && isBalanced && height <= m_nodes[node].height;
-            if (mustSink ? isLower : isSmaller)
+            if (mustSink ? isLower : isBalanced && height <= m_nodes[node].height)
             {
                 bestHeight = height;
                 bestChange = change;
