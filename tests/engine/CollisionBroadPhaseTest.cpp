@@ -123,10 +123,12 @@ TEST(WorldProxies, TellTheSamePairsAfterTheStaticTreeWasBuiltAnew)
     const auto pairs = [&all] {
         std::set<std::pair<const b2FixtureProxy*, const b2FixtureProxy*>> told;
         const auto isKnown = [](const b2FixtureProxy*, const b2FixtureProxy*) { return false; };
-        all.FindPairs(nullptr, isKnown, [&](const b2FixtureProxy* a, const b2FixtureProxy* b) {
-            const bool isFirst = std::less<>()(a, b); // either may have been the one that moved
-            EXPECT_TRUE(told.emplace(isFirst ? a : b, isFirst ? b : a).second);
-        });
+        const auto isWanted = [](const b2FixtureProxy*, box2d::Mobility) { return true; };
+        all.FindPairs(
+            nullptr, isWanted, isKnown, [&](const b2FixtureProxy* a, const b2FixtureProxy* b) {
+                const bool isFirst = std::less<>()(a, b); // either may have been the one that moved
+                EXPECT_TRUE(told.emplace(isFirst ? a : b, isFirst ? b : a).second);
+            });
         return told;
     };
     for (b2FixtureProxy& m : moving)

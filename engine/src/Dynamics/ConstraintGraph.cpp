@@ -93,6 +93,7 @@ void ConstraintGraph::Add(b2Joint& joint)
                             JointAccess::Number(*m_joints.back()) < JointAccess::Number(joint));
     index = int32(m_joints.size());
     m_joints.push_back(&joint);
+    ++m_jointVersion;
 }
 
 void ConstraintGraph::Remove(b2Joint& joint)
@@ -104,6 +105,7 @@ void ConstraintGraph::Remove(b2Joint& joint)
     JointAccess::SolverIndex(*m_joints.back()) = index;
     m_joints.pop_back();
     index = -1;
+    ++m_jointVersion;
 }
 
 void ConstraintGraph::SortJoints()

@@ -34,6 +34,8 @@ public:
     /// carry it two links. Adding and removing may change the order until SortJoints.
     const Array<b2Joint*>& Joints() const { return m_joints; }
     void SortJoints();
+    /// Changes whenever the list does.
+    int32 JointVersion() const { return m_jointVersion; }
 
 private:
     static int32 Claim(BodyData& a, BodyData& b);
@@ -41,6 +43,7 @@ private:
 
     Array<b2Contact*> m_contacts[kColorCount];
     Array<b2Joint*> m_joints;
+    int32 m_jointVersion = 0;
     bool m_sorted = true;
 };
 

@@ -35,7 +35,6 @@ struct BlockPreparer
         return {u.x - v.x, u.y - v.y};
     }
     static Vector<F> Scale(F s, const Vector<F>& v) { return {s * v.x, s * v.y}; }
-    static F Cross(const Vector<F>& u, const Vector<F>& v) { return u.x * v.y - u.y * v.x; }
     static F Dot(const Vector<F>& u, const Vector<F>& v) { return u.x * v.x + u.y * v.y; }
     static Vector<F> Turn(F sine, F cosine, const Vector<F>& v)
     {

@@ -3,11 +3,7 @@
 
 #include "ContactBlocks.h"
 
-#include "../Common/Simd.h"
-
-#include <Box2D/Common/b2Settings.h>
-
-#include <cstring>
+#include "BodyLanes.h"
 
 /// The contact solver on blocks, for numbers F of 4 or 8 lanes. Line by line what ContactSolver.cpp
 /// does to one contact, in the same order of operations. Included by one source for each
@@ -17,37 +13,7 @@ namespace box2d
 namespace
 {
 
-constexpr int kBodyStride = int(sizeof(SolverBody) / sizeof(float32));
 constexpr float32 kNearlyNothing = b2_epsilon; ///< shorter than this has no direction
-
-template <class F>
-struct Vector
-{
-    F x, y;
-};
-
-/// Writes the rows of the bodies that can be moved, `moves` having a bit for each lane. Others may
-/// be shared by several contacts of a colour.
-template <class F>
-void StoreMoved(float32* base, const int32* bodies, uint32 moves, const F (&rows)[4])
-{
-    constexpr uint32 all = (1u << F::kLanes) - 1u;
-    if ((moves & all) == all)
-    {
-        StoreRows(base, kBodyStride, bodies, rows);
-        return;
-    }
-    static constexpr int32 order[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    float32 lanes[4 * F::kLanes];
-    StoreRows(lanes, 4, order, rows);
-    for (int i = 0; i < F::kLanes; ++i)
-    {
-        if ((moves >> i & 1u) != 0)
-        {
-            std::memcpy(base + kBodyStride * bodies[i], lanes + 4 * i, 4 * sizeof(float32));
-        }
-    }
-}
 
 /// The first four numbers of a body, for each lane.
 template <class F>
@@ -98,8 +64,6 @@ struct BlockSolver
     {
         return {{At(p.armAX), At(p.armAY)}, {At(p.armBX), At(p.armBY)}};
     }
-
-    static F Cross(const Vector<F>& u, const Vector<F>& v) { return u.x * v.y - u.y * v.x; }
 
     void Apply(const Arms& arms, const Vector<F>& impulse)
     {

@@ -59,6 +59,11 @@ void UseWideInstructions(bool use)
     s_wide = use && DetectWideInstructions();
 }
 
+bool UsesWideInstructions()
+{
+    return s_wide;
+}
+
 void ContactBlocks::Reset(std::size_t contactCount, bool sharesBodies)
 {
     constexpr std::size_t kinds = 5; // of each the last block may be part empty
@@ -89,9 +94,10 @@ int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
 /// By the place of the newer body, as near as a few buckets tell (counting sort).
 void ContactBlocks::Sort(const Array<b2Contact*>& contacts, std::size_t bodyCount)
 {
-    constexpr std::size_t buckets = 64;
+    constexpr std::size_t most = 64;
     constexpr uint8 none = 255;
-    std::size_t ends[buckets] = {};
+    const std::size_t buckets = b2Min(most, contacts.size() / kBlockLanes + 1);
+    std::size_t ends[most] = {};
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
         const ContactData& c = Data(*contacts[i]);
@@ -104,11 +110,11 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, std::size_t bodyCoun
         }
     }
     std::size_t end = 0;
-    for (std::size_t& bucket : ends)
+    for (std::size_t i = 0; i < buckets; ++i)
     {
         const std::size_t begin = end;
-        end += bucket;
-        bucket = begin;
+        end += ends[i];
+        ends[i] = begin;
     }
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
@@ -123,7 +129,8 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, std::size_t bodyCoun
 void ContactBlocks::Assign(const Array<b2Contact*>& contacts, bool sharesBodies,
                            std::size_t bodyCount)
 {
-    Sort(contacts, sharesBodies ? SIZE_MAX : bodyCount); // all in one bucket keep their order
+    const bool few = contacts.size() <= kBlockLanes;            // whose order does not matter
+    Sort(contacts, sharesBodies || few ? SIZE_MAX : bodyCount); // in one bucket they keep theirs
     int32 open[] = {-1, -1, -1, -1, -1, -1}; // three ways to measure, of one or two points
     for (b2Contact* contact : m_sorted)
     {

@@ -120,5 +120,7 @@ float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bod
 /// For tests: 4 lanes at a time, or 8 where the processor has AVX2.
 bool HasWideInstructions();
 void UseWideInstructions(bool use);
+/// What of the above is the case.
+bool UsesWideInstructions();
 
 } // namespace box2d

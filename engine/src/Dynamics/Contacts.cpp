@@ -136,20 +136,28 @@ void World::FindNewContacts()
         return !CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
                pairs.Contains(a->proxyId, b->proxyId);
     };
-    proxies.FindPairs(threads.get(), isKnown, [this](b2FixtureProxy* a, b2FixtureProxy* b) {
-        if (!ShouldCollide(*a->fixture, *b->fixture))
-        {
-            return; // the filter is the program's, and asked on its thread
-        }
-        pairs.Insert(a->proxyId, b->proxyId);
-        b2Contact* contact = MakeContact(*this, *a, *b);
-        UpdateActivity(*contact);
-        // What was moved by hand into something asleep would else never be looked at.
-        if (Data(*contact).awakeIndex == -1)
-        {
-            Wake(*(Data(*a->fixture->GetBody()).IsDynamic() ? a : b)->fixture->GetBody());
-        }
-    });
+    // What the default filter would refuse every time is not looked for.
+    const bool filtersByCategory = filter == &defaultFilter;
+    const auto isWanted = [this, filtersByCategory](const b2FixtureProxy* moved,
+                                                    Mobility mobility) {
+        const b2Filter& own = moved->fixture->GetFilterData();
+        return !filtersByCategory || own.groupIndex != 0 || proxies.MayMeet(own.maskBits, mobility);
+    };
+    proxies.FindPairs(
+        threads.get(), isWanted, isKnown, [this](b2FixtureProxy* a, b2FixtureProxy* b) {
+            if (!ShouldCollide(*a->fixture, *b->fixture))
+            {
+                return; // the filter is the program's, and asked on its thread
+            }
+            pairs.Insert(a->proxyId, b->proxyId);
+            b2Contact* contact = MakeContact(*this, *a, *b);
+            UpdateActivity(*contact);
+            // What was moved by hand into something asleep would else never be looked at.
+            if (Data(*contact).awakeIndex == -1)
+            {
+                Wake(*(Data(*a->fixture->GetBody()).IsDynamic() ? a : b)->fixture->GetBody());
+            }
+        });
 }
 
 void World::UpdateContacts()

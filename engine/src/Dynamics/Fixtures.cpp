@@ -184,7 +184,8 @@ void World::CreateProxies(b2Fixture& fixture)
         b2AABB box;
         shape->ComputeAABB(&box, body.transform, child);
         proxy.aabb = Fatten(box, b2Vec2(0.0f, 0.0f));
-        proxy.proxyId = proxies.Create(proxy.aabb, body.mobility, &proxy);
+        proxy.proxyId =
+            proxies.Create(proxy.aabb, body.mobility, &proxy, fixture.GetFilterData().categoryBits);
     }
     FixtureAccess::ProxyCount(fixture) = shape->GetChildCount();
 }
@@ -291,6 +292,8 @@ void World::Refilter(b2Fixture& fixture)
     }
     for (int32 child = 0; child < FixtureAccess::ProxyCount(fixture); ++child)
     {
+        proxies.SetCategories(FixtureAccess::Proxies(fixture)[child].proxyId,
+                              fixture.GetFilterData().categoryBits);
         proxies.Touch(FixtureAccess::Proxies(fixture)[child].proxyId);
     }
 }

@@ -64,7 +64,6 @@ struct OverlapSolver
 
     F At(const float32* field) const { return F::Load(field + lane); }
 
-    static F Cross(const Vector<F>& u, const Vector<F>& v) { return u.x * v.y - u.y * v.x; }
     static Vector<F> Add(const Vector<F>& u, const Vector<F>& v) { return {u.x + v.x, u.y + v.y}; }
     static Vector<F> Subtract(const Vector<F>& u, const Vector<F>& v)
     {

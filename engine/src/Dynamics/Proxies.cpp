@@ -12,14 +12,18 @@ constexpr int32 kLeastAdded = 1000;
 
 } // namespace
 
-int32 Proxies::Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy)
+int32 Proxies::Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy,
+                      uint16 categories)
 {
     const int32 tree = int32(mobility);
     const int32 node = m_trees[tree].CreateProxyExact(fatBox, proxy);
     if (m_marks[tree].size() <= std::size_t(node))
     {
         m_marks[tree].resize(std::size_t(node) + 1, kAtRest);
+        m_categories[tree].resize(std::size_t(node) + 1, 0);
     }
+    m_categories[tree][std::size_t(node)] = categories;
+    Count(tree, categories, 1);
     const int32 proxyId = (node << 2) | tree;
     Touch(proxyId);
     ++m_count;
@@ -30,8 +34,31 @@ int32 Proxies::Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* p
 void Proxies::Destroy(int32 proxyId)
 {
     m_marks[proxyId & 3][std::size_t(proxyId >> 2)] = kAtRest;
+    Count(proxyId & 3, m_categories[proxyId & 3][std::size_t(proxyId >> 2)], -1);
     Tree(proxyId).DestroyProxy(proxyId >> 2);
     --m_count;
+}
+
+void Proxies::SetCategories(int32 proxyId, uint16 categories)
+{
+    uint16& known = m_categories[proxyId & 3][std::size_t(proxyId >> 2)];
+    Count(proxyId & 3, known, -1);
+    known = categories;
+    Count(proxyId & 3, known, 1);
+}
+
+void Proxies::Count(int32 tree, uint16 categories, int32 change)
+{
+    for (int32 bit = 0; bit < 16; ++bit)
+    {
+        const auto mask = uint16(1u << bit);
+        if ((categories & mask) != 0)
+        {
+            m_categoryCounts[tree][bit] += change;
+            const bool present = m_categoryCounts[tree][bit] > 0;
+            m_present[tree] = uint16(present ? m_present[tree] | mask : m_present[tree] & ~mask);
+        }
+    }
 }
 
 void Proxies::Move(int32 proxyId, const b2AABB& fatBox)

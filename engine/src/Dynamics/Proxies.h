@@ -23,12 +23,20 @@ public:
     /// An id holds the tree's node and, in its lowest two bits, the mobility.
     static Mobility MobilityOf(int32 proxyId) { return static_cast<Mobility>(proxyId & 3); }
 
-    int32 Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy);
+    /// `categories`: bits for MayMeet; all unless said.
+    int32 Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy,
+                 uint16 categories = 0xFFFF);
     void Destroy(int32 proxyId);
     /// Gives the proxy another box and marks it as moved.
     void Move(int32 proxyId, const b2AABB& fatBox);
     /// Marks it as moved, so that its pairs are looked for again.
     void Touch(int32 proxyId);
+    void SetCategories(int32 proxyId, uint16 categories);
+    /// Whether any proxy of a mobility is of one of these categories.
+    bool MayMeet(uint16 categories, Mobility mobility) const
+    {
+        return (m_present[int32(mobility)] & categories) != 0;
+    }
     const b2AABB& FatBox(int32 proxyId) const { return Tree(proxyId).GetFatAABB(proxyId >> 2); }
     b2FixtureProxy* Get(int32 proxyId) const
     {
@@ -40,11 +48,12 @@ public:
     /// Calls report(b2FixtureProxy* moved, b2FixtureProxy* other) for every overlapping pair with
     /// at least one moved proxy of which one could be dynamic, each pair once; then forgets what
     /// has moved. Pairs come in an order that depends on nothing but the calls made so far. The
-    /// trees are searched by all threads, which pass over the pairs for which
+    /// trees are searched by all threads, for each moved proxy those that
+    /// isWanted(b2FixtureProxy* moved, Mobility) names, and pass over the pairs for which
     /// isKnown(b2FixtureProxy* moved, b2FixtureProxy* other) is true; reports come from the calling
     /// thread.
-    template <class IsKnown, class Report>
-    void FindPairs(ThreadPool* threads, IsKnown&& isKnown, Report&& report);
+    template <class IsWanted, class IsKnown, class Report>
+    void FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKnown, Report&& report);
 
     /// Calls report(b2FixtureProxy*) -> bool for every proxy whose box overlaps; false ends the
     /// query.
@@ -91,27 +100,38 @@ private:
 
     /// Leaves each proxy that has moved, and still exists, once in the list.
     void ListMoved();
-    template <class IsKnown, class Report>
-    void FindPairsOf(int32 moved, const IsKnown& isKnown, Report&& report) const;
-    template <class IsKnown>
-    void FindPairsOf(int32 begin, int32 end, const IsKnown& isKnown, Found& found) const;
+    template <class IsWanted, class IsKnown, class Report>
+    void FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& isKnown,
+                     Report&& report) const;
+    template <class IsWanted, class IsKnown>
+    void FindPairsOf(int32 begin, int32 end, const IsWanted& isWanted, const IsKnown& isKnown,
+                     Found& found) const;
+    void Count(int32 tree, uint16 categories, int32 change);
 
     b2DynamicTree m_trees[kTreeCount];
-    Array<uint8> m_marks[kTreeCount]; // by node: one of the above
-    Array<int32> m_moved;             // ids, in the order they moved; some may be destroyed since
-    Array<Found> m_found;             // by the threads
+    Array<uint8> m_marks[kTreeCount];       // by node: one of the above
+    Array<uint16> m_categories[kTreeCount]; // by node
+    int32 m_categoryCounts[kTreeCount][16] = {};
+    uint16 m_present[kTreeCount] = {}; // categories that some proxy has
+    Array<int32> m_moved;              // ids, in the order they moved; some may be destroyed since
+    Array<Found> m_found;              // by the threads
     int32 m_count = 0;
     int32 m_staticAdded = 0; // to the static tree since it was built anew
 };
 
-template <class IsKnown, class Report>
-void Proxies::FindPairsOf(int32 moved, const IsKnown& isKnown, Report&& report) const
+template <class IsWanted, class IsKnown, class Report>
+void Proxies::FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& isKnown,
+                          Report&& report) const
 {
     const b2AABB box = FatBox(moved);
     b2FixtureProxy* const proxy = Get(moved);
     const int32 firstTree = MobilityOf(moved) == Mobility::Dynamic ? 0 : int32(Mobility::Dynamic);
     for (int32 tree = firstTree; tree < kTreeCount; ++tree)
     {
+        if (!isWanted(proxy, static_cast<Mobility>(tree)))
+        {
+            continue;
+        }
         m_trees[tree].ForEachOverlap(box, [&](int32 node) {
             const int32 other = (node << 2) | tree;
             // When both have moved, the pair is reported from the larger id only.
@@ -121,15 +141,16 @@ void Proxies::FindPairsOf(int32 moved, const IsKnown& isKnown, Report&& report) 
     }
 }
 
-template <class IsKnown>
-void Proxies::FindPairsOf(int32 begin, int32 end, const IsKnown& isKnown, Found& found) const
+template <class IsWanted, class IsKnown>
+void Proxies::FindPairsOf(int32 begin, int32 end, const IsWanted& isWanted, const IsKnown& isKnown,
+                          Found& found) const
 {
     found.count = 0;
     found.complete = true;
     for (int32 i = begin; i < end && found.complete; ++i)
     {
         const int32 moved = m_moved[std::size_t(i)];
-        FindPairsOf(moved, isKnown, [&](int32 other) {
+        FindPairsOf(moved, isWanted, isKnown, [&](int32 other) {
             found.complete = found.count < Found::kRoom;
             if (found.complete)
             {
@@ -140,8 +161,9 @@ void Proxies::FindPairsOf(int32 begin, int32 end, const IsKnown& isKnown, Found&
     }
 }
 
-template <class IsKnown, class Report>
-void Proxies::FindPairs(ThreadPool* threads, IsKnown&& isKnown, Report&& report)
+template <class IsWanted, class IsKnown, class Report>
+void Proxies::FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKnown,
+                        Report&& report)
 {
     RebuildStatic();
     ListMoved();
@@ -150,7 +172,7 @@ void Proxies::FindPairs(ThreadPool* threads, IsKnown&& isKnown, Report&& report)
         for (int32 i = begin; i < end; ++i)
         {
             const int32 moved = m_moved[std::size_t(i)];
-            FindPairsOf(moved, isKnown, [&](int32 other) {
+            FindPairsOf(moved, isWanted, isKnown, [&](int32 other) {
                 report(Get(moved), Get(other));
                 return true;
             });
@@ -168,7 +190,7 @@ void Proxies::FindPairs(ThreadPool* threads, IsKnown&& isKnown, Report&& report)
         ParallelFor(threads, groups, 1, [&](int32 first, int32 last) {
             for (int32 group = first; group < last; ++group)
             {
-                FindPairsOf(beginOf(group), beginOf(group + 1), isKnown,
+                FindPairsOf(beginOf(group), beginOf(group + 1), isWanted, isKnown,
                             m_found[std::size_t(group)]);
             }
         });

@@ -180,14 +180,21 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
 
 void StepSolver::PrepareConstraints()
 {
-    for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
+    m_arrays.colorCount = 0;
+    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
-        m_arrays.contacts[color].Reset(m_world.graph.Contacts(color).size(),
-                                       color == ConstraintGraph::kOverflow);
-    }
-    ParallelFor(m_threads, ConstraintGraph::kColorCount, 1, [this](int32 begin, int32 end) {
-        for (int32 color = begin; color < end; ++color)
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        const std::size_t count = m_world.graph.Contacts(color).size();
+        if (count > 0)
         {
+            m_arrays.colors[m_arrays.colorCount++] = color;
+            m_arrays.contacts[color].Reset(count, color == ConstraintGraph::kOverflow);
+        }
+    }
+    ParallelFor(m_threads, m_arrays.colorCount, 1, [this](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            const int32 color = m_arrays.colors[i];
             m_arrays.contacts[color].Assign(m_world.graph.Contacts(color),
                                             color == ConstraintGraph::kOverflow,
                                             m_world.awakeBodies.size());
@@ -198,10 +205,8 @@ void StepSolver::PrepareConstraints()
     });
     ForBlocks(
         [this](ContactBlock& block, OverlapBlock&) { WarmStartBlock(block, m_context.bodies); });
-    for (b2Joint* joint : m_world.graph.Joints())
-    {
-        JointAccess::Prepare(*joint, m_context);
-    }
+    m_arrays.joints.Update(m_world.graph);
+    m_arrays.joints.Prepare(m_context, m_threads);
 }
 
 /// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
@@ -209,10 +214,10 @@ void StepSolver::PrepareConstraints()
 template <class Function>
 void StepSolver::ForColors(Direction direction, Function&& some)
 {
-    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    const int32 count = m_arrays.colorCount;
+    for (int32 i = 0; i < count; ++i)
     {
-        const int32 place = direction == Direction::Forward ? i : ConstraintGraph::kOverflow - i;
-        const int32 color = place == 0 ? ConstraintGraph::kOverflow : place - 1;
+        const int32 color = m_arrays.colors[direction == Direction::Forward ? i : count - 1 - i];
         ContactBlocks& blocks = m_arrays.contacts[color];
         ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
         ParallelFor(threads, blocks.Count(), kBlockGrain,
@@ -288,15 +293,15 @@ void StepSolver::SolveVelocities(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         const Direction direction = DirectionOf(i);
-        ForEach(m_world.graph.Joints(), direction,
-                [this](b2Joint* joint) { JointAccess::SolveVelocity(*joint, m_context); });
+        m_arrays.joints.SolveVelocities(m_context, m_threads, i == iterations - 1);
         const bool changed = SolveContacts(direction);
         // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
-        if (!changed && m_world.graph.Joints().empty())
+        if (!changed && m_arrays.joints.IsEmpty())
         {
             break;
         }
     }
+    m_arrays.joints.StoreImpulses(m_threads);
     ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
 }
 
@@ -335,10 +340,7 @@ void StepSolver::SolvePositions(int32 iterations)
         const Direction direction = DirectionOf(i);
         // The slop is what is aimed at; three of them is near enough.
         const bool apart = SolveOverlaps(direction) >= -3.0f * b2_linearSlop;
-        bool joined = true;
-        ForEach(m_world.graph.Joints(), direction, [&](b2Joint* joint) {
-            joined = JointAccess::SolvePosition(*joint, m_context) && joined;
-        });
+        const bool joined = m_arrays.joints.SolvePositions(m_context, m_threads, direction);
         if (apart && joined)
         {
             break;

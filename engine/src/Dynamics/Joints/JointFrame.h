@@ -53,14 +53,22 @@ struct JointFrame
     void Move(const b2Vec2& impulse, const b2Vec2& armA, const b2Vec2& armB) const
     {
         a.d -= mA * impulse;
-        a.Rotate(-iA * b2Cross(armA, impulse));
+        Rotate(a, iA, -iA * b2Cross(armA, impulse));
         b.d += mB * impulse;
-        b.Rotate(iB * b2Cross(armB, impulse));
+        Rotate(b, iB, iB * b2Cross(armB, impulse));
     }
     void Turn(float32 impulse) const
     {
-        a.Rotate(-iA * impulse);
-        b.Rotate(iB * impulse);
+        Rotate(a, iA, -iA * impulse);
+        Rotate(b, iB, iB * impulse);
+    }
+    /// A body that cannot be turned keeps its bits, however many joints it has.
+    static void Rotate(SolverBody& body, float32 invInertia, float32 angle)
+    {
+        if (invInertia > 0.0f)
+        {
+            body.Rotate(angle);
+        }
     }
 
     const BodyData& dataA;

@@ -28,6 +28,13 @@ b2RevoluteJoint::b2RevoluteJoint(const b2RevoluteJointDef* def)
 void b2RevoluteJoint::Prepare(const box2d::SolverContext& context)
 {
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    Ready(f, context);
+    f.ApplyImpulse(m_impulse, m_armA, m_armB);
+    f.ApplyAngularImpulse(m_motorImpulse + m_lowerImpulse - m_upperImpulse);
+}
+
+void b2RevoluteJoint::Ready(const box2d::JointFrame& f, const box2d::SolverContext& context)
+{
     m_armA = f.ArmA(m_localAnchorA);
     m_armB = f.ArmB(m_localAnchorB);
     m_offset = f.Offset();
@@ -39,8 +46,16 @@ void b2RevoluteJoint::Prepare(const box2d::SolverContext& context)
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
     box2d::Carry(m_lowerImpulse, m_enableLimit ? share : 0.0f);
     box2d::Carry(m_upperImpulse, m_enableLimit ? share : 0.0f);
-    f.ApplyImpulse(m_impulse, m_armA, m_armB);
-    f.ApplyAngularImpulse(m_motorImpulse + m_lowerImpulse - m_upperImpulse);
+}
+
+float32 b2RevoluteJoint::SpeedToLower(const box2d::SolverContext& context) const
+{
+    return b2Max(m_angle - m_lowerAngle, 0.0f) * context.inverseStep;
+}
+
+float32 b2RevoluteJoint::SpeedToUpper(const box2d::SolverContext& context) const
+{
+    return b2Max(m_upperAngle - m_angle, 0.0f) * context.inverseStep;
 }
 
 void b2RevoluteJoint::SolveVelocity(const box2d::SolverContext& context)
@@ -56,19 +71,18 @@ void b2RevoluteJoint::SolveVelocity(const box2d::SolverContext& context)
     }
     if (m_enableLimit)
     {
-        const float32 aboveLower = b2Max(m_angle - m_lowerAngle, 0.0f) * context.inverseStep;
         const float32 lower =
-            b2Max(m_lowerImpulse - m_axialMass * (f.b.w - f.a.w + aboveLower), 0.0f);
+            b2Max(m_lowerImpulse - m_axialMass * (f.b.w - f.a.w + SpeedToLower(context)), 0.0f);
         f.ApplyAngularImpulse(lower - m_lowerImpulse);
         m_lowerImpulse = lower;
 
-        const float32 belowUpper = b2Max(m_upperAngle - m_angle, 0.0f) * context.inverseStep;
         const float32 upper =
-            b2Max(m_upperImpulse - m_axialMass * (f.a.w - f.b.w + belowUpper), 0.0f);
+            b2Max(m_upperImpulse - m_axialMass * (f.a.w - f.b.w + SpeedToUpper(context)), 0.0f);
         f.ApplyAngularImpulse(m_upperImpulse - upper);
         m_upperImpulse = upper;
     }
     const b2Vec2 impulse =
+        context.relaxation *
         box2d::PointMatrix(f, m_armA, m_armB).Solve(-f.PointSpeed(m_armA, m_armB));
     m_impulse += impulse;
     f.ApplyImpulse(impulse, m_armA, m_armB);

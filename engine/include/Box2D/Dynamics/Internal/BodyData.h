@@ -66,6 +66,9 @@ struct BodyData
     Mobility mobility = Mobility::Static;
 
     std::int32_t island = -1; ///< dynamic and active bodies only
+    // While the joints' schedule is made: the first level that is free, and a mark.
+    std::int32_t jointLevel = 0;
+    std::int32_t jointMark = 0;
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 

@@ -8,7 +8,9 @@ class b2Joint;
 
 namespace box2d
 {
+struct HingeAccess;
 struct JointAccess;
+struct JointFrame;
 struct SolverContext;
 } // namespace box2d
 

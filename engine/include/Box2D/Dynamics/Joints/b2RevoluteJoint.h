@@ -56,10 +56,16 @@ public:
 
 protected:
     friend struct box2d::JointAccess;
+    friend struct box2d::HingeAccess;
     explicit b2RevoluteJoint(const b2RevoluteJointDef* def);
     void Prepare(const box2d::SolverContext& context) override;
     void SolveVelocity(const box2d::SolverContext& context) override;
     bool SolvePosition(const box2d::SolverContext& context) override;
+    /// Computes what stays the same during a step.
+    void Ready(const box2d::JointFrame& frame, const box2d::SolverContext& context);
+    /// The speeds that would reach the limits within the step [rad/s].
+    float32 SpeedToLower(const box2d::SolverContext& context) const;
+    float32 SpeedToUpper(const box2d::SolverContext& context) const;
 
     b2Vec2 m_localAnchorA;
     b2Vec2 m_localAnchorB;

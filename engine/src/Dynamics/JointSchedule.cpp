@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "JointSchedule.h"
+
+#include "Access.h"
+#include "ConstraintGraph.h"
+
+#include "../Common/ThreadPool.h"
+
+#include <Box2D/Dynamics/Joints/b2GearJoint.h>
+#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// Fewer hinges than this are solved one by one: a block costs as much as that.
+constexpr int32 kLeastLanes = 3;
+/// Blocks that one thread takes at a time.
+constexpr int32 kBlockGrain = 8;
+
+/// The bodies that a joint moves, two or four; some may be the same.
+struct JointBodies
+{
+    explicit JointBodies(b2Joint& joint)
+    {
+        if (joint.GetType() == e_gearJoint)
+        {
+            auto& gear = static_cast<b2GearJoint&>(joint);
+            for (b2Joint* part : {gear.GetJoint1(), gear.GetJoint2()})
+            {
+                Add(*part);
+            }
+        }
+        else
+        {
+            Add(joint);
+        }
+    }
+    b2Body** begin() { return bodies; }
+    b2Body** end() { return bodies + count; }
+
+private:
+    void Add(b2Joint& joint)
+    {
+        for (b2Body* body : {joint.GetBodyA(), joint.GetBodyB()})
+        {
+            if (Data(*body).IsDynamic()) // whatever stays where it is can be shared
+            {
+                bodies[count++] = body;
+            }
+        }
+    }
+
+    b2Body* bodies[4];
+    int32 count = 0;
+};
+
+/// Marks everything that hangs together with a body by joints, nearest first. Returns what was
+/// found last: the farthest, or one of them.
+class Spread
+{
+public:
+    /// `before` is the mark of what may be visited, `mark` what it gets instead.
+    b2Body* Run(b2Body& from, int32 before, int32 mark)
+    {
+        m_queue.assign(1, &from);
+        Data(from).jointMark = mark;
+        Data(from).jointLevel = 0;
+        for (std::size_t i = 0; i < m_queue.size(); ++i)
+        {
+            b2Body& body = *m_queue[i];
+            for (b2JointEdge* edge = body.GetJointList(); edge; edge = edge->next)
+            {
+                BodyData& other = Data(*edge->other);
+                if (other.IsDynamic() && other.jointMark == before)
+                {
+                    other.jointMark = mark;
+                    other.jointLevel = Data(body).jointLevel + 1;
+                    m_queue.push_back(edge->other);
+                }
+            }
+        }
+        return m_queue.back();
+    }
+    const Array<b2Body*>& Found() const { return m_queue; }
+
+private:
+    Array<b2Body*> m_queue;
+};
+
+constexpr int32 kUnvisited = -1;
+
+/// How long the chains are of which a body is part [joints], as jointMark of each body, counted
+/// from one end of the longest way to the other (exact for trees).
+void MeasureChains(const Array<b2Joint*>& joints)
+{
+    for (b2Joint* joint : joints)
+    {
+        for (b2Body* body : JointBodies(*joint))
+        {
+            Data(*body).jointMark = kUnvisited;
+        }
+    }
+    Spread spread;
+    for (b2Joint* joint : joints)
+    {
+        for (b2Body* body : JointBodies(*joint))
+        {
+            if (Data(*body).jointMark != kUnvisited)
+            {
+                continue;
+            }
+            constexpr int32 visited = -2;
+            b2Body* end = spread.Run(*body, kUnvisited, visited);
+            b2Body* otherEnd = spread.Run(*end, visited, visited - 1);
+            const int32 length = Data(*otherEnd).jointLevel + 1; // with the joint that holds it
+            for (b2Body* found : spread.Found())
+            {
+                Data(*found).jointMark = length;
+            }
+        }
+    }
+}
+
+/// The factor of over-relaxation that is best for a chain of so many equal links (Young, "Iterative
+/// Methods for Solving Partial Difference Equations of Elliptic Type", 1954): with the eight or so
+/// sweeps of a step not more than the bound, for it takes more sweeps to calm down.
+float32 RelaxationOf(int32 length)
+{
+    constexpr float32 most = 1.85f;
+    const float32 sine = b2Rot(b2_pi / float32(length + 1)).s;
+    return b2Min(2.0f / (1.0f + sine), most);
+}
+
+} // namespace
+
+void JointSchedule::Update(const ConstraintGraph& graph)
+{
+    if (m_version != graph.JointVersion())
+    {
+        m_version = graph.JointVersion();
+        Build(graph.Joints());
+    }
+}
+
+Array<Array<b2Joint*>> JointSchedule::Levels() const
+{
+    Array<Array<b2Joint*>> levels;
+    for (std::size_t i = 0; i + 1 < m_levels.size(); ++i)
+    {
+        Array<b2Joint*>& joints = levels.emplace_back();
+        for (int32 k = m_levels[i].firstBlock; k < m_levels[i + 1].firstBlock; ++k)
+        {
+            const HingeBlock& block = m_blocks[std::size_t(k)];
+            joints.insert(joints.end(), block.joint, block.joint + block.count);
+        }
+        for (int32 k = m_levels[i].firstSingle; k < m_levels[i + 1].firstSingle; ++k)
+        {
+            joints.push_back(m_singles[std::size_t(k)].joint);
+        }
+    }
+    return levels;
+}
+
+void JointSchedule::Build(const Array<b2Joint*>& joints)
+{
+    MeasureChains(joints);
+    Array<float32> relaxations;
+    for (b2Joint* joint : joints)
+    {
+        int32 length = 1;
+        for (b2Body* body : JointBodies(*joint))
+        {
+            length = b2Max(length, Data(*body).jointMark);
+        }
+        relaxations.push_back(RelaxationOf(length));
+    }
+    for (b2Joint* joint : joints)
+    {
+        for (b2Body* body : JointBodies(*joint))
+        {
+            Data(*body).jointLevel = 0; // the first that is free
+        }
+    }
+    Array<int32> levels; // of each joint
+    Array<int32> counts; // of each level
+    for (b2Joint* joint : joints)
+    {
+        int32 level = 0;
+        JointBodies bodies(*joint);
+        for (b2Body* body : bodies)
+        {
+            level = b2Max(level, Data(*body).jointLevel);
+        }
+        for (b2Body* body : bodies)
+        {
+            Data(*body).jointLevel = level + 1;
+        }
+        levels.push_back(level);
+        counts.resize(b2Max(counts.size(), std::size_t(level) + 1));
+        ++counts[std::size_t(level)];
+    }
+    SortInto(joints, relaxations, levels, counts);
+}
+
+/// Level by level, in each in the order of creation (counting sort).
+void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<float32>& relaxations,
+                             const Array<int32>& levels, const Array<int32>& counts)
+{
+    m_blocks.clear();
+    m_singles.clear();
+    m_levels.clear();
+    Array<int32> ends;
+    int32 end = 0;
+    for (const int32 count : counts)
+    {
+        ends.push_back(end);
+        end += count;
+    }
+    Array<Single> sorted(joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i)
+    {
+        sorted[std::size_t(ends[std::size_t(levels[i])]++)] = {joints[i], relaxations[i]};
+    }
+    int32 begin = 0;
+    for (const int32 count : counts)
+    {
+        AddLevel(sorted.data() + begin, sorted.data() + begin + count);
+        begin += count;
+    }
+    if (!m_levels.empty())
+    {
+        m_levels.push_back({int32(m_blocks.size()), int32(m_singles.size())});
+    }
+}
+
+void JointSchedule::AddLevel(const Single* begin, const Single* end)
+{
+    m_levels.push_back({int32(m_blocks.size()), int32(m_singles.size())});
+    const auto isHinge = [](const Single& s) { return s.joint->GetType() == e_revoluteJoint; };
+    const auto hinges = std::count_if(begin, end, isHinge);
+    const bool wide = hinges >= kLeastLanes;
+    HingeBlock* block = nullptr;
+    for (const Single* single = begin; single != end; ++single)
+    {
+        if (!wide || !isHinge(*single))
+        {
+            m_singles.push_back(*single);
+            continue;
+        }
+        if (block == nullptr || block->count == kHingeLanes)
+        {
+            block = &m_blocks.emplace_back();
+        }
+        block->relaxation[block->count] = single->relaxation;
+        block->joint[block->count++] = static_cast<b2RevoluteJoint*>(single->joint);
+    }
+}
+
+template <class OneBlock, class OneJoint>
+void JointSchedule::ForLevels(ThreadPool* threads, Direction direction, OneBlock&& oneBlock,
+                              OneJoint&& oneJoint)
+{
+    const std::size_t count = m_levels.empty() ? 0 : m_levels.size() - 1;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const std::size_t index = direction == Direction::Forward ? i : count - 1 - i;
+        const Level& level = m_levels[index];
+        const Level& next = m_levels[index + 1];
+        ParallelFor(threads, next.firstBlock - level.firstBlock, kBlockGrain,
+                    [&](int32 begin, int32 end) {
+                        for (int32 k = begin; k < end; ++k)
+                        {
+                            oneBlock(m_blocks[std::size_t(level.firstBlock + k)]);
+                        }
+                    });
+        for (int32 k = level.firstSingle; k < next.firstSingle; ++k)
+        {
+            oneJoint(m_singles[std::size_t(k)]);
+        }
+    }
+}
+
+void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
+{
+    ParallelFor(threads, int32(m_blocks.size()), kBlockGrain, [&](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            PrepareHinges(m_blocks[std::size_t(i)], context);
+        }
+    });
+    ForLevels(
+        threads, Direction::Forward,
+        [&](HingeBlock& block) { WarmStartHinges(block, context.bodies); },
+        [&](const Single& single) { JointAccess::Prepare(*single.joint, context); });
+}
+
+void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads, bool last)
+{
+    SolverContext own = context;
+    ForLevels(
+        threads, Direction::Forward,
+        [&](HingeBlock& block) { SolveHingeVelocities(block, context.bodies, last); },
+        [&](const Single& single) {
+            own.relaxation = last ? 1.0f : single.relaxation;
+            JointAccess::SolveVelocity(*single.joint, own);
+        });
+}
+
+void JointSchedule::StoreImpulses(ThreadPool* threads)
+{
+    ParallelFor(threads, int32(m_blocks.size()), kBlockGrain, [&](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            StoreHingeImpulses(m_blocks[std::size_t(i)]);
+        }
+    });
+}
+
+bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* threads,
+                                   Direction direction)
+{
+    std::atomic<bool> joined = true;
+    ForLevels(
+        threads, direction,
+        [&](HingeBlock& block) {
+            if (!SolveHingePositions(block, context.bodies) &&
+                joined.load(std::memory_order_relaxed))
+            {
+                joined.store(false, std::memory_order_relaxed);
+            }
+        },
+        [&](const Single& single) {
+            if (!JointAccess::SolvePosition(*single.joint, context))
+            {
+                joined.store(false, std::memory_order_relaxed);
+            }
+        });
+    return joined;
+}
+
+} // namespace box2d
