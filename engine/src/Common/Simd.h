@@ -12,6 +12,14 @@
 #include <arm_neon.h>
 #endif
 
+#if defined(__GNUC__)
+#define BOX2D_INLINE [[gnu::always_inline]] inline ///< so that lanes stay in registers
+#define BOX2D_NOINLINE [[gnu::noinline]]           ///< what is rare must not be in the way
+#else
+#define BOX2D_INLINE inline
+#define BOX2D_NOINLINE
+#endif
+
 /// Several numbers at once. Every operation does to each lane exactly what plain single precision
 /// does, so that a result does not depend on the width or the processor. The only file that knows
 /// intrinsics; with BOX2D_PLAIN_SIMD defined, or on a processor it does not know, it is plain C++.

@@ -34,7 +34,7 @@ F Cross(const Vector<F>& u, const Vector<F>& v)
 /// Writes the rows of the bodies that can be moved, `moves` having a bit for each lane. Others may
 /// be shared by several contacts of a colour.
 template <class F>
-void StoreMoved(float32* base, const int32* bodies, uint32 moves, const F (&rows)[4])
+BOX2D_INLINE void StoreMoved(float32* base, const int32* bodies, uint32 moves, const F (&rows)[4])
 {
     constexpr uint32 all = (1u << F::kLanes) - 1u;
     if ((moves & all) == all)

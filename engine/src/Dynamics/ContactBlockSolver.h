@@ -122,7 +122,7 @@ struct BlockSolver
     }
 
     /// The four ways of EnumerateImpulses, tried from the last to the first.
-    void SolvePair(PointLanes& p1, PointLanes& p2)
+    BOX2D_INLINE void SolvePair(PointLanes& p1, PointLanes& p2)
     {
         const F zero = F::Set(0.0f);
         const Arms arms1 = ArmsOf(p1);
@@ -159,7 +159,7 @@ struct BlockSolver
     }
 
     /// Some lanes together, others one point after the other: both ways, then each lane's own.
-    void SolveMixed(PointLanes& p1, PointLanes& p2)
+    BOX2D_NOINLINE void SolveMixed(PointLanes& p1, PointLanes& p2)
     {
         const auto coupled = AtLeast(At(block.coupled), F::Set(1.0f));
         const BodyLanes<F> oldA = a;
