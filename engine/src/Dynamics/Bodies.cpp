@@ -123,6 +123,7 @@ b2Body* World::CreateBody(const b2BodyDef& def)
     BodyData& data = Data(*body);
     data.world = this;
     data.number = bodyNumber++;
+    hasBullets = hasBullets || def.bullet;
     Fill(data, def);
     data.next = bodyList;
     if (bodyList)

@@ -84,6 +84,23 @@ void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
     }
 }
 
+/// A manifold is computed anew when a body has moved so far relative to the other since it was
+/// computed [m]. What it holds is kept in the bodies' own frames: its points stay where they are on
+/// their face, and overlap and normal are those of the present pose whatever its age. Far below the
+/// slop, and not more than a small share of a small body.
+constexpr float32 kStill = 0.1f * b2_linearSlop;
+constexpr float32 kStillShare = 0.005f;
+
+bool IsAsItWas(const ContactData& c, const b2Transform& bInA)
+{
+    const float32 reach = Data(*c.bodyB).maxExtent;
+    const float32 still = b2Min(kStill, kStillShare * reach);
+    const b2Vec2 moved = b2Abs(bInA.p - c.relative.p);
+    const float32 turned =
+        b2Max(b2Abs(bInA.q.s - c.relative.q.s), b2Abs(bInA.q.c - c.relative.q.c));
+    return b2Max(moved.x, moved.y) + turned * reach <= still;
+}
+
 /// The older body's fixture comes first, whichever of the two moved.
 b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureProxy& another)
 {
@@ -103,8 +120,9 @@ b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureP
     c.childB = b.childIndex;
     c.bodyA = a.fixture->GetBody();
     c.bodyB = b.fixture->GetBody();
-    c.flags =
-        kContactEnabled | (a.fixture->IsSensor() || b.fixture->IsSensor() ? kContactSensor : 0u);
+    c.flags = kContactEnabled |
+              (a.fixture->IsSensor() || b.fixture->IsSensor() ? kContactSensor : 0u) |
+              (Data(*c.bodyA).IsDynamic() && Data(*c.bodyB).IsDynamic() ? 0u : kContactObstacle);
     contact->ResetFriction();
     contact->ResetRestitution();
 
@@ -306,11 +324,16 @@ void World::ComputeManifold(b2Contact& contact, b2Manifold& old)
 {
     ContactData& c = Data(contact);
     const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
+    old = c.manifold;
+    if ((c.flags & kContactKept) != 0 && IsAsItWas(c, bInA))
+    {
+        return;
+    }
     const b2Shape& shapeA = *c.fixtureA->GetShape();
     const b2Shape& shapeB = *c.fixtureB->GetShape();
     c.radiusA = shapeA.m_radius;
     c.radiusB = shapeB.m_radius;
-    old = c.manifold;
+    c.relative = bInA;
     bool touching = false;
     if (c.IsSensor())
     {
@@ -323,7 +346,10 @@ void World::ComputeManifold(b2Contact& contact, b2Manifold& old)
         CarryImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
     }
-    c.flags = touching ? c.flags | kContactMeets : c.flags & ~std::uint32_t(kContactMeets);
+    // A circle's manifold is computed in no time.
+    const bool kept = touching && !c.IsSensor() && shapeB.GetType() == b2Shape::e_polygon;
+    c.flags &= ~std::uint32_t(kContactMeets | kContactKept);
+    c.flags |= (touching ? kContactMeets : 0u) | (kept ? kContactKept : 0u);
 }
 
 void World::FinishContact(b2Contact& contact, const b2Manifold& old)

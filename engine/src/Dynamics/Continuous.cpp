@@ -107,7 +107,10 @@ void ImpactSolver::Run()
                     for (auto i = std::size_t(begin); i < std::size_t(end); ++i)
                     {
                         ContactData& c = Data(*contacts[i]);
-                        c.toiCount = m_world.stepComplete ? 0 : c.toiCount;
+                        if (m_world.stepComplete && c.toiCount != 0)
+                        {
+                            c.toiCount = 0;
+                        }
                         m_arrays.impactTimes[i] = TimeOfImpact(c);
                     }
                 });
@@ -139,10 +142,15 @@ void ImpactSolver::LookAt(b2Body& body)
 
 bool ImpactSolver::IsCandidate(const ContactData& c) const
 {
+    // The bodies are not even looked at where the contact alone decides.
+    if (((c.flags & kContactObstacle) == 0 && !m_world.hasBullets) || c.IsSensor() ||
+        !c.IsEnabled() || c.toiCount >= b2_maxSubSteps)
+    {
+        return false;
+    }
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
-    if (c.IsSensor() || !c.IsEnabled() || c.toiCount >= b2_maxSubSteps ||
-        !(IsObstacle(a) || IsObstacle(b)))
+    if (!IsObstacle(a) && !IsObstacle(b))
     {
         return false;
     }

@@ -307,7 +307,7 @@ void World::UpdateSensor(b2Fixture& fixture)
         if (sensor != c.IsSensor())
         {
             c.flags ^= kContactSensor;
-            c.flags &= ~std::uint32_t(kContactComputed); // as something else
+            c.flags &= ~std::uint32_t(kContactComputed | kContactKept); // as something else
             UpdateActivity(*edge->contact);
             Wake(*c.bodyA);
             Wake(*c.bodyB);

@@ -171,6 +171,7 @@ public:
     bool autoClearForces = true;
     mutable bool locked = false; ///< a callback of the program may run: nothing may come or go
     bool forcesApplied = false;  ///< since they were last cleared
+    bool hasBullets = false;     ///< some body is, or was, a bullet
     bool filtersChanged = false; ///< some contact has kContactFilter set
 };
 

@@ -244,6 +244,7 @@ void b2Body::SetType(b2BodyType type)
 
 void b2Body::SetBullet(bool flag)
 {
+    m_data.world->hasBullets = m_data.world->hasBullets || flag;
     m_data.flags = flag ? m_data.flags | box2d::kBodyBullet
                         : m_data.flags & ~std::uint32_t(box2d::kBodyBullet);
 }

@@ -34,6 +34,8 @@ enum ContactFlag : std::uint32_t
     kContactComputed = 1u << 5, ///< the first part is done
     kContactApart = 1u << 6,    ///< the boxes do not overlap any more
     kContactMeets = 1u << 7,    ///< the shapes touch
+    kContactKept = 1u << 8,     ///< the manifold serves while the bodies stay as they are
+    kContactObstacle = 1u << 9, ///< one of the bodies is not dynamic
 };
 
 struct ContactData
@@ -47,7 +49,9 @@ struct ContactData
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
     float32 radiusA = 0.0f;      ///< of the shapes' skins, as of the last update [m]
     float32 radiusB = 0.0f;
+    std::int32_t toiCount = 0; ///< times of impact handled in this step
     b2Manifold manifold;
+    b2Transform relative; ///< body B in A's frame when the manifold was computed
 
     b2Fixture* fixtureA = nullptr;
     b2Fixture* fixtureB = nullptr;
@@ -57,9 +61,8 @@ struct ContactData
     std::int32_t awakeIndex =
         -1; ///< place among the contacts updated each step, -1 when both bodies rest
     std::int32_t oldIndex = 0; ///< of its manifold before the present update
-    std::int32_t color = -1; ///< of the constraint graph, -1 when not solved
+    std::int32_t color = -1;   ///< of the constraint graph, -1 when not solved
     std::int32_t colorIndex = -1;
-    std::int32_t toiCount = 0; ///< times of impact handled in this step
     std::int32_t poolIndex = 0;
 
     b2ContactEdge edgeA; ///< in the list of body A

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsScene.h"
+
+#include <gtest/gtest.h>
+
+/// Manifolds serve while two bodies stay as they are, and no longer.
+namespace
+{
+
+using namespace dynamics;
+
+/// A wide box on a narrow pedestal: the contact's points are the pedestal's corners, as seen from
+/// the box.
+class OnPedestal : public testing::Test
+{
+protected:
+    OnPedestal()
+    {
+        Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -1.0f), 0.5f, 1.0f);
+        box = scene.Box(0.0f, 0.515f, 2.0f, 0.5f);
+        scene.world.SetAllowSleeping(false);
+        scene.Step(120);
+    }
+
+    /// Where on the box the left one of the points is, after a step with the box moved or turned.
+    float32 PointAfter(float32 x, float32 angle = 0.0f)
+    {
+        box->SetTransform(box->GetPosition() + b2Vec2(x, 0.0f), box->GetAngle() + angle);
+        scene.Step(1);
+        const b2Contact* contact = box->GetContactList()->contact;
+        EXPECT_TRUE(contact->IsTouching());
+        const b2Manifold& manifold = *contact->GetManifold();
+        EXPECT_EQ(manifold.pointCount, 2);
+        return b2Min(manifold.points[0].localPoint.x, manifold.points[1].localPoint.x);
+    }
+
+    Scene scene;
+    b2Body* box = nullptr;
+};
+
+TEST_F(OnPedestal, AManifoldIsKeptWhileABodyMovesAHairsBreadth)
+{
+    const float32 before = PointAfter(0.0f);
+    EXPECT_NEAR(before, -0.5f, 0.03f); // and the skins
+    EXPECT_EQ(PointAfter(0.0002f), before);
+}
+
+TEST_F(OnPedestal, AManifoldIsComputedAnewWhenABodyHasMoved)
+{
+    const float32 before = PointAfter(0.0f);
+    EXPECT_NEAR(PointAfter(0.002f), before - 0.002f, 1e-4f);
+}
+
+TEST_F(OnPedestal, ManySmallMovesDoNotAddUp)
+{
+    const float32 before = PointAfter(0.0f);
+    for (int i = 1; i <= 40; ++i)
+    {
+        const float32 moved = 0.0002f * float32(i);
+        EXPECT_NEAR(PointAfter(0.0002f), before - moved, 0.00055f) << "after " << moved << " m";
+    }
+}
+
+TEST_F(OnPedestal, AManifoldIsComputedAnewWhenABodyHasTurned)
+{
+    const b2Contact* contact = box->GetContactList()->contact;
+    const b2Vec2 normal = contact->GetManifold()->localNormal;
+    PointAfter(0.0f, 0.002f); // 4 mm at the ends
+    const b2Vec2 first = contact->GetManifold()->points[0].localPoint;
+    const b2Vec2 second = contact->GetManifold()->points[1].localPoint;
+    PointAfter(0.0f, -0.002f);
+    EXPECT_EQ(contact->GetManifold()->localNormal, normal);
+    EXPECT_TRUE(first != contact->GetManifold()->points[0].localPoint ||
+                second != contact->GetManifold()->points[1].localPoint);
+}
+
+TEST_F(OnPedestal, AKeptContactCanBecomeASensorAndBack)
+{
+    b2Contact* contact = box->GetContactList()->contact;
+    box->GetFixtureList()->SetSensor(true);
+    scene.Step(1);
+    EXPECT_TRUE(contact->IsTouching());
+    EXPECT_EQ(contact->GetManifold()->pointCount, 0);
+    box->GetFixtureList()->SetSensor(false);
+    scene.Step(1);
+    EXPECT_TRUE(contact->IsTouching());
+    EXPECT_EQ(contact->GetManifold()->pointCount, 2);
+}
+
+TEST_F(OnPedestal, AKeptContactEndsWhenTheBoxIsLifted)
+{
+    box->SetTransform(box->GetPosition() + b2Vec2(0.0f, 0.05f), 0.0f);
+    scene.Step(1);
+    EXPECT_FALSE(box->GetContactList() != nullptr && box->GetContactList()->contact->IsTouching());
+}
+
+} // namespace
