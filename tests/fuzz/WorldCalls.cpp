@@ -353,7 +353,7 @@ const char* WorldCalls::Push()
 
 const char* WorldCalls::ChangeWorld()
 {
-    switch (m_choices.Number(0, 7))
+    switch (m_choices.Number(0, 8))
     {
     case 0:
         m_world.SetAllowSleeping(!m_choices.Rarely(3));
@@ -376,6 +376,9 @@ const char* WorldCalls::ChangeWorld()
     case 6:
         m_world.SetGravity(m_choices.Vector(20.0f));
         return "SetGravity";
+    case 7:
+        m_world.SetThreadCount(m_choices.Number(1, 3));
+        return "SetThreadCount";
     default:
         m_world.ShiftOrigin(m_choices.Vector(1.0f));
         return "ShiftOrigin";

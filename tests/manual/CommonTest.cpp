@@ -166,6 +166,45 @@ TEST(MemoryManagement, ASteadyStepAsksForNoMemory)
     EXPECT_EQ(allocations, before);
 }
 
+TEST(MemoryManagement, ASteadyStepAsksForNoMemoryWhateverIsInTheWorld)
+{
+    for (const int32 threads : {1, 3})
+    {
+        const CountedMemory counted;
+        Scene scene;
+        scene.world.SetThreadCount(threads);
+        scene.world.SetAllowSleeping(false);
+        b2Body* ground = scene.Ground();
+        scene.Wall(-30.0f);
+        scene.Wall(30.0f);
+        for (int i = 0; i < 20; ++i)
+        {
+            dynamics::Stack(scene, 2.0f * float32(i), 6);
+        }
+        b2Body* last = ground; // a chain that swings
+        for (int i = 0; i < 10; ++i)
+        {
+            b2Body* link = scene.Box(-10.5f - float32(i), 15.0f, 0.5f, 0.1f);
+            b2RevoluteJointDef hinge;
+            hinge.Initialize(last, link, b2Vec2(-10.0f - float32(i), 15.0f));
+            scene.world.CreateJoint(&hinge);
+            last = link;
+        }
+        b2Body* bullet = scene.Ball(-20.0f, 1.0f, 0.2f); // one impact after the other
+        bullet->SetBullet(true);
+        bullet->SetGravityScale(0.0f);
+        bullet->GetFixtureList()->SetRestitution(1.0f);
+        bullet->GetFixtureList()->SetFriction(0.0f);
+        bullet->SetLinearVelocity(b2Vec2(0.0f, -200.0f));
+        b2Body* ceiling = scene.Body(b2_staticBody, -20.0f, 3.0f);
+        Scene::AddBox(ceiling, 1.0f, 0.1f);
+        scene.Step(200);
+        const int before = allocations;
+        scene.Step(100);
+        EXPECT_EQ(allocations, before) << threads << " threads";
+    }
+}
+
 TEST(MemoryManagement, TheStackAllocatorTakesWhatFitsFromOneBuffer)
 {
     const CountedMemory counted;

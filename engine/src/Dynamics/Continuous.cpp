@@ -26,15 +26,7 @@ constexpr int32 kImpactPositionIterations = 20;
 
 constexpr int32 kContactGrain = 64; ///< contacts that one thread takes at a time
 
-struct Event
-{
-    float32 time; // fraction of the step
-    int32 order;  // of discovery, to decide between equal times
-    b2Contact* contact;
-    uint32 versionA, versionB; // of the ways it was computed from
-};
-
-bool IsLater(const Event& a, const Event& b)
+bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
 {
     return a.time != b.time ? a.time > b.time : a.order > b.order;
 }
@@ -51,8 +43,12 @@ class ImpactSolver
 public:
     ImpactSolver(World& world, float32 timeStep, int32 velocityIterations)
         : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep),
-          m_velocityIterations(velocityIterations)
-    {}
+          m_velocityIterations(velocityIterations), m_events(m_arrays.impactEvents),
+          m_bodies(m_arrays.impactBodies), m_before(m_arrays.impactBefore),
+          m_contacts(m_arrays.impactContacts)
+    {
+        m_events.clear();
+    }
 
     void Run();
 
@@ -61,8 +57,8 @@ private:
     float32 TimeOfImpact(const ContactData& c) const;
     void AddEvent(b2Contact& contact, float32 time);
     bool IsCandidate(const ContactData& c) const;
-    bool IsValid(const Event& event) const;
-    bool Resolve(const Event& event);
+    bool IsValid(const ImpactEvent& event) const;
+    bool Resolve(const ImpactEvent& event);
     void AddNeighbours(b2Body& body, float32 time);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
     void SolvePositions(b2Body& bodyA, b2Body& bodyB);
@@ -71,31 +67,20 @@ private:
     void PrepareAll(bool warmStart);
     void LoadBodies();
 
-    struct Backup
-    {
-        b2Body* body;
-        Pose pose, previous;
-        float32 sweepStart;
-        b2Vec2 v;
-        float32 w;
-        b2Rot rotation; // and what else is made of the pose
-        b2Transform transform;
-        b2Vec2 worldCenter;
-    };
     bool HasNewWay(std::size_t index) const;
-    Backup Save(b2Body& body) const;
-    void Restore(const Backup& backup);
+    ImpactBackup Save(b2Body& body) const;
+    void Restore(const ImpactBackup& backup);
 
     World& m_world;
     SolverArrays& m_arrays;
     float32 m_timeStep;
     int32 m_velocityIterations;
     SolverContext m_context;
-    Array<Event> m_events; // a heap, the earliest first
+    Array<ImpactEvent>& m_events; // a heap, the earliest first
     int32 m_order = 0;
-    Array<b2Body*> m_bodies;      // of the present event
-    Array<Backup> m_before;       // the same bodies as they were
-    Array<b2Contact*> m_contacts; // of the present event
+    Array<b2Body*>& m_bodies;      // of the present event
+    Array<ImpactBackup>& m_before; // the same bodies as they were
+    Array<b2Contact*>& m_contacts; // of the present event
 };
 
 void ImpactSolver::Run()
@@ -122,7 +107,7 @@ void ImpactSolver::Run()
     while (!m_events.empty())
     {
         std::pop_heap(m_events.begin(), m_events.end(), IsLater);
-        const Event event = m_events.back();
+        const ImpactEvent event = m_events.back();
         m_events.pop_back();
         if (IsValid(event) && Resolve(event) && m_world.subStepping)
         {
@@ -207,13 +192,13 @@ void ImpactSolver::AddEvent(b2Contact& contact, float32 time)
     if (time < 1.0f)
     {
         const ContactData& c = Data(contact);
-        m_events.push_back(Event{time, m_order++, &contact, Data(*c.bodyA).sweepVersion,
-                                 Data(*c.bodyB).sweepVersion});
+        m_events.push_back(ImpactEvent{time, m_order++, &contact, Data(*c.bodyA).sweepVersion,
+                                       Data(*c.bodyB).sweepVersion});
         std::push_heap(m_events.begin(), m_events.end(), IsLater);
     }
 }
 
-bool ImpactSolver::IsValid(const Event& event) const
+bool ImpactSolver::IsValid(const ImpactEvent& event) const
 {
     const ContactData& c = Data(*event.contact);
     return Data(*c.bodyA).sweepVersion == event.versionA &&
@@ -221,12 +206,12 @@ bool ImpactSolver::IsValid(const Event& event) const
            c.IsEnabled();
 }
 
-ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const
+ImpactBackup ImpactSolver::Save(b2Body& body) const
 {
     const BodyData& data = Data(body);
-    return Backup{&body,           data.pose,           data.previous,
-                  data.sweepStart, data.linearVelocity, data.angularVelocity,
-                  data.rotation,   data.transform,      data.worldCenter};
+    return ImpactBackup{&body,           data.pose,           data.previous,
+                        data.sweepStart, data.linearVelocity, data.angularVelocity,
+                        data.rotation,   data.transform,      data.worldCenter};
 }
 
 /// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
@@ -234,14 +219,14 @@ ImpactSolver::Backup ImpactSolver::Save(b2Body& body) const
 bool ImpactSolver::HasNewWay(std::size_t index) const
 {
     const BodyData& data = Data(*m_bodies[index]);
-    const Backup& before = m_before[index];
+    const ImpactBackup& before = m_before[index];
     const b2Vec2 apart(float32(data.pose.x - before.pose.x), float32(data.pose.y - before.pose.y));
     return data.IsDynamic() || data.linearVelocity != before.v ||
            data.angularVelocity != before.w ||
            apart.LengthSquared() > b2_linearSlop * b2_linearSlop;
 }
 
-void ImpactSolver::Restore(const Backup& backup)
+void ImpactSolver::Restore(const ImpactBackup& backup)
 {
     BodyData& data = Data(*backup.body);
     data.pose = backup.pose;
@@ -266,13 +251,13 @@ void ImpactSolver::Advance(BodyData& body, float32 time)
 }
 
 /// False when it turned out that nothing touches, or that the contact was switched off.
-bool ImpactSolver::Resolve(const Event& event)
+bool ImpactSolver::Resolve(const ImpactEvent& event)
 {
     ContactData& c = Data(*event.contact);
     b2Body& bodyA = *c.bodyA;
     b2Body& bodyB = *c.bodyB;
-    const Backup backupA = Save(bodyA);
-    const Backup backupB = Save(bodyB);
+    const ImpactBackup backupA = Save(bodyA);
+    const ImpactBackup backupB = Save(bodyB);
     Advance(Data(bodyA), event.time);
     Advance(Data(bodyB), event.time);
     ++c.toiCount;
@@ -347,7 +332,7 @@ void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
             c.flags |= kContactEnabled; // as every contact that is looked at
             continue;
         }
-        const Backup backup = Save(other);
+        const ImpactBackup backup = Save(other);
         if (!known)
         {
             Advance(Data(other), time);

@@ -10,6 +10,28 @@
 namespace box2d
 {
 
+/// An impact that is to come.
+struct ImpactEvent
+{
+    float32 time; // fraction of the step
+    int32 order;  // of discovery, to decide between equal times
+    b2Contact* contact;
+    uint32 versionA, versionB; // of the ways it was computed from
+};
+
+/// A body as it was before an impact.
+struct ImpactBackup
+{
+    b2Body* body;
+    Pose pose, previous;
+    float32 sweepStart;
+    b2Vec2 v;
+    float32 w;
+    b2Rot rotation; // and what else is made of the pose
+    b2Transform transform;
+    b2Vec2 worldCenter;
+};
+
 struct SolverArrays
 {
     Array<SolverBody> bodies;
@@ -17,10 +39,14 @@ struct SolverArrays
     int32 colors[ConstraintGraph::kColorCount]; ///< that have contacts, in the order of solving
     int32 colorCount = 0;
     JointSchedule joints;
-    Array<uint8> left;               ///< by awake body: whether a shape has left its box
-    Array<b2Contact*> reported;      ///< whose impulses the listener wants to know, in order
-    Array<float32> impactTimes;      ///< by awake contact
-    Array<ContactConstraint> impact; ///< of one impact
+    Array<uint8> left;                ///< by awake body: whether a shape has left its box
+    Array<b2Contact*> reported;       ///< whose impulses the listener wants to know, in order
+    Array<float32> impactTimes;       ///< by awake contact
+    Array<ImpactEvent> impactEvents;  ///< a heap, the earliest first
+    Array<b2Body*> impactBodies;      ///< of one impact
+    Array<ImpactBackup> impactBefore; ///< the same bodies as they were
+    Array<b2Contact*> impactContacts; ///< of one impact
+    Array<ContactConstraint> impact;  ///< of one impact
     Array<OverlapConstraint> impactOverlaps;
 };
 
