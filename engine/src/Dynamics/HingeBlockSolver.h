@@ -102,7 +102,11 @@ struct HingeVelocities : HingeLanes<F>
     {
         Apply(At(block.impulseX, block.impulseY), At(block.armAX, block.armAY),
               At(block.armBX, block.armBY));
-        const F axial = At(block.motorImpulse) + At(block.lowerImpulse) - At(block.upperImpulse);
+        F axial = F::Set(0.0f);
+        if (block.axial)
+        {
+            axial = At(block.motorImpulse) + At(block.lowerImpulse) - At(block.upperImpulse);
+        }
         a[2] = a[2] - this->invInertiaA * axial;
         b[2] = b[2] + this->invInertiaB * axial;
     }

@@ -58,13 +58,12 @@ void HingeAccess::Gather(HingeBlock& block, int lane, const SolverContext& conte
     block.impulseY[lane] = joint.m_impulse.y;
     block.movesA = uint8(block.movesA | int(Moves(f.mA, f.iA)) << lane);
     block.movesB = uint8(block.movesB | int(Moves(f.mB, f.iB)) << lane);
-    GatherAxis(block, lane, context);
+    block.axial = block.axial || joint.m_enableMotor || joint.m_enableLimit;
 }
 
 void HingeAccess::GatherAxis(HingeBlock& block, int lane, const SolverContext& context)
 {
     const b2RevoluteJoint& joint = *block.joint[lane];
-    block.axial = block.axial || joint.m_enableMotor || joint.m_enableLimit;
     block.hasMotor[lane] = joint.m_enableMotor ? 1.0f : 0.0f;
     block.hasLimits[lane] = joint.m_enableLimit ? 1.0f : 0.0f;
     block.axialMass[lane] = joint.m_axialMass;
@@ -84,9 +83,12 @@ void HingeAccess::Store(const HingeBlock& block, int lane)
 {
     b2RevoluteJoint& joint = *block.joint[lane];
     joint.m_impulse.Set(block.impulseX[lane], block.impulseY[lane]);
-    joint.m_motorImpulse = block.motorImpulse[lane];
-    joint.m_lowerImpulse = block.lowerImpulse[lane];
-    joint.m_upperImpulse = block.upperImpulse[lane];
+    if (block.axial)
+    {
+        joint.m_motorImpulse = block.motorImpulse[lane];
+        joint.m_lowerImpulse = block.lowerImpulse[lane];
+        joint.m_upperImpulse = block.upperImpulse[lane];
+    }
 }
 
 void PrepareHinges(HingeBlock& block, const SolverContext& context)
@@ -96,6 +98,10 @@ void PrepareHinges(HingeBlock& block, const SolverContext& context)
     for (int lane = 0; lane < block.count; ++lane)
     {
         HingeAccess::Gather(block, lane, context);
+    }
+    for (int lane = 0; lane < block.count && block.axial; ++lane)
+    {
+        HingeAccess::GatherAxis(block, lane, context);
     }
 #if defined(BOX2D_AVX2)
     if (UsesWideInstructions())
