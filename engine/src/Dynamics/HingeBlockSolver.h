@@ -137,16 +137,14 @@ struct HingeVelocities : HingeLanes<F>
         Select(active, upper, oldUpper).Store(to.upperImpulse + lane);
     }
 
-    void SolvePoint(bool last)
+    void SolvePoint()
     {
         const Vector<F> armA = At(block.armAX, block.armAY);
         const Vector<F> armB = At(block.armBX, block.armBY);
         const Vector<F> speed = {b[0] - b[2] * armB.y - a[0] + a[2] * armA.y,
                                  b[1] + b[2] * armB.x - a[1] - a[2] * armA.x};
-        const F relaxation = last ? F::Set(1.0f) : At(block.relaxation);
         const typename Base::Matrix matrix = {At(block.k11), At(block.k12), At(block.k22)};
-        const Vector<F> wanted = Base::Solve(matrix, At(block.inverse), {-speed.x, -speed.y});
-        const Vector<F> impulse = {relaxation * wanted.x, relaxation * wanted.y};
+        const Vector<F> impulse = Base::Solve(matrix, At(block.inverse), {-speed.x, -speed.y});
         (At(block.impulseX) + impulse.x).Store(to.impulseX + lane);
         (At(block.impulseY) + impulse.y).Store(to.impulseY + lane);
         Apply(impulse, armA, armB);
@@ -259,7 +257,7 @@ void WarmStartHingeBlock(HingeBlock& block, float32* bodies)
 }
 
 template <class F>
-void SolveHingeBlockVelocities(HingeBlock& block, float32* bodies, bool last)
+void SolveHingeBlockVelocities(HingeBlock& block, float32* bodies)
 {
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
@@ -269,7 +267,7 @@ void SolveHingeBlockVelocities(HingeBlock& block, float32* bodies, bool last)
             solver.SolveMotor();
             solver.SolveLimits();
         }
-        solver.SolvePoint(last);
+        solver.SolvePoint();
         solver.Store(bodies);
     }
 }

@@ -15,7 +15,7 @@ namespace box2d
 // HingeBlocksAvx2.cpp
 void PrepareHingeMatrixAvx2(HingeBlock& block);
 void WarmStartHingeBlockAvx2(HingeBlock& block, float32* bodies);
-void SolveHingeBlockVelocitiesAvx2(HingeBlock& block, float32* bodies, bool last);
+void SolveHingeBlockVelocitiesAvx2(HingeBlock& block, float32* bodies);
 bool SolveHingeBlockPositionsAvx2(const HingeBlock& block, float32* bodies);
 #endif
 
@@ -123,15 +123,15 @@ void WarmStartHinges(HingeBlock& block, SolverBody* bodies)
     WarmStartHingeBlock<simd::Float4>(block, Numbers(bodies));
 }
 
-void SolveHingeVelocities(HingeBlock& block, SolverBody* bodies, bool last)
+void SolveHingeVelocities(HingeBlock& block, SolverBody* bodies)
 {
 #if defined(BOX2D_AVX2)
     if (UsesWideInstructions())
     {
-        return SolveHingeBlockVelocitiesAvx2(block, Numbers(bodies), last);
+        return SolveHingeBlockVelocitiesAvx2(block, Numbers(bodies));
     }
 #endif
-    SolveHingeBlockVelocities<simd::Float4>(block, Numbers(bodies), last);
+    SolveHingeBlockVelocities<simd::Float4>(block, Numbers(bodies));
 }
 
 void StoreHingeImpulses(const HingeBlock& block)

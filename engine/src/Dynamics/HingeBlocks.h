@@ -23,7 +23,6 @@ struct HingeBlock
     float32 invMassA[kHingeLanes], invInertiaA[kHingeLanes];
     float32 invMassB[kHingeLanes], invInertiaB[kHingeLanes];
     float32 impulseX[kHingeLanes], impulseY[kHingeLanes];
-    float32 relaxation[kHingeLanes];
     // The effective mass of the point: matrix and one over its determinant.
     float32 k11[kHingeLanes], k12[kHingeLanes], k22[kHingeLanes], inverse[kHingeLanes];
 
@@ -47,7 +46,7 @@ struct HingeBlock
 /// Reads joints and bodies.
 void PrepareHinges(HingeBlock& block, const SolverContext& context);
 void WarmStartHinges(HingeBlock& block, SolverBody* bodies);
-void SolveHingeVelocities(HingeBlock& block, SolverBody* bodies, bool last);
+void SolveHingeVelocities(HingeBlock& block, SolverBody* bodies);
 void StoreHingeImpulses(const HingeBlock& block);
 /// Whether all errors were below the tolerance.
 bool SolveHingePositions(const HingeBlock& block, SolverBody* bodies);

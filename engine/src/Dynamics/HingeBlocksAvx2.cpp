@@ -15,9 +15,9 @@ void WarmStartHingeBlockAvx2(HingeBlock& block, float32* bodies)
     WarmStartHingeBlock<simd::Float8>(block, bodies);
 }
 
-void SolveHingeBlockVelocitiesAvx2(HingeBlock& block, float32* bodies, bool last)
+void SolveHingeBlockVelocitiesAvx2(HingeBlock& block, float32* bodies)
 {
-    SolveHingeBlockVelocities<simd::Float8>(block, bodies, last);
+    SolveHingeBlockVelocities<simd::Float8>(block, bodies);
 }
 
 bool SolveHingeBlockPositionsAvx2(const HingeBlock& block, float32* bodies)

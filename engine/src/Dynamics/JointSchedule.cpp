@@ -61,83 +61,6 @@ private:
     int32 count = 0;
 };
 
-/// Marks everything that hangs together with a body by joints, nearest first. Returns what was
-/// found last: the farthest, or one of them.
-class Spread
-{
-public:
-    /// `before` is the mark of what may be visited, `mark` what it gets instead.
-    b2Body* Run(b2Body& from, int32 before, int32 mark)
-    {
-        m_queue.assign(1, &from);
-        Data(from).jointMark = mark;
-        Data(from).jointLevel = 0;
-        for (std::size_t i = 0; i < m_queue.size(); ++i)
-        {
-            b2Body& body = *m_queue[i];
-            for (b2JointEdge* edge = body.GetJointList(); edge; edge = edge->next)
-            {
-                BodyData& other = Data(*edge->other);
-                if (other.IsDynamic() && other.jointMark == before)
-                {
-                    other.jointMark = mark;
-                    other.jointLevel = Data(body).jointLevel + 1;
-                    m_queue.push_back(edge->other);
-                }
-            }
-        }
-        return m_queue.back();
-    }
-    const Array<b2Body*>& Found() const { return m_queue; }
-
-private:
-    Array<b2Body*> m_queue;
-};
-
-constexpr int32 kUnvisited = -1;
-
-/// How long the chains are of which a body is part [joints], as jointMark of each body, counted
-/// from one end of the longest way to the other (exact for trees).
-void MeasureChains(const Array<b2Joint*>& joints)
-{
-    for (b2Joint* joint : joints)
-    {
-        for (b2Body* body : JointBodies(*joint))
-        {
-            Data(*body).jointMark = kUnvisited;
-        }
-    }
-    Spread spread;
-    for (b2Joint* joint : joints)
-    {
-        for (b2Body* body : JointBodies(*joint))
-        {
-            if (Data(*body).jointMark != kUnvisited)
-            {
-                continue;
-            }
-            constexpr int32 visited = -2;
-            b2Body* end = spread.Run(*body, kUnvisited, visited);
-            b2Body* otherEnd = spread.Run(*end, visited, visited - 1);
-            const int32 length = Data(*otherEnd).jointLevel + 1; // with the joint that holds it
-            for (b2Body* found : spread.Found())
-            {
-                Data(*found).jointMark = length;
-            }
-        }
-    }
-}
-
-/// The factor of over-relaxation that is best for a chain of so many equal links (Young, "Iterative
-/// Methods for Solving Partial Difference Equations of Elliptic Type", 1954): with the eight or so
-/// sweeps of a step not more than the bound, for it takes more sweeps to calm down.
-float32 RelaxationOf(int32 length)
-{
-    constexpr float32 most = 1.85f;
-    const float32 sine = b2Rot(b2_pi / float32(length + 1)).s;
-    return b2Min(2.0f / (1.0f + sine), most);
-}
-
 } // namespace
 
 void JointSchedule::Update(const ConstraintGraph& graph)
@@ -162,7 +85,7 @@ Array<Array<b2Joint*>> JointSchedule::Levels() const
         }
         for (int32 k = m_levels[i].firstSingle; k < m_levels[i + 1].firstSingle; ++k)
         {
-            joints.push_back(m_singles[std::size_t(k)].joint);
+            joints.push_back(m_singles[std::size_t(k)]);
         }
     }
     return levels;
@@ -170,17 +93,6 @@ Array<Array<b2Joint*>> JointSchedule::Levels() const
 
 void JointSchedule::Build(const Array<b2Joint*>& joints)
 {
-    MeasureChains(joints);
-    Array<float32> relaxations;
-    for (b2Joint* joint : joints)
-    {
-        int32 length = 1;
-        for (b2Body* body : JointBodies(*joint))
-        {
-            length = b2Max(length, Data(*body).jointMark);
-        }
-        relaxations.push_back(RelaxationOf(length));
-    }
     for (b2Joint* joint : joints)
     {
         for (b2Body* body : JointBodies(*joint))
@@ -206,12 +118,12 @@ void JointSchedule::Build(const Array<b2Joint*>& joints)
         counts.resize(b2Max(counts.size(), std::size_t(level) + 1));
         ++counts[std::size_t(level)];
     }
-    SortInto(joints, relaxations, levels, counts);
+    SortInto(joints, levels, counts);
 }
 
 /// Level by level, in each in the order of creation (counting sort).
-void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<float32>& relaxations,
-                             const Array<int32>& levels, const Array<int32>& counts)
+void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<int32>& levels,
+                             const Array<int32>& counts)
 {
     m_blocks.clear();
     m_singles.clear();
@@ -223,10 +135,10 @@ void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<float32>
         ends.push_back(end);
         end += count;
     }
-    Array<Single> sorted(joints.size());
+    Array<b2Joint*> sorted(joints.size());
     for (std::size_t i = 0; i < joints.size(); ++i)
     {
-        sorted[std::size_t(ends[std::size_t(levels[i])]++)] = {joints[i], relaxations[i]};
+        sorted[std::size_t(ends[std::size_t(levels[i])]++)] = joints[i];
     }
     int32 begin = 0;
     for (const int32 count : counts)
@@ -240,26 +152,25 @@ void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<float32>
     }
 }
 
-void JointSchedule::AddLevel(const Single* begin, const Single* end)
+void JointSchedule::AddLevel(b2Joint* const* begin, b2Joint* const* end)
 {
     m_levels.push_back({int32(m_blocks.size()), int32(m_singles.size())});
-    const auto isHinge = [](const Single& s) { return s.joint->GetType() == e_revoluteJoint; };
+    const auto isHinge = [](const b2Joint* joint) { return joint->GetType() == e_revoluteJoint; };
     const auto hinges = std::count_if(begin, end, isHinge);
     const bool wide = hinges >= kLeastLanes;
     HingeBlock* block = nullptr;
-    for (const Single* single = begin; single != end; ++single)
+    for (b2Joint* const* joint = begin; joint != end; ++joint)
     {
-        if (!wide || !isHinge(*single))
+        if (!wide || !isHinge(*joint))
         {
-            m_singles.push_back(*single);
+            m_singles.push_back(*joint);
             continue;
         }
         if (block == nullptr || block->count == kHingeLanes)
         {
             block = &m_blocks.emplace_back();
         }
-        block->relaxation[block->count] = single->relaxation;
-        block->joint[block->count++] = static_cast<b2RevoluteJoint*>(single->joint);
+        block->joint[block->count++] = static_cast<b2RevoluteJoint*>(*joint);
     }
 }
 
@@ -282,7 +193,7 @@ void JointSchedule::ForLevels(ThreadPool* threads, Direction direction, OneBlock
                     });
         for (int32 k = level.firstSingle; k < next.firstSingle; ++k)
         {
-            oneJoint(m_singles[std::size_t(k)]);
+            oneJoint(*m_singles[std::size_t(k)]);
         }
     }
 }
@@ -298,19 +209,15 @@ void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
     ForLevels(
         threads, Direction::Forward,
         [&](HingeBlock& block) { WarmStartHinges(block, context.bodies); },
-        [&](const Single& single) { JointAccess::Prepare(*single.joint, context); });
+        [&](b2Joint& joint) { JointAccess::Prepare(joint, context); });
 }
 
-void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads, bool last)
+void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads,
+                                    Direction direction)
 {
-    SolverContext own = context;
     ForLevels(
-        threads, Direction::Forward,
-        [&](HingeBlock& block) { SolveHingeVelocities(block, context.bodies, last); },
-        [&](const Single& single) {
-            own.relaxation = last ? 1.0f : single.relaxation;
-            JointAccess::SolveVelocity(*single.joint, own);
-        });
+        threads, direction, [&](HingeBlock& block) { SolveHingeVelocities(block, context.bodies); },
+        [&](b2Joint& joint) { JointAccess::SolveVelocity(joint, context); });
 }
 
 void JointSchedule::StoreImpulses(ThreadPool* threads)
@@ -336,8 +243,8 @@ bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* thr
                 joined.store(false, std::memory_order_relaxed);
             }
         },
-        [&](const Single& single) {
-            if (!JointAccess::SolvePosition(*single.joint, context))
+        [&](b2Joint& joint) {
+            if (!JointAccess::SolvePosition(joint, context))
             {
                 joined.store(false, std::memory_order_relaxed);
             }

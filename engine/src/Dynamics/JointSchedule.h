@@ -6,12 +6,12 @@
 class b2Joint;
 
 /// The order in which joints are solved, and what of it can be done at once. Joints are solved in
-/// the order of their creation, each with what those before it have left of its bodies: for a chain
-/// an impulse then runs along all links in one sweep. Two joints that share no body that moves do
-/// not notice each other's turn, so they are sorted into levels: a joint is one level above the
-/// last of its bodies' earlier joints (level scheduling of triangular solves; Anderson and Saad,
-/// 1989). Within a level all can be solved at the same time; the result is that of one after the
-/// other, to the last bit.
+/// the order of their creation and back, each with what those before it have left of its bodies:
+/// for a chain an impulse then runs along all links in one sweep. Two joints that share no body
+/// that moves do not notice each other's turn, so they are sorted into levels: a joint is one level
+/// above the last of its bodies' earlier joints (level scheduling of triangular solves; Anderson
+/// and Saad, 1989). Within a level all can be solved at the same time; the result is that of one
+/// after the other, to the last bit.
 namespace box2d
 {
 
@@ -28,19 +28,14 @@ public:
     Array<Array<b2Joint*>> Levels() const;
 
     void Prepare(const SolverContext& context, ThreadPool* threads);
-    /// One sweep. All but the last of a step are over-relaxed.
-    void SolveVelocities(const SolverContext& context, ThreadPool* threads, bool last);
+    /// One sweep.
+    void SolveVelocities(const SolverContext& context, ThreadPool* threads, Direction direction);
     /// Puts the impulses back into the joints.
     void StoreImpulses(ThreadPool* threads);
     /// One sweep; whether all errors were below the tolerance.
     bool SolvePositions(const SolverContext& context, ThreadPool* threads, Direction direction);
 
 private:
-    struct Single
-    {
-        b2Joint* joint;
-        float32 relaxation;
-    };
     /// Up to the next level's, of either list.
     struct Level
     {
@@ -48,15 +43,15 @@ private:
     };
 
     void Build(const Array<b2Joint*>& joints);
-    void SortInto(const Array<b2Joint*>& joints, const Array<float32>& relaxations,
-                  const Array<int32>& levels, const Array<int32>& counts);
-    void AddLevel(const Single* begin, const Single* end);
+    void SortInto(const Array<b2Joint*>& joints, const Array<int32>& levels,
+                  const Array<int32>& counts);
+    void AddLevel(b2Joint* const* begin, b2Joint* const* end);
     template <class OneBlock, class OneJoint>
     void ForLevels(ThreadPool* threads, Direction direction, OneBlock&& oneBlock,
                    OneJoint&& oneJoint);
 
     Array<HingeBlock> m_blocks;
-    Array<Single> m_singles;
+    Array<b2Joint*> m_singles;
     Array<Level> m_levels; // and one more for the end
     int32 m_version = -1;  // of the graph's list
 };

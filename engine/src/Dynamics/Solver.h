@@ -69,9 +69,6 @@ struct SolverContext
     float32 stepRatio =
         1.0f; ///< this step's length over the last one's, for the impulses carried over
     bool warmStarting = true;
-    /// More than 1 where a joint is to go beyond what it wants (successive over-relaxation): many
-    /// that hang together then agree sooner.
-    float32 relaxation = 1.0f;
 };
 
 struct ContactPoint

@@ -293,7 +293,7 @@ void StepSolver::SolveVelocities(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         const Direction direction = DirectionOf(i);
-        m_arrays.joints.SolveVelocities(m_context, m_threads, i == iterations - 1);
+        m_arrays.joints.SolveVelocities(m_context, m_threads, direction);
         const bool changed = SolveContacts(direction);
         // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
         if (!changed && m_arrays.joints.IsEmpty())

@@ -82,7 +82,6 @@ void b2RevoluteJoint::SolveVelocity(const box2d::SolverContext& context)
         m_upperImpulse = upper;
     }
     const b2Vec2 impulse =
-        context.relaxation *
         box2d::PointMatrix(f, m_armA, m_armB).Solve(-f.PointSpeed(m_armA, m_armB));
     m_impulse += impulse;
     f.ApplyImpulse(impulse, m_armA, m_armB);

@@ -65,10 +65,8 @@ struct BodyData
     std::uint32_t colorMask = 0; ///< the colours of the constraint graph that touch it
     Mobility mobility = Mobility::Static;
 
-    std::int32_t island = -1; ///< dynamic and active bodies only
-    // While the joints' schedule is made: the first level that is free, and a mark.
-    std::int32_t jointLevel = 0;
-    std::int32_t jointMark = 0;
+    std::int32_t island = -1;    ///< dynamic and active bodies only
+    std::int32_t jointLevel = 0; ///< while the joints' schedule is made: the first that is free
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 
