@@ -87,6 +87,31 @@ TEST_F(OnPedestal, AKeptContactCanBecomeASensorAndBack)
     EXPECT_EQ(contact->GetManifold()->pointCount, 2);
 }
 
+struct OnePoint : b2ContactListener
+{
+    void PreSolve(b2Contact* contact, const b2Manifold*) override
+    {
+        if (edits)
+        {
+            contact->GetManifold()->pointCount = 1;
+        }
+    }
+    bool edits = true;
+};
+
+TEST_F(OnPedestal, WhatAListenerChangesLastsOneStep)
+{
+    OnePoint listener;
+    scene.world.SetContactListener(&listener);
+    const b2Manifold& manifold = *box->GetContactList()->contact->GetManifold();
+    scene.Step(1);
+    EXPECT_EQ(manifold.pointCount, 1);
+    listener.edits = false;
+    scene.Step(1);
+    EXPECT_EQ(manifold.pointCount, 2);
+    scene.world.SetContactListener(nullptr);
+}
+
 TEST_F(OnPedestal, AKeptContactEndsWhenTheBoxIsLifted)
 {
     box->SetTransform(box->GetPosition() + b2Vec2(0.0f, 0.05f), 0.0f);

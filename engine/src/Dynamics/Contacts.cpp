@@ -101,6 +101,17 @@ bool IsAsItWas(const ContactData& c, const b2Transform& bInA)
     return b2Max(moved.x, moved.y) + turned * reach <= still;
 }
 
+bool IsSame(const b2Manifold& a, const b2Manifold& b)
+{
+    bool same = a.type == b.type && a.pointCount == b.pointCount &&
+                a.localNormal == b.localNormal && a.localPoint == b.localPoint;
+    for (int32 i = 0; i < b2Min(a.pointCount, b.pointCount); ++i)
+    {
+        same = same && a.points[i].localPoint == b.points[i].localPoint;
+    }
+    return same;
+}
+
 /// The older body's fixture comes first, whichever of the two moved.
 b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureProxy& another)
 {
@@ -202,15 +213,16 @@ void World::UpdateContacts()
     ComputeContacts() && listener == nullptr ? FinishContactsInNeed() : FinishContacts();
 }
 
-/// The first part of all updates, on all threads. With one thread each contact is done in its turn
-/// instead, and this returns false: the results are the same, for poses do not change meanwhile.
+/// The first part of all updates, on all threads. With one thread and nobody who could see the
+/// difference each contact is done in its turn instead, and this returns false: the results are the
+/// same, for poses do not change meanwhile.
 bool World::ComputeContacts()
 {
-    if (!threads)
+    const bool keepOld = listener != nullptr;
+    if (!threads && !keepOld)
     {
         return false;
     }
-    const bool keepOld = listener != nullptr;
     oldManifolds.resize(keepOld ? awakeContacts.size() : 0);
     attention.resize(awakeContacts.size());
     ParallelFor(threads.get(), int32(awakeContacts.size()), kContactGrain,
@@ -301,6 +313,16 @@ void World::FinishContactsInNeed()
     }
 }
 
+/// Undoes the first part of an update, where a callback has left no place for the second.
+void World::ForgetUpdate(ContactData& c)
+{
+    if ((c.flags & kContactComputed) != 0)
+    {
+        c.flags &= ~std::uint32_t(kContactComputed | kContactApart | kContactKept);
+        c.manifold = oldManifolds[std::size_t(c.oldIndex)]; // only a listener can be the cause
+    }
+}
+
 void World::UpdateContact(b2Contact& contact)
 {
     b2Manifold old;
@@ -377,7 +399,12 @@ void World::FinishContact(b2Contact& contact, const b2Manifold& old)
         WakeNeighbours(*c.bodyA, *c.bodyB);
         if (listener)
         {
+            const b2Manifold before = c.manifold;
             listener->PreSolve(&contact, &old);
+            if (!IsSame(before, c.manifold))
+            {
+                c.flags &= ~std::uint32_t(kContactKept); // what it changed lasts for one step
+            }
         }
     }
 }

@@ -307,7 +307,8 @@ void World::UpdateSensor(b2Fixture& fixture)
         if (sensor != c.IsSensor())
         {
             c.flags ^= kContactSensor;
-            c.flags &= ~std::uint32_t(kContactComputed | kContactKept); // as something else
+            ForgetUpdate(c); // it is to be computed as something else
+            c.flags &= ~std::uint32_t(kContactKept);
             UpdateActivity(*edge->contact);
             Wake(*c.bodyA);
             Wake(*c.bodyB);

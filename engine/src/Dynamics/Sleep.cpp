@@ -79,11 +79,7 @@ void World::UpdateActivity(b2Contact& contact)
         c.awakeIndex = -1;
         // A listener let a body sleep before the contact's turn in the present update has come:
         // then it has none.
-        if ((c.flags & kContactComputed) != 0 && !oldManifolds.empty())
-        {
-            c.flags &= ~std::uint32_t(kContactComputed);
-            c.manifold = oldManifolds[std::size_t(c.oldIndex)];
-        }
+        ForgetUpdate(c);
     }
 
     const bool solved = c.IsTouching() && !c.IsSensor() && (IsPushed(a) || IsPushed(b));

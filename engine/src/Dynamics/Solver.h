@@ -172,6 +172,18 @@ void MoveByVelocity(SolverBody& body, float32 timeStep);
 void ReportImpulse(b2ContactListener& listener, b2Contact& contact);
 void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint);
 
+/// 1 / value, or 0 for nothing to push.
+inline float32 Inverse(float32 value)
+{
+    return value > 0.0f ? 1.0f / value : 0.0f;
+}
+
+/// Both points together: of the four ways in which each impulse or its speed can be zero, take the
+/// one whose other quantities are not negative (total enumeration; Murty, "Linear Complementarity",
+/// 1988). False when rounding leaves none.
+bool EnumerateImpulses(float32 k11, float32 k12, float32 k22, float32 b1, float32 b2, float32& x1,
+                       float32& x2);
+
 /// Fills both sides of a touching contact from the present poses; velocities are read from the
 /// bodies' solver entries (for restitution).
 void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& constraint,
@@ -183,6 +195,8 @@ void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodi
                             Direction direction);
 /// Puts the impulses into the manifold.
 void StoreImpulses(const ContactConstraint& contact);
+// OverlapSolver.cpp
+
 /// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop.
 /// Returns the smallest separation that was met [m].
 float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,

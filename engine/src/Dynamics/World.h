@@ -32,6 +32,8 @@ namespace box2d
 
 struct SolverArrays;
 
+struct ContactData;
+
 class World
 {
 public:
@@ -90,6 +92,7 @@ public:
     /// The first part, unless the boxes are apart.
     static void ComputeContact(b2Contact& contact, b2Manifold& old);
     bool ComputeContacts();
+    void ForgetUpdate(ContactData& c);
     bool NeedsAttention(b2Contact& contact) const;
     void FinishContacts();
     void FinishContactsInNeed();

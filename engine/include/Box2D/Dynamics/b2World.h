@@ -77,7 +77,8 @@ public:
 
     /// How many threads share the work of a step, the calling one included; 1 to 64, and 1 unless
     /// said. The results are the same to the last bit whatever the number. Callbacks come from the
-    /// calling thread, in the same order. More threads than processors only cost.
+    /// calling thread, in the same order. While a step lasts the others wait busily, callbacks
+    /// included: small worlds, and more threads than processors, only cost.
     void SetThreadCount(int32 count);
     int32 GetThreadCount() const;
 
@@ -91,7 +92,8 @@ public:
 
     void SetGravity(const b2Vec2& gravity);
     b2Vec2 GetGravity() const;
-    /// True while a callback may run, in a step or a query: nothing may be created or destroyed then.
+    /// True while a callback may run, in a step or a query: nothing may be created or destroyed
+    /// then.
     bool IsLocked() const;
     void SetAutoClearForces(bool flag);
     bool GetAutoClearForces() const;

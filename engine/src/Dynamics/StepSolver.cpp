@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+#include "StepSolver.h"
+
+#include "Access.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <atomic>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// Impulses grow with the step as long as they come from forces that last. Those of hits do not:
+/// after a very short step this much of them, and no more, is carried over.
+constexpr float32 kMostStepRatio = 10.0f;
+
+// What one thread takes at a time.
+constexpr int32 kBlockGrain = 8;
+constexpr int32 kBodyGrain = 64;
+
+} // namespace
+
+StepSolver::StepSolver(World& world, float32 timeStep)
+    : m_world(world), m_arrays(*world.solver), m_threads(world.threads.get())
+{
+    m_context.timeStep = timeStep;
+    m_context.inverseStep = 1.0f / timeStep;
+    m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMostStepRatio);
+    m_context.warmStarting = world.warmStarting;
+}
+
+void StepSolver::WakeJointNeighbours()
+{
+    // Waking adds joints to the list, so it is read anew each time.
+    for (std::size_t i = 0; i < m_world.graph.Joints().size(); ++i)
+    {
+        b2Joint* joint = m_world.graph.Joints()[i];
+        m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
+    }
+    // A joint between a platform and something asleep is in no list.
+    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    {
+        b2Body* body = m_world.awakeBodies[i];
+        b2JointEdge* edge = body->GetType() == b2_kinematicBody ? body->GetJointList() : nullptr;
+        for (; edge; edge = edge->next)
+        {
+            if (edge->joint->IsActive())
+            {
+                m_world.WakeNeighbours(*body, *edge->other);
+            }
+        }
+    }
+    m_world.graph.SortJoints();
+}
+
+void StepSolver::IntegrateVelocities()
+{
+    m_arrays.bodies.resize(m_world.awakeBodies.size() + 1);
+    m_arrays.bodies[0] = SolverBody();
+    m_context.bodies = m_arrays.bodies.data();
+    ForBodies([this](std::size_t i) {
+        m_arrays.bodies[i + 1] = WithForces(Data(*m_world.awakeBodies[i]));
+    });
+}
+
+SolverBody StepSolver::WithForces(const BodyData& body) const
+{
+    const float32 h = m_context.timeStep;
+    SolverBody s;
+    s.v = body.linearVelocity;
+    s.w = body.angularVelocity;
+    if (body.IsDynamic())
+    {
+        s.v += h * (body.gravityScale * m_world.gravity + body.invMass * body.force);
+        s.w += h * body.invInertia * body.torque;
+        // dv/dt = -c v, one implicit step: stable for any c.
+        s.v *= 1.0f / (1.0f + h * body.linearDamping);
+        s.w *= 1.0f / (1.0f + h * body.angularDamping);
+    }
+    s.v = Bounded(s.v);
+    s.w = Bounded(s.w);
+    return s;
+}
+
+void StepSolver::PrepareConstraints()
+{
+    m_arrays.colorCount = 0;
+    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    {
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        const std::size_t count = m_world.graph.Contacts(color).size();
+        if (count > 0)
+        {
+            m_arrays.colors[m_arrays.colorCount++] = color;
+            m_arrays.contacts[color].Reset(count, color == ConstraintGraph::kOverflow);
+        }
+    }
+    ParallelFor(m_threads, m_arrays.colorCount, 1, [this](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            const int32 color = m_arrays.colors[i];
+            m_arrays.contacts[color].Assign(m_world.graph.Contacts(color),
+                                            color == ConstraintGraph::kOverflow,
+                                            m_world.awakeBodies.size());
+        }
+    });
+    ForBlocks([this](ContactBlock& block, OverlapBlock& overlap) {
+        PrepareBlock(block, overlap, m_context);
+    });
+    ForBlocks(
+        [this](ContactBlock& block, OverlapBlock&) { WarmStartBlock(block, m_context.bodies); });
+    m_arrays.joints.Update(m_world.graph);
+    m_arrays.joints.Prepare(m_context, m_threads);
+}
+
+/// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
+/// each on all threads. `some` is called with a colour's blocks and the part of them to work on.
+template <class Function>
+void StepSolver::ForColors(Direction direction, Function&& some)
+{
+    const int32 count = m_arrays.colorCount;
+    for (int32 i = 0; i < count; ++i)
+    {
+        const int32 color = m_arrays.colors[direction == Direction::Forward ? i : count - 1 - i];
+        ContactBlocks& blocks = m_arrays.contacts[color];
+        ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
+        ParallelFor(threads, blocks.Count(), kBlockGrain,
+                    [&](int32 begin, int32 end) { some(blocks, begin, end); });
+    }
+}
+
+template <class Function>
+void StepSolver::ForBlocks(Function&& function)
+{
+    ForColors(Direction::Forward, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            function(blocks.Contacts(i), blocks.Overlaps(i));
+        }
+    });
+}
+
+template <class Function>
+void StepSolver::ForBodies(Function&& function)
+{
+    ParallelFor(m_threads, int32(m_world.awakeBodies.size()), kBodyGrain,
+                [&](int32 begin, int32 end) {
+                    for (int32 i = begin; i < end; ++i)
+                    {
+                        function(std::size_t(i));
+                    }
+                });
+}
+
+// Blocks of a colour share no bodies: only in the overflow, which is one part, does the direction
+// within a colour matter.
+
+bool StepSolver::SolveContacts(Direction direction)
+{
+    std::atomic<bool> changed = false;
+    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        bool some = false;
+        for (int32 i = 0; i < end - begin; ++i)
+        {
+            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
+            some = SolveBlock(blocks.Contacts(index), m_context.bodies) || some;
+        }
+        if (some && !changed.load(std::memory_order_relaxed))
+        {
+            changed.store(true, std::memory_order_relaxed);
+        }
+    });
+    return changed;
+}
+
+/// Returns the smallest separation [m], or 0 if that is smaller.
+float32 StepSolver::SolveOverlaps(Direction direction)
+{
+    std::atomic<float32> smallest = 0.0f;
+    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        float32 found = 0.0f;
+        for (int32 i = 0; i < end - begin; ++i)
+        {
+            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
+            found =
+                b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, b2_baumgarte));
+        }
+        float32 before = smallest.load(std::memory_order_relaxed);
+        while (found < before && !smallest.compare_exchange_weak(before, found))
+        {}
+    });
+    return smallest;
+}
+
+void StepSolver::SolveVelocities(int32 iterations)
+{
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        const Direction direction = DirectionOf(i);
+        m_arrays.joints.SolveVelocities(m_context, m_threads, direction);
+        const bool changed = SolveContacts(direction);
+        // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
+        if (!changed && m_arrays.joints.IsEmpty())
+        {
+            break;
+        }
+    }
+    m_arrays.joints.StoreImpulses(m_threads);
+    ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
+}
+
+/// In the order of the colours; notes them before any is put to sleep.
+void StepSolver::NoteImpulses()
+{
+    m_arrays.reported.clear();
+    for (int32 i = 0; i < ConstraintGraph::kColorCount && m_world.listener != nullptr; ++i)
+    {
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        for (b2Contact* contact : m_world.graph.Contacts(color))
+        {
+            if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
+            {
+                m_arrays.reported.push_back(contact);
+            }
+        }
+    }
+}
+
+void StepSolver::ReportImpulses()
+{
+    for (b2Contact* contact : m_arrays.reported)
+    {
+        if (m_world.listener != nullptr) // it may take itself away
+        {
+            ReportImpulse(*m_world.listener, *contact);
+        }
+    }
+}
+
+void StepSolver::SolvePositions(int32 iterations)
+{
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        const Direction direction = DirectionOf(i);
+        // The slop is what is aimed at; three of them is near enough.
+        const bool apart = SolveOverlaps(direction) >= -3.0f * b2_linearSlop;
+        const bool joined = m_arrays.joints.SolvePositions(m_context, m_threads, direction);
+        if (apart && joined)
+        {
+            break;
+        }
+    }
+}
+
+void StepSolver::IntegratePositions()
+{
+    ForBodies(
+        [this](std::size_t i) { MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep); });
+}
+
+// Slow means slow in both velocity and what position correction did: something that is still being
+// pushed out of an overlap does not sleep. A platform is told how to move: it stays awake however
+// slow it is.
+float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
+{
+    const float32 h = m_context.timeStep;
+    if (!body.IsDynamic())
+    {
+        const bool still = moved.v == b2Vec2(0.0f, 0.0f) && moved.w == 0.0f;
+        return still && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
+    }
+    const float32 linear = h * b2_linearSleepTolerance;
+    const float32 angular = h * b2_angularSleepTolerance;
+    const bool slow =
+        moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
+        b2Abs(moved.w) <= b2_angularSleepTolerance && moved.d.LengthSquared() <= linear * linear &&
+        b2Abs(moved.angle) <= angular;
+    return slow && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
+}
+
+void StepSolver::WriteBack()
+{
+    m_arrays.left.resize(m_world.awakeBodies.size());
+    ForBodies([this](std::size_t i) {
+        m_arrays.left[i] = WriteBack(Data(*m_world.awakeBodies[i]), m_arrays.bodies[i + 1]);
+    });
+    for (std::size_t i = 0; i < m_arrays.left.size(); ++i)
+    {
+        if (m_arrays.left[i] != 0)
+        {
+            m_world.MoveProxies(Data(*m_world.awakeBodies[i]));
+        }
+    }
+}
+
+/// Whether a shape has left its box.
+bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
+{
+    if (!IsFinite(s))
+    {
+        s = SolverBody(); // it stops rather than vanish
+    }
+    body.linearVelocity = s.v;
+    body.angularVelocity = s.w;
+    body.sleepTime = SleepTimeAfter(body, s);
+    body.previous = body.pose;
+    body.sweepStart = 0.0f;
+    ++body.sweepVersion;
+    if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f)
+    {
+        return false;
+    }
+    body.pose.x += double(s.d.x);
+    body.pose.y += double(s.d.y);
+    body.pose.angle += double(s.angle);
+    SynchronizePose(body);
+    const float32 way = s.d.Length() + b2Abs(s.angle) * body.maxExtent;
+    return World::RefreshBoxes(body, way > kFastShare * body.minExtent);
+}
+
+void StepSolver::LetRest()
+{
+    if (!m_world.allowSleep)
+    {
+        return;
+    }
+    for (std::size_t i = m_world.awakeBodies.size(); i-- > 0;)
+    {
+        b2Body* body = m_world.awakeBodies[i];
+        const BodyData& data = Data(*body);
+        m_world.islands.ReportSleepTime(data);
+        if (data.mobility == Mobility::Kinematic && data.sleepTime >= b2_timeToSleep)
+        {
+            m_world.PutToSleep(*body);
+        }
+    }
+    for (const int32 island : m_world.islands.FindSleepy(b2_timeToSleep))
+    {
+        m_world.PutToSleep(island);
+    }
+}
+
+void MoveByVelocity(SolverBody& body, float32 timeStep)
+{
+    const b2Vec2 way = timeStep * body.v;
+    if (way.LengthSquared() > b2_maxTranslationSquared)
+    {
+        body.v *= b2_maxTranslation / way.Length();
+    }
+    const float32 turn = timeStep * body.w;
+    if (turn * turn > b2_maxRotationSquared)
+    {
+        body.w *= b2_maxRotation / b2Abs(turn);
+    }
+    body.d += timeStep * body.v;
+    const float32 delta = timeStep * body.w;
+    body.angle += delta;
+    body.q = b2Mul(body.q, b2Rot(delta));
+}
+
+} // namespace box2d
