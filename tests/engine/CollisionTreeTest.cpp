@@ -271,6 +271,51 @@ TEST(Tree, BuildsTheSameTreeWhateverItWasBefore)
     EXPECT_EQ(orders[0], orders[1]);
 }
 
+TEST(Tree, BuiltEvenlyFindsTheSameAndIsAsLowAsCanBe)
+{
+    Random random(45);
+    for (const int32 count : {0, 1, 2, 3, 5, 64, 1000})
+    {
+        b2DynamicTree tree;
+        std::map<int32, b2AABB> list;
+        for (int32 i = 0; i < count; ++i)
+        {
+            const b2AABB box = i % 3 == 0 ? Box(b2Vec2_zero, 1.0f, 1.0f) : RandomBox(random);
+            list[tree.CreateProxyExact(box, i)] = box;
+        }
+        for (int32 round = 0; round < 3; ++round)
+        {
+            for (auto& [id, box] : list)
+            {
+                box = id % 2 == 0 ? RandomBox(random) : box;
+                tree.SetProxyAABBForRebuild(id, box);
+            }
+            tree.RebuildEvenly();
+            ASSERT_EQ(Invalid(tree), "") << count;
+            ASSERT_EQ(tree.GetHeight(), std::bit_width(static_cast<unsigned>(b2Max(count, 1) - 1)));
+            for (int32 i = 0; i < 20; ++i)
+            {
+                CompareWithList(tree, list, random);
+            }
+        }
+    }
+}
+
+TEST(Tree, BuiltEvenlyIsNotMuchWorseThanTheBest)
+{
+    Random random(46);
+    b2DynamicTree tree;
+    for (int32 i = 0; i < 2000; ++i)
+    {
+        const b2Vec2 half = b2Abs(random.Point(1.0f));
+        tree.CreateProxyExact(Box(random.Point(50.0f), half.x, half.y), i);
+    }
+    tree.RebuildEvenly();
+    const float32 evenly = tree.GetAreaRatio();
+    tree.RebuildBottomUp();
+    EXPECT_LT(evenly, 1.25f * tree.GetAreaRatio());
+}
+
 TEST(Tree, IsBetterBuiltAnewThanInsertedInRows)
 {
     b2DynamicTree tree;

@@ -142,6 +142,17 @@ private:
 };
 } // namespace
 
+void b2DynamicTree::FreeInnerNodes()
+{
+    for (int32 i = 0; i < m_nodeCapacity; ++i)
+    {
+        if (m_nodes[i].height > 0)
+        {
+            FreeNode(i);
+        }
+    }
+}
+
 void b2DynamicTree::RebuildBottomUp()
 {
     if (m_proxyCount < 2)
@@ -156,11 +167,8 @@ void b2DynamicTree::RebuildBottomUp()
         {
             leaves.push_back({m_nodes[i].aabb, i});
         }
-        else if (m_nodes[i].height > 0)
-        {
-            FreeNode(i);
-        }
     }
+    FreeInnerNodes();
 
     // A node is made before its children, so the heights can be set from the last to the first.
     Divider divider(std::move(leaves));
@@ -194,4 +202,70 @@ void b2DynamicTree::RebuildBottomUp()
     {
         Refit(made[i - 1]);
     }
+}
+
+void b2DynamicTree::SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB)
+{
+    if (B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree was asked to move a number of no proxy.") &&
+        B2_REQUIRE(fatAABB.IsValid(),
+                   "A proxy's box must be finite, its lower bound below the upper."))
+    {
+        m_nodes[proxyId].aabb = fatAABB;
+    }
+}
+
+void b2DynamicTree::RebuildEvenly()
+{
+    if (m_proxyCount < 2)
+    {
+        return;
+    }
+    m_order.clear();
+    for (int32 i = 0; i < m_nodeCapacity; ++i)
+    {
+        if (m_nodes[i].height == 0)
+        {
+            m_order.push_back({m_nodes[i].aabb.lowerBound + m_nodes[i].aabb.upperBound, i});
+        }
+    }
+    FreeInnerNodes();
+    m_root = BuildEvenly(0, m_proxyCount);
+    m_nodes[m_root].parent = b2_nullNode;
+}
+
+/// The node above a range of leaves. Goes no deeper than the logarithm of their number.
+int32 b2DynamicTree::BuildEvenly(int32 first, int32 count)
+{
+    const auto begin = m_order.begin() + first;
+    if (count == 1)
+    {
+        return begin->id;
+    }
+    b2Vec2 lower = begin->twiceCenter;
+    b2Vec2 upper = lower;
+    for (auto i = begin + 1; i != begin + count; ++i)
+    {
+        lower = b2Min(lower, i->twiceCenter);
+        upper = b2Max(upper, i->twiceCenter);
+    }
+    // Equal centres by number, so that which leaves are in a half is always the same.
+    const auto parted = [&](auto coordinate) {
+        std::nth_element(begin, begin + count / 2, begin + count,
+                         [coordinate](const CenteredLeaf& a, const CenteredLeaf& b) {
+                             const float32 centerA = a.twiceCenter.*coordinate;
+                             const float32 centerB = b.twiceCenter.*coordinate;
+                             return centerA != centerB ? centerA < centerB : a.id < b.id;
+                         });
+    };
+    upper.x - lower.x >= upper.y - lower.y ? parted(&b2Vec2::x) : parted(&b2Vec2::y);
+    const int32 node = AllocateNode();
+    const int32 child[2] = {BuildEvenly(first, count / 2),
+                            BuildEvenly(first + count / 2, count - count / 2)};
+    for (int32 side = 0; side < 2; ++side)
+    {
+        m_nodes[node].link.child[side] = child[side];
+        m_nodes[child[side]].parent = node;
+    }
+    Refit(node);
+    return node;
 }

@@ -31,6 +31,20 @@ void SynchronizePose(BodyData& body)
     body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
 }
 
+void SynchronizePlace(BodyData& body)
+{
+    if (body.localCenter != b2Vec2(0.0f, 0.0f))
+    {
+        SynchronizePose(body); // with sine and cosine in double precision
+        return;
+    }
+    body.pose.x = WithinReach(body.pose.x);
+    body.pose.y = WithinReach(body.pose.y);
+    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
+    body.transform.q = body.rotation;
+    body.transform.p = body.worldCenter;
+}
+
 b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
 {
     return b2Vec2(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));

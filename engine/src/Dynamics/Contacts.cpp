@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Narrowphase.h"
-#include "Solver.h"
+#include "Sweeps.h"
 #include "World.h"
 
 #include "Access.h"
@@ -163,6 +163,8 @@ void World::FindNewContacts()
 {
     const auto isKnown = [this](const b2FixtureProxy* a, const b2FixtureProxy* b) {
         return !CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
+               !WaysMeet(Data(*a->fixture->GetBody()), *a->fixture->GetShape(), a->childIndex,
+                         Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
                pairs.Contains(a->proxyId, b->proxyId);
     };
     // What the default filter would refuse every time is not looked for.

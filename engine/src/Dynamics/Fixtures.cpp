@@ -37,6 +37,49 @@ b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
     return fat;
 }
 
+/// The box of a bullet's way: what it hits after the present step does not matter.
+b2AABB Widen(const b2AABB& box, float32 minExtent)
+{
+    const float32 margin = b2Min(b2_aabbExtension, 0.25f * minExtent);
+    b2AABB wide;
+    wide.lowerBound = box.lowerBound - b2Vec2(margin, margin);
+    wide.upperBound = box.upperBound + b2Vec2(margin, margin);
+    return wide;
+}
+
+/// The body's transform at the start of its way.
+b2Transform TransformBefore(const BodyData& body)
+{
+    BodyData start;
+    start.pose = body.previous;
+    start.localCenter = body.localCenter;
+    if (body.previous.angle == body.pose.angle)
+    {
+        start.rotation = body.rotation;
+        SynchronizePlace(start);
+    }
+    else
+    {
+        SynchronizePose(start);
+    }
+    return start.transform;
+}
+
+/// The box of a shape now and, if there is one, at an earlier transform.
+b2AABB BoxOnItsWay(const b2Shape& shape, int32 child, const BodyData& body,
+                   const b2Transform* before)
+{
+    b2AABB box;
+    shape.ComputeAABB(&box, body.transform, child);
+    if (before != nullptr)
+    {
+        b2AABB boxBefore;
+        shape.ComputeAABB(&boxBefore, *before, child);
+        box.Combine(boxBefore);
+    }
+    return box;
+}
+
 float32 NotNegative(float32 value)
 {
     return b2IsValid(value) && value > 0.0f ? value : 0.0f;
@@ -203,7 +246,11 @@ void World::DestroyProxies(b2Fixture& fixture)
 
 void World::UpdateProxies(BodyData& body, bool swept)
 {
-    if (RefreshBoxes(body, swept))
+    if (swept && (body.flags & kBodySwept) != 0)
+    {
+        GrowBoxes(body);
+    }
+    else if (RefreshBoxes(body, swept))
     {
         MoveProxies(body);
     }
@@ -211,40 +258,49 @@ void World::UpdateProxies(BodyData& body, bool swept)
 
 bool World::RefreshBoxes(BodyData& body, bool swept)
 {
-    bool left = false;
-    b2Transform before = body.transform;
+    const bool bullet = swept && (body.flags & kBodyBullet) != 0;
+    // The boxes of a bullet's way serve for one step.
+    const bool anew = bullet || (body.flags & kBodySwept) != 0;
+    bool left = anew;
+    b2Transform before;
     b2Vec2 displacement(0.0f, 0.0f);
     displacement.x = float32(body.pose.x - body.previous.x);
     displacement.y = float32(body.pose.y - body.previous.y);
     if (swept)
     {
-        BodyData start;
-        start.pose = body.previous;
-        start.localCenter = body.localCenter;
-        SynchronizePose(start);
-        before = start.transform;
+        before = TransformBefore(body);
     }
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
         for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
         {
             b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
-            b2AABB box;
-            f->GetShape()->ComputeAABB(&box, body.transform, child);
-            if (swept)
+            const b2AABB box = BoxOnItsWay(*f->GetShape(), child, body, swept ? &before : nullptr);
+            if (anew || !proxy.aabb.Contains(box))
             {
-                b2AABB boxBefore;
-                f->GetShape()->ComputeAABB(&boxBefore, before, child);
-                box.Combine(boxBefore);
-            }
-            if (!proxy.aabb.Contains(box))
-            {
-                proxy.aabb = Fatten(box, displacement);
+                proxy.aabb = bullet ? Widen(box, body.minExtent) : Fatten(box, displacement);
                 left = true;
             }
         }
     }
+    body.flags = bullet ? body.flags | kBodySwept : body.flags & ~std::uint32_t(kBodySwept);
     return left;
+}
+
+/// After an impact: the boxes also hold what is left of the way.
+void World::GrowBoxes(BodyData& body)
+{
+    const b2Transform before = TransformBefore(body);
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            proxy.aabb.Combine(
+                Widen(BoxOnItsWay(*f->GetShape(), child, body, &before), body.minExtent));
+            proxies.Grow(proxy.proxyId, proxy.aabb);
+        }
+    }
 }
 
 void World::MoveProxies(BodyData& body)
@@ -266,6 +322,7 @@ void World::MoveProxies(BodyData& body)
 
 void World::ResetProxies(BodyData& body)
 {
+    body.flags &= ~std::uint32_t(kBodySwept);
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
         for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)

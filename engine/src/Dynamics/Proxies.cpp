@@ -10,6 +10,11 @@ namespace
 /// Small trees are good enough as they grow.
 constexpr int32 kLeastAdded = 1000;
 
+/// A move costs more than a leaf's part of a tree that is built anew when there are so many, and
+/// they are at least this share of all.
+constexpr int32 kLeastMoved = 16;
+constexpr int32 kMovedShare = 8;
+
 } // namespace
 
 int32 Proxies::Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy,
@@ -63,8 +68,36 @@ void Proxies::Count(int32 tree, uint16 categories, int32 change)
 
 void Proxies::Move(int32 proxyId, const b2AABB& fatBox)
 {
-    Tree(proxyId).SetProxyAABB(proxyId >> 2, fatBox);
+    if (m_rebuilds && MobilityOf(proxyId) == Mobility::Dynamic)
+    {
+        Tree(proxyId).SetProxyAABBForRebuild(proxyId >> 2, fatBox);
+    }
+    else
+    {
+        Tree(proxyId).SetProxyAABB(proxyId >> 2, fatBox);
+    }
     Touch(proxyId);
+}
+
+void Proxies::Grow(int32 proxyId, const b2AABB& fatBox)
+{
+    Tree(proxyId).EnlargeProxy(proxyId >> 2, fatBox);
+    Touch(proxyId);
+}
+
+void Proxies::BeginMoves(int32 count)
+{
+    const int32 all = TreeOf(Mobility::Dynamic).GetProxyCount();
+    m_rebuilds = count >= kLeastMoved && count >= all / kMovedShare;
+}
+
+void Proxies::EndMoves()
+{
+    if (m_rebuilds)
+    {
+        m_rebuilds = false;
+        m_trees[int32(Mobility::Dynamic)].RebuildEvenly();
+    }
 }
 
 void Proxies::Touch(int32 proxyId)

@@ -29,6 +29,12 @@ public:
     void Destroy(int32 proxyId);
     /// Gives the proxy another box and marks it as moved.
     void Move(int32 proxyId, const b2AABB& fatBox);
+    /// The same where the box has only grown and soon is another anyway: cheaper.
+    void Grow(int32 proxyId, const b2AABB& fatBox);
+    /// Between these two so many proxies of dynamic bodies are moved: when that is a good part of
+    /// them, the tree is built anew at the end. Nothing may be asked meanwhile.
+    void BeginMoves(int32 count);
+    void EndMoves();
     /// Marks it as moved, so that its pairs are looked for again.
     void Touch(int32 proxyId);
     void SetCategories(int32 proxyId, uint16 categories);
@@ -117,6 +123,7 @@ private:
     Array<Found> m_found;              // by the threads
     int32 m_count = 0;
     int32 m_staticAdded = 0; // to the static tree since it was built anew
+    bool m_rebuilds = false; // the dynamic tree, at the end of the present moves
 };
 
 template <class IsWanted, class IsKnown, class Report>

@@ -288,6 +288,12 @@ void StepSolver::WriteBack()
     ForBodies([this](std::size_t i) {
         m_arrays.left[i] = WriteBack(Data(*m_world.awakeBodies[i]), m_arrays.bodies[i + 1]);
     });
+    int32 bullets = 0;
+    for (std::size_t i = 0; m_world.hasBullets && i < m_arrays.left.size(); ++i)
+    {
+        bullets += (Data(*m_world.awakeBodies[i]).flags & kBodySwept) != 0;
+    }
+    m_world.proxies.BeginMoves(bullets);
     for (std::size_t i = 0; i < m_arrays.left.size(); ++i)
     {
         if (m_arrays.left[i] != 0)
@@ -295,6 +301,7 @@ void StepSolver::WriteBack()
             m_world.MoveProxies(Data(*m_world.awakeBodies[i]));
         }
     }
+    m_world.proxies.EndMoves();
 }
 
 /// Whether a shape has left its box.
@@ -310,14 +317,14 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     body.previous = body.pose;
     body.sweepStart = 0.0f;
     ++body.sweepVersion;
-    if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f)
+    if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f && (body.flags & kBodySwept) == 0)
     {
         return false;
     }
     body.pose.x += double(s.d.x);
     body.pose.y += double(s.d.y);
     body.pose.angle += double(s.angle);
-    SynchronizePose(body);
+    s.angle == 0.0f ? SynchronizePlace(body) : SynchronizePose(body);
     const float32 way = s.d.Length() + b2Abs(s.angle) * body.maxExtent;
     return World::RefreshBoxes(body, way > kFastShare * body.minExtent);
 }

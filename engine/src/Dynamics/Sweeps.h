@@ -179,4 +179,25 @@ inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& 
     return InFront(shape, child, center) > reach;
 }
 
+/// Whether two children that might have a contact could touch during the step or at its end. Only a
+/// bullet that is asked about again in the next step may be told no, and only about what stands
+/// still or is such a bullet too: else nobody would ask when the other moves.
+inline bool WaysMeet(const BodyData& a, const b2Shape& shapeA, int32 childA, const BodyData& b,
+                     const b2Shape& shapeB, int32 childB)
+{
+    const bool sweptA = (a.flags & kBodySwept) != 0;
+    const bool sweptB = (b.flags & kBodySwept) != 0;
+    if (!(sweptA && (sweptB || b.mobility == Mobility::Static)) &&
+        !(sweptB && a.mobility == Mobility::Static))
+    {
+        return true;
+    }
+    const float32 start = b2Max(a.sweepStart, b.sweepStart);
+    const Pose fromA = PoseAt(a, start);
+    const Pose fromB = PoseAt(b, start);
+    return CirclesMeet(a, fromA, b, fromB) &&
+           !(a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, childA, b, fromB)
+                                       : StaysInFront(b, fromB, shapeB, childB, a, fromA));
+}
+
 } // namespace box2d

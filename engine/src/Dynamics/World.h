@@ -70,6 +70,7 @@ public:
     /// phase is told.
     static bool RefreshBoxes(BodyData& body, bool swept);
     void MoveProxies(BodyData& body);
+    void GrowBoxes(BodyData& body);
     /// Boxes anew whether the shapes have left theirs or not.
     void ResetProxies(BodyData& body);
 
@@ -197,6 +198,8 @@ private:
 
 /// Sine, cosine, transform and single-precision centre from the pose.
 void SynchronizePose(BodyData& body);
+/// The same when the angle has not changed since.
+void SynchronizePlace(BodyData& body);
 /// From centre of mass A to centre of mass B [m], exact however far from the origin.
 b2Vec2 CenterOffset(const BodyData& a, const BodyData& b);
 /// Body B's frame as seen from body A's.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Box2D/Collision/b2Collision.h>
+#include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2GrowableStack.h>
 
 inline constexpr int32 b2_nullNode = -1;
@@ -85,6 +86,15 @@ public:
     /// Builds the tree anew from all its leaves, better than insertion does. Takes O(n log^2 n).
     void RebuildBottomUp();
 
+    /// The same in a small part of the time, for a tree whose leaves move all the time: every node
+    /// parts its leaves in two equal halves, along the axis in which their centres spread more. A
+    /// query looks at more nodes than after RebuildBottomUp. Takes O(n log n), and memory the first
+    /// time only.
+    void RebuildEvenly();
+    /// Gives a proxy another box and leaves the boxes above it as they are: until RebuildEvenly or
+    /// RebuildBottomUp has been called the tree is good for nothing but more of these.
+    void SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB);
+
     /// Subtracts the new origin, given in old coordinates, from every box.
     void ShiftOrigin(const b2Vec2& newOrigin);
 
@@ -114,6 +124,12 @@ private:
         return m_nodes[proxyId];
     }
 
+    struct CenteredLeaf
+    {
+        b2Vec2 twiceCenter;
+        int32 id;
+    };
+
     int32 AllocateNode();
     void FreeNode(int32 node);
     int32 AllocateLeaf(const b2AABB& aabb);
@@ -127,6 +143,8 @@ private:
     void SwapWithNephew(int32 node, int32 side, int32 nephewSide);
     int32 BalanceLimit() const;
     const char* WhyInvalid(int32 node, int32 parent, int32* proxies) const;
+    void FreeInnerNodes();
+    int32 BuildEvenly(int32 first, int32 count);
 
     Node* m_nodes = nullptr;
     int32 m_root = b2_nullNode;
@@ -134,6 +152,7 @@ private:
     int32 m_nodeCount = 0;
     int32 m_proxyCount = 0;
     int32 m_freeList = b2_nullNode;
+    box2d::Array<CenteredLeaf> m_order; ///< room for RebuildEvenly
 };
 
 template <typename T>

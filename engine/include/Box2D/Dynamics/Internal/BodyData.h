@@ -25,6 +25,7 @@ enum BodyFlag : std::uint32_t
     kBodyFixedRotation = 1u << 3,
     kBodyActive = 1u << 4,
     kBodyMassSet = 1u << 5, ///< by SetMassData, not by the fixtures
+    kBodySwept = 1u << 6,   ///< a fast bullet: its boxes hold its last way and no more
 };
 
 /// The mobility of a body, with the values of b2BodyType.
