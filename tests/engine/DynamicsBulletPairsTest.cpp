@@ -90,12 +90,14 @@ TEST(BulletPairs, OneThatHasStoppedIsMetByOneThatComesSlowly)
 TEST(BulletPairs, AWallIsMetByABulletThatWasTurnedRoundAndSlowedDown)
 {
     Scene scene(b2Vec2_zero);
+    b2Body* bullet = Bullet(scene, b2Vec2(-10.0f, -7.0f), b2Vec2(60.0f, 60.0f));
+    scene.Step();
+    // Its box is as large as the wall is long, so there are no others to tell them apart.
     b2Body* wall = scene.Body(b2_staticBody, 0.0f, 0.0f);
     b2EdgeShape edge;
     edge.Set(b2Vec2(-20.0f, -20.0f), b2Vec2(20.0f, 20.0f));
     Scene::Add(wall, edge, 0.0f, 1.0f);
-    b2Body* bullet = Bullet(scene, b2Vec2(-10.0f, -7.0f), b2Vec2(60.0f, 60.0f));
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 9; ++i)
     {
         scene.Step();
         ASSERT_EQ(scene.world.GetContactCount(), 0) << i;
@@ -103,7 +105,7 @@ TEST(BulletPairs, AWallIsMetByABulletThatWasTurnedRoundAndSlowedDown)
     bullet->SetLinearVelocity(b2Vec2(1.0f, -1.0f));
     scene.Step(180);
     EXPECT_GT(bullet->GetPosition().y, bullet->GetPosition().x + 0.1f);
-    EXPECT_LT(bullet->GetLinearVelocity().x, -0.5f);
+    EXPECT_LT(bullet->GetLinearVelocity().x, -0.8f);
 }
 
 /// Bullets, slow bodies, platforms and walls, and a program that interferes.
