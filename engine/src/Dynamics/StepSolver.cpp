@@ -317,7 +317,7 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     body.previous = body.pose;
     body.sweepStart = 0.0f;
     ++body.sweepVersion;
-    if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f && (body.flags & kBodySwept) == 0)
+    if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f)
     {
         return false;
     }
