@@ -289,10 +289,24 @@ void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context)
     }
 }
 
-void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
+namespace
+{
+
+b2Vec2 ImpulseAt(const ContactConstraint& c, int32 point)
+{
+    return point < c.pointCount
+               ? b2Vec2(c.points[point].normalImpulse, c.points[point].tangentImpulse)
+               : b2Vec2(0.0f, 0.0f);
+}
+
+} // namespace
+
+bool SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
                             Direction direction)
 {
-    ForEach(contacts, direction, [bodies](ContactConstraint& c) {
+    bool changed = false;
+    ForEach(contacts, direction, [bodies, &changed](ContactConstraint& c) {
+        const b2Vec2 before[2] = {ImpulseAt(c, 0), ImpulseAt(c, 1)};
         Velocities v = Load(c, bodies);
         SolveFriction(c, v);
         if (c.coupled)
@@ -307,7 +321,9 @@ void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodi
             }
         }
         Store(v, c, bodies);
+        changed = changed || ImpulseAt(c, 0) != before[0] || ImpulseAt(c, 1) != before[1];
     });
+    return changed;
 }
 
 namespace

@@ -165,6 +165,11 @@ float32 ImpactSolver::TimeOfImpact(const ContactData& c) const
     }
     const b2Shape& shapeA = *c.fixtureA->GetShape();
     const b2Shape& shapeB = *c.fixtureB->GetShape();
+    if (IsRoundAbout(a, shapeA) && IsRoundAbout(b, shapeB))
+    {
+        const float32 t = CircleImpact(a, fromA, b, fromB, shapeA.m_radius + shapeB.m_radius);
+        return b2Min(start + (1.0f - start) * t, 1.0f);
+    }
     if (a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, c.childA, b, fromB)
                                   : StaysInFront(b, fromB, shapeB, c.childB, a, fromA))
     {
@@ -435,7 +440,10 @@ void ImpactSolver::SolveVelocities(float32 timeLeft)
     PrepareAll(false);
     for (int32 i = 0; i < m_velocityIterations; ++i)
     {
-        SolveContactVelocities(m_arrays.impact, m_context.bodies, DirectionOf(i));
+        if (!SolveContactVelocities(m_arrays.impact, m_context.bodies, DirectionOf(i)))
+        {
+            break;
+        }
     }
     for (b2Body* body : m_bodies)
     {

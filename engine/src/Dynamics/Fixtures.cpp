@@ -47,21 +47,27 @@ b2AABB Widen(const b2AABB& box, float32 minExtent)
     return wide;
 }
 
-/// The body's transform at the start of its way.
+/// A circle about the centre of mass and nothing else looks the same however it is turned.
+bool IsRound(const BodyData& body)
+{
+    const b2Fixture* f = body.fixtureList;
+    return f != nullptr && f->GetNext() == nullptr && f->GetType() == b2Shape::e_circle &&
+           static_cast<const b2CircleShape*>(f->GetShape())->m_p == b2Vec2(0.0f, 0.0f) &&
+           body.localCenter == b2Vec2(0.0f, 0.0f);
+}
+
+/// The body's transform at the start of its way, as far as its boxes need it.
 b2Transform TransformBefore(const BodyData& body)
 {
+    if (IsRound(body))
+    {
+        const b2Vec2 center(float32(body.previous.x), float32(body.previous.y));
+        return b2Transform(center, body.rotation);
+    }
     BodyData start;
     start.pose = body.previous;
     start.localCenter = body.localCenter;
-    if (body.previous.angle == body.pose.angle)
-    {
-        start.rotation = body.rotation;
-        SynchronizePlace(start);
-    }
-    else
-    {
-        SynchronizePose(start);
-    }
+    SynchronizePose(start);
     return start.transform;
 }
 

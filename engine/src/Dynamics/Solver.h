@@ -190,8 +190,9 @@ void PrepareContact(b2Contact& contact, const SolverContext& context, ContactCon
                     OverlapConstraint& overlap);
 /// Applies the impulses carried over from the last step.
 void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context);
-/// One iteration: friction, then the normal impulses.
-void SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
+/// One iteration: friction, then the normal impulses. False when no impulse has changed: then none
+/// will in the next.
+bool SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
                             Direction direction);
 /// Puts the impulses into the manifold.
 void StoreImpulses(const ContactConstraint& contact);

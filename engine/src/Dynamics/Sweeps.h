@@ -124,6 +124,42 @@ inline bool CirclesMeet(const BodyData& a, const Pose& fromA, const BodyData& b,
     return IsWithin(nearest, Reach(a, b));
 }
 
+/// A circle about the centre of mass: it goes straight on, and nobody sees it turn.
+inline bool IsRoundAbout(const BodyData& body, const b2Shape& shape)
+{
+    return shape.GetType() == b2Shape::e_circle &&
+           static_cast<const b2CircleShape&>(shape).m_p == body.localCenter;
+}
+
+/// The time of impact of two such circles, in closed form: the share of their ways, which go from
+/// the given poses to the present ones, after which their centres are as near as b2TimeOfImpact
+/// lets shapes come; 1 when they never are.
+inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData& b,
+                            const Pose& fromB, float32 radii)
+{
+    // With d0 from centre to centre at the start and w the way of B as seen from A
+    //   |d0 + t w| = D,  t = (d0^2 - D^2) / (-d0.w + sqrt((d0.w)^2 - w^2 (d0^2 - D^2)))
+    const double d0x = fromB.x - fromA.x;
+    const double d0y = fromB.y - fromA.y;
+    const double wx = (b.pose.x - a.pose.x) - d0x;
+    const double wy = (b.pose.y - a.pose.y) - d0y;
+    const double D =
+        double(b2Max(b2_linearSlop, radii - 3.0f * b2_linearSlop)) + double(0.25f * b2_linearSlop);
+    const double square = d0x * d0x + d0y * d0y;
+    const double outside = square - D * D;
+    if (outside < 0.0)
+    {
+        return square > 0.0 ? 0.0f : 1.0f; // there is no way out for the same centre
+    }
+    const double along = d0x * wx + d0y * wy;
+    const double root = along * along - (wx * wx + wy * wy) * outside;
+    if (along >= 0.0 || root < 0.0)
+    {
+        return 1.0f;
+    }
+    return float32(b2Min(outside / (std::sqrt(root) - along), 1.0));
+}
+
 /// How far a point is from the line of an edge, or beyond one of its ends along it.
 inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& point)
 {
