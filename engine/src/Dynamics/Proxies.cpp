@@ -96,6 +96,7 @@ void Proxies::EndMoves()
     if (m_rebuilds)
     {
         m_rebuilds = false;
+        m_rebuilt = true;
         m_trees[int32(Mobility::Dynamic)].RebuildEvenly();
     }
 }

@@ -109,6 +109,8 @@ private:
     template <class IsWanted, class IsKnown, class Report>
     void FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& isKnown,
                      Report&& report) const;
+    template <class IsKnown, class Report>
+    void FindDynamicPairs(const IsKnown& isKnown, const Report& report) const;
     template <class IsWanted, class IsKnown>
     void FindPairsOf(int32 begin, int32 end, const IsWanted& isWanted, const IsKnown& isKnown,
                      Found& found) const;
@@ -124,6 +126,7 @@ private:
     int32 m_count = 0;
     int32 m_staticAdded = 0; // to the static tree since it was built anew
     bool m_rebuilds = false; // the dynamic tree, at the end of the present moves
+    bool m_rebuilt = false;  // it was, since pairs were last looked for
 };
 
 template <class IsWanted, class IsKnown, class Report>
@@ -132,8 +135,10 @@ void Proxies::FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& 
 {
     const b2AABB box = FatBox(moved);
     b2FixtureProxy* const proxy = Get(moved);
-    const int32 firstTree = MobilityOf(moved) == Mobility::Dynamic ? 0 : int32(Mobility::Dynamic);
-    for (int32 tree = firstTree; tree < kTreeCount; ++tree)
+    const bool dynamic = MobilityOf(moved) == Mobility::Dynamic;
+    const int32 firstTree = dynamic ? 0 : int32(Mobility::Dynamic);
+    const int32 lastTree = int32(dynamic && m_rebuilt ? Mobility::Kinematic : Mobility::Dynamic);
+    for (int32 tree = firstTree; tree <= lastTree; ++tree)
     {
         if (!isWanted(proxy, static_cast<Mobility>(tree)))
         {
@@ -146,6 +151,27 @@ void Proxies::FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& 
                    isKnown(proxy, Get(other)) || report(other);
         });
     }
+}
+
+/// When many of the dynamic have moved all of their pairs are found in one go.
+template <class IsKnown, class Report>
+void Proxies::FindDynamicPairs(const IsKnown& isKnown, const Report& report) const
+{
+    const int32 dynamic = int32(Mobility::Dynamic);
+    const b2DynamicTree& tree = m_trees[dynamic];
+    const Array<uint8>& marks = m_marks[dynamic];
+    tree.ForEachPair([&](int32 a, int32 b) {
+        const int32 first = b2Min(a, b);
+        const int32 second = b2Max(a, b);
+        const bool moved =
+            marks[std::size_t(first)] != kAtRest || marks[std::size_t(second)] != kAtRest;
+        auto* const one = static_cast<b2FixtureProxy*>(tree.GetUserData(first));
+        auto* const another = static_cast<b2FixtureProxy*>(tree.GetUserData(second));
+        if (moved && !isKnown(one, another))
+        {
+            report(one, another);
+        }
+    });
 }
 
 template <class IsWanted, class IsKnown>
@@ -213,6 +239,11 @@ void Proxies::FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKn
                 reportAll(beginOf(group), beginOf(group + 1));
             }
         }
+    }
+    if (m_rebuilt)
+    {
+        FindDynamicPairs(isKnown, report);
+        m_rebuilt = false;
     }
     for (const int32 moved : m_moved)
     {

@@ -62,6 +62,11 @@ public:
     template <typename Visit>
     void ForEachOverlap(const b2AABB& aabb, Visit&& visit) const;
 
+    /// Calls `void visit(int32 proxyA, int32 proxyB)` for every two proxies whose boxes overlap,
+    /// once each: a fraction of the time that a query for every proxy takes.
+    template <typename Visit>
+    void ForEachPair(Visit&& visit) const;
+
     /// Calls `float32 callback->RayCastCallback(const b2RayCastInput& input, int32 proxyId)` for
     /// the proxies whose boxes the ray meets, roughly in its direction. What it returns is the
     /// ray's maxFraction from there on: 0 ends the cast, a negative number changes nothing.
@@ -206,6 +211,57 @@ void b2DynamicTree::ForEachOverlap(const b2AABB& aabb, Visit&& visit) const
             return;
         }
         id = stack.Pop();
+    }
+}
+
+template <typename Visit>
+void b2DynamicTree::ForEachPair(Visit&& visit) const
+{
+    struct Two
+    {
+        int32 a, b; ///< the same: all pairs below it; else they overlap
+    };
+    if (m_root == b2_nullNode)
+    {
+        return;
+    }
+    b2GrowableStack<Two, 256> stack;
+    stack.Push({m_root, m_root});
+    while (stack.GetCount() > 0)
+    {
+        const Two two = stack.Pop();
+        const Node& a = m_nodes[two.a];
+        const Node& b = m_nodes[two.b];
+        if (two.a == two.b)
+        {
+            if (!a.IsLeaf())
+            {
+                const int32* child = a.link.child;
+                stack.Push({child[0], child[0]});
+                stack.Push({child[1], child[1]});
+                if (b2TestOverlap(m_nodes[child[0]].aabb, m_nodes[child[1]].aabb))
+                {
+                    stack.Push({child[0], child[1]});
+                }
+            }
+        }
+        else if (a.IsLeaf() && b.IsLeaf())
+        {
+            visit(two.a, two.b);
+        }
+        else
+        {
+            const bool partsA = a.height >= b.height;
+            const int32 whole = partsA ? two.b : two.a;
+            const b2AABB& box = m_nodes[whole].aabb;
+            for (const int32 child : (partsA ? a : b).link.child)
+            {
+                if (b2TestOverlap(m_nodes[child].aabb, box))
+                {
+                    stack.Push({child, whole});
+                }
+            }
+        }
     }
 }
 
