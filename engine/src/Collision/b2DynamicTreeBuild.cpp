@@ -214,6 +214,24 @@ void b2DynamicTree::SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB)
     }
 }
 
+void b2DynamicTree::RefitAll()
+{
+    if (m_root != b2_nullNode)
+    {
+        RefitFrom(m_root);
+    }
+}
+
+void b2DynamicTree::RefitFrom(int32 node)
+{
+    if (!m_nodes[node].IsLeaf())
+    {
+        RefitFrom(m_nodes[node].link.child[0]);
+        RefitFrom(m_nodes[node].link.child[1]);
+        Refit(node);
+    }
+}
+
 void b2DynamicTree::RebuildEvenly()
 {
     if (m_proxyCount < 2)

@@ -14,6 +14,8 @@ constexpr int32 kLeastAdded = 1000;
 /// they are at least this share of all.
 constexpr int32 kLeastMoved = 16;
 constexpr int32 kMovedShare = 8;
+/// Steps that such a tree keeps its form: more of them, and its boxes overlap too much.
+constexpr int32 kRebuildPeriod = 3;
 
 } // namespace
 
@@ -97,7 +99,9 @@ void Proxies::EndMoves()
     {
         m_rebuilds = false;
         m_rebuilt = true;
-        m_trees[int32(Mobility::Dynamic)].RebuildEvenly();
+        b2DynamicTree& tree = m_trees[int32(Mobility::Dynamic)];
+        m_refits = (m_refits + 1) % kRebuildPeriod;
+        m_refits == 1 ? tree.RebuildEvenly() : tree.RefitAll();
     }
 }
 

@@ -126,6 +126,7 @@ private:
     int32 m_count = 0;
     int32 m_staticAdded = 0; // to the static tree since it was built anew
     bool m_rebuilds = false; // the dynamic tree, at the end of the present moves
+    int32 m_refits = 0;      // since the dynamic tree was built anew, plus 1
     bool m_rebuilt = false;  // it was, since pairs were last looked for
 };
 

@@ -96,8 +96,10 @@ public:
     /// query looks at more nodes than after RebuildBottomUp. Takes O(n log n), and memory the first
     /// time only.
     void RebuildEvenly();
-    /// Gives a proxy another box and leaves the boxes above it as they are: until RebuildEvenly or
-    /// RebuildBottomUp has been called the tree is good for nothing but more of these.
+    /// Makes the boxes above all leaves anew and leaves the form of the tree as it is.
+    void RefitAll();
+    /// Gives a proxy another box and leaves the boxes above it as they are: until one of these
+    /// three has been called the tree is good for nothing but more of the same.
     void SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB);
 
     /// Subtracts the new origin, given in old coordinates, from every box.
@@ -150,6 +152,7 @@ private:
     const char* WhyInvalid(int32 node, int32 parent, int32* proxies) const;
     void FreeInnerNodes();
     int32 BuildEvenly(int32 first, int32 count);
+    void RefitFrom(int32 node);
 
     Node* m_nodes = nullptr;
     int32 m_root = b2_nullNode;
