@@ -113,6 +113,68 @@ TEST(BroadPhase, TellsEveryPairOfMovedProxiesOnceAndInOrder)
     EXPECT_GE(broadPhase.GetTreeBalance(), 0);
 }
 
+TEST(WorldProxies, TellThePairsOfManyThatMoveAtATime)
+{
+    Random random(53);
+    std::vector<b2FixtureProxy> every(300);
+    box2d::Proxies all;
+    typedef std::set<std::pair<const b2FixtureProxy*, const b2FixtureProxy*>> Pairs;
+    const auto inOrder = [](const b2FixtureProxy* a, const b2FixtureProxy* b) {
+        return std::less<>()(a, b) ? std::pair(a, b) : std::pair(b, a);
+    };
+    for (std::size_t i = 0; i < every.size(); ++i)
+    {
+        every[i].aabb = RandomBox(random);
+        every[i].proxyId =
+            all.Create(every[i].aabb, static_cast<box2d::Mobility>(b2Min(i % 10, 2ul)), &every[i]);
+    }
+    const auto tell = [&] {
+        Pairs told;
+        all.FindPairs(
+            nullptr, [](const b2FixtureProxy*, box2d::Mobility) { return true; },
+            [](const b2FixtureProxy*, const b2FixtureProxy*) { return false; },
+            [&](const b2FixtureProxy* a, const b2FixtureProxy* b) {
+                EXPECT_TRUE(told.insert(inOrder(a, b)).second);
+            });
+        return told;
+    };
+    tell();
+    for (const std::size_t share : {1ul, 2ul, 5ul, 1ul, 1ul, 30ul, 2ul})
+    {
+        std::set<const b2FixtureProxy*> moved;
+        all.BeginMoves(static_cast<int32>(every.size() / share));
+        for (std::size_t i = 0; i < every.size(); i += share)
+        {
+            every[i].aabb = RandomBox(random);
+            all.Move(every[i].proxyId, every[i].aabb);
+            moved.insert(&every[i]);
+        }
+        all.EndMoves();
+        b2FixtureProxy& grown = every[2]; // a dynamic one
+        grown.aabb.Combine(RandomBox(random));
+        all.Grow(grown.proxyId, grown.aabb);
+        moved.insert(&grown);
+        Pairs expected;
+        for (const b2FixtureProxy& a : every)
+        {
+            for (const b2FixtureProxy& b : every)
+            {
+                const bool dynamic =
+                    box2d::Proxies::MobilityOf(a.proxyId) == box2d::Mobility::Dynamic ||
+                    box2d::Proxies::MobilityOf(b.proxyId) == box2d::Mobility::Dynamic;
+                if (&a != &b && dynamic && (moved.contains(&a) || moved.contains(&b)) &&
+                    b2TestOverlap(a.aabb, b.aabb))
+                {
+                    expected.insert(inOrder(&a, &b));
+                }
+            }
+        }
+        ASSERT_GT(expected.size(), 20u);
+        ASSERT_EQ(tell(), expected) << share;
+        ASSERT_EQ(all.TreeOf(box2d::Mobility::Dynamic).WhyInvalid(), nullptr);
+    }
+}
+
 TEST(WorldProxies, TellTheSamePairsAfterTheStaticTreeWasBuiltAnew)
 {
     Random random(52);

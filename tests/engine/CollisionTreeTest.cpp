@@ -290,7 +290,7 @@ TEST(Tree, BuiltEvenlyFindsTheSameAndIsAsLowAsCanBe)
                 box = id % 2 == 0 ? RandomBox(random) : box;
                 tree.SetProxyAABBForRebuild(id, box);
             }
-            tree.RebuildEvenly();
+            round == 1 ? tree.RefitAll() : tree.RebuildEvenly();
             ASSERT_EQ(Invalid(tree), "") << count;
             ASSERT_EQ(tree.GetHeight(), std::bit_width(static_cast<unsigned>(b2Max(count, 1) - 1)));
             for (int32 i = 0; i < 20; ++i)
@@ -298,6 +298,37 @@ TEST(Tree, BuiltEvenlyFindsTheSameAndIsAsLowAsCanBe)
                 CompareWithList(tree, list, random);
             }
         }
+    }
+}
+
+TEST(Tree, TellsEveryPairOnce)
+{
+    Random random(47);
+    for (const int32 count : {0, 1, 2, 3, 300})
+    {
+        b2DynamicTree tree;
+        std::map<int32, b2AABB> list;
+        for (int32 i = 0; i < count; ++i)
+        {
+            const b2AABB box = RandomBox(random);
+            list[tree.CreateProxyExact(box, i)] = box;
+        }
+        std::set<std::pair<int32, int32>> told;
+        tree.ForEachPair(
+            [&](int32 a, int32 b) { EXPECT_TRUE(told.emplace(b2Min(a, b), b2Max(a, b)).second); });
+        std::set<std::pair<int32, int32>> expected;
+        for (const auto& [a, boxA] : list)
+        {
+            for (const auto& [b, boxB] : list)
+            {
+                if (a < b && b2TestOverlap(boxA, boxB))
+                {
+                    expected.emplace(a, b);
+                }
+            }
+        }
+        ASSERT_EQ(told, expected);
+        EXPECT_TRUE(count < 300 || expected.size() > 100);
     }
 }
 

@@ -166,6 +166,66 @@ TEST(Sweeps, FindWhatOnlyJustPassesOrHits)
     }
 }
 
+TEST(Sweeps, ImpactOfCirclesInClosedFormIsThatOfTheSearch)
+{
+    RandomWays random(73);
+    int touching = 0;
+    int missing = 0;
+    int atOnce = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        Scene scene;
+        b2CircleShape shapes[2];
+        BodyData* bodies[2];
+        for (int k = 0; k < 2; ++k)
+        {
+            shapes[k].m_radius = std::pow(10.0f, random(-3.0f, 0.5f));
+            shapes[k].m_p = i % 3 == 0 ? b2Vec2(random(-1.0f, 1.0f), 0.3f) : b2Vec2_zero;
+            bodies[k] = &Make(scene, shapes[k]);
+            random.Move(*bodies[k], i % 4 == 0 ? 1.0e7 : 0.0);
+            ASSERT_TRUE(IsRoundAbout(*bodies[k], shapes[k]));
+        }
+        const BodyData& a = *bodies[0];
+        const BodyData& b = *bodies[1];
+        const float32 radii = shapes[0].m_radius + shapes[1].m_radius;
+        const float32 t = CircleImpact(a, a.previous, b, b.previous, radii);
+
+        b2TOIInput input;
+        input.sweepA = SweepFrom(a, a.previous, a.previous);
+        input.sweepB = SweepFrom(b, b.previous, a.previous);
+        input.proxyA.Set(&shapes[0], 0);
+        input.proxyB.Set(&shapes[1], 0);
+        b2TOIOutput output;
+        b2TimeOfImpact(&output, &input);
+        const double wx = (b.pose.x - b.previous.x) - (a.pose.x - a.previous.x);
+        const double wy = (b.pose.y - b.previous.y) - (a.pose.y - a.previous.y);
+        const auto distanceAt = [&](double time) {
+            return std::hypot(b.previous.x - a.previous.x + time * wx,
+                              b.previous.y - a.previous.y + time * wy);
+        };
+        // The search ends anywhere between the target and a quarter of the slop above.
+        const double target = b2Max(b2_linearSlop, radii - 3.0f * b2_linearSlop);
+        const double most = target + 0.25 * double(b2_linearSlop);
+        const double rounding = 1e-5 * (1.0 + std::hypot(wx, wy));
+        if (output.state == b2TOIOutput::e_touching && output.t < 1.0f)
+        {
+            ASSERT_LE(t, output.t + 1e-6f) << i;
+            ASSERT_TRUE(t == 0.0f || std::abs(distanceAt(double(t)) - most) < rounding) << i;
+            ++touching;
+            atOnce += t == 0.0f;
+        }
+        else
+        {
+            // What the search lets pass does not come nearer than it stops at.
+            ASSERT_TRUE(t == 1.0f || distanceAt(double(t)) > target - rounding) << i;
+            missing += t == 1.0f;
+        }
+    }
+    EXPECT_GT(touching, 1000);
+    EXPECT_GT(atOnce, 100);
+    EXPECT_GT(missing, 5000);
+}
+
 TEST(Sweeps, BoxOfACircleIsThatOfItsTransforms)
 {
     RandomWays random(72);

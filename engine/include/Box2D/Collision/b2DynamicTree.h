@@ -242,10 +242,8 @@ void b2DynamicTree::ForEachPair(Visit&& visit) const
                 const int32* child = a.link.child;
                 stack.Push({child[0], child[0]});
                 stack.Push({child[1], child[1]});
-                if (b2TestOverlap(m_nodes[child[0]].aabb, m_nodes[child[1]].aabb))
-                {
-                    stack.Push({child[0], child[1]});
-                }
+                stack.PushIf(b2TestOverlap(m_nodes[child[0]].aabb, m_nodes[child[1]].aabb),
+                             {child[0], child[1]});
             }
         }
         else if (a.IsLeaf() && b.IsLeaf())
@@ -259,10 +257,7 @@ void b2DynamicTree::ForEachPair(Visit&& visit) const
             const b2AABB& box = m_nodes[whole].aabb;
             for (const int32 child : (partsA ? a : b).link.child)
             {
-                if (b2TestOverlap(m_nodes[child].aabb, box))
-                {
-                    stack.Push({child, whole});
-                }
+                stack.PushIf(b2TestOverlap(m_nodes[child].aabb, box), {child, whole});
             }
         }
     }

@@ -34,6 +34,17 @@ public:
         m_stack[m_count++] = element;
     }
 
+    /// The same without a branch, for conditions that are hard to foresee.
+    void PushIf(bool condition, const T& element)
+    {
+        if (m_count == m_capacity)
+        {
+            Grow();
+        }
+        m_stack[m_count] = element;
+        m_count += condition ? 1 : 0;
+    }
+
     T Pop()
     {
         b2Assert(m_count > 0);
