@@ -200,15 +200,15 @@ void StepSolver::SolveVelocities(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        const Direction direction = DirectionOf(i);
-        m_arrays.joints.SolveVelocities(m_context, m_threads, direction);
-        const bool changed = SolveContacts(direction);
+        m_arrays.joints.SolveVelocities(m_context, m_threads, DirectionOf(i));
+        const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
         // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
         if (!changed && m_arrays.joints.IsEmpty())
         {
             break;
         }
     }
+    m_world.sweepsTurned = !m_world.sweepsTurned;
     m_arrays.joints.StoreImpulses(m_threads);
     ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
 }

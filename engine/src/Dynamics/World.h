@@ -177,6 +177,7 @@ public:
     bool forcesApplied = false;  ///< since they were last cleared
     bool hasBullets = false;     ///< some body is, or was, a bullet
     bool filtersChanged = false; ///< some contact has kContactFilter set
+    bool sweepsTurned = false;   ///< changes with each step, see ColorDirectionOf
 };
 
 /// Keeps a world locked for as long as a callback of the program may run. Can be nested.

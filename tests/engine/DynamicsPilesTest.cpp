@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// What a few sweeps make of a pile that is too high for them: it sags, but not much, and not to a
+/// side.
+namespace
+{
+
+using dynamics::Scene;
+
+/// Boxes of half a metre in rows, each shifted by half a box against the one below.
+void AddPyramid(Scene& scene, int32 base)
+{
+    Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -1.0f), 100.0f, 1.0f, 0.6f);
+    for (int32 row = 0; row < base; ++row)
+    {
+        const int32 count = base - row;
+        for (int32 i = 0; i < count; ++i)
+        {
+            const float32 x = 0.5f * float32(2 * i - (count - 1));
+            Scene::AddBox(scene.Body(b2_dynamicBody, x, 0.5f + float32(row)), 0.5f, 0.5f, 0.6f);
+        }
+    }
+}
+
+/// Over all points that touch [m].
+float32 MeanOverlap(b2World& world)
+{
+    float32 sum = 0.0f;
+    int32 count = 0;
+    for (b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext())
+    {
+        b2WorldManifold manifold;
+        contact->GetWorldManifold(&manifold);
+        for (int32 i = 0; contact->IsTouching() && i < contact->GetManifold()->pointCount; ++i)
+        {
+            sum += b2Max(-manifold.separations[i], 0.0f);
+            ++count;
+        }
+    }
+    return sum / float32(std::max(count, 1));
+}
+
+/// How far the mean of all bodies is from the middle [m].
+float32 Drift(b2World& world)
+{
+    float32 sum = 0.0f;
+    for (const b2Body* body = world.GetBodyList(); body; body = body->GetNext())
+    {
+        sum += body->GetPosition().x;
+    }
+    return std::abs(sum) / float32(world.GetBodyCount());
+}
+
+TEST(DynamicsPiles, ATallPyramidSagsLittleAndStandsStraight)
+{
+    Scene scene;
+    scene.world.SetAllowSleeping(false);
+    AddPyramid(scene, 60);
+    float32 overlap = 0.0f;
+    float32 drift = 0.0f;
+    for (int32 i = 0; i < 300; ++i)
+    {
+        scene.world.Step(dynamics::kStep, 8, 3);
+        overlap = i < 60 ? 0.0f : b2Max(overlap, MeanOverlap(scene.world));
+        drift = b2Max(drift, Drift(scene.world));
+    }
+    // Sweeps that turn every time give 29 mm and 9 cm, forward ones 18 mm and 43 cm, these 23 mm
+    // and half a centimetre.
+    EXPECT_LT(overlap, 0.026f);
+    EXPECT_LT(drift, 0.03f);
+}
+
+} // namespace
