@@ -51,6 +51,7 @@ Json EngineJson(const BenchFigures& e, const BenchFigures& first)
                  {"finite", e.finite},
                  {"escaped", e.escaped},
                  {"awake", e.awake},
+                 {"overlapMetres", e.overlap},
                  {"meanHeightMetres", e.meanHeight},
                  {"meanSpeedMetresPerSecond", e.meanSpeed},
                  {"bits", e.bits}});
@@ -73,6 +74,7 @@ BenchFigures EngineFrom(const Json& json)
     e.finite = Flag(json, "finite");
     e.escaped = Number(json, "escaped", 0.0);
     e.awake = Number(json, "awake", 0.0);
+    e.overlap = Number(json, "overlapMetres", 0.0);
     e.meanHeight = Number(json, "meanHeightMetres", 0.0);
     e.meanSpeed = Number(json, "meanSpeedMetresPerSecond", 0.0);
     e.bits = Text(json, "bits");
@@ -139,6 +141,7 @@ Result<BenchFigures> ParseFigures(const std::string& output)
         return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
     }
     // Of a world that burst these may not be numbers.
+    figures.overlap = Number(json, "overlap", 0.0);
     figures.meanHeight = Number(json, "meanHeight", 0.0);
     figures.meanSpeed = Number(json, "meanSpeed", 0.0);
     figures.threads = int(Number(json, "threads", 1.0));

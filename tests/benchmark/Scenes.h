@@ -21,8 +21,8 @@ struct Bounds
 /// What a run must have in common with those of the peers, beside its contacts.
 enum class Likeness
 {
-    Heights, ///< of the bodies at the end, on average
-    Speeds,  ///< of the bodies at the end, on average: energy kept where nothing comes to rest
+    Heights, ///< of the bodies on average, and how deep they overlap
+    Speeds,  ///< of the bodies on average: energy kept where nothing comes to rest
 };
 
 struct Scene

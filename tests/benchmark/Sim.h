@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -44,6 +45,22 @@ struct BodyState
     bool dynamic; ///< the others stay where the scene wants them
 };
 
+/// Pairs of shapes that touch, and how deep they overlap, skins included.
+struct Touching
+{
+    double pairs = 0.0;
+    double points = 0.0;  ///< that overlap
+    double squares = 0.0; ///< of these overlaps, summed [m^2]
+
+    void AddPoint(double separation, double weight = 1.0)
+    {
+        points += separation < 0.0 ? weight : 0.0;
+        squares += separation < 0.0 ? weight * separation * separation : 0.0;
+    }
+    /// The root of the mean square [m]: a few deep ones count for more than many shallow ones.
+    double Overlap() const { return points > 0.0 ? std::sqrt(squares / points) : 0.0; }
+};
+
 class Sim
 {
 public:
@@ -71,8 +88,7 @@ public:
 
     virtual int BodyCount() const = 0;
     virtual BodyState State(BodyId body) const = 0;
-    /// Pairs of shapes that touch.
-    virtual int TouchingContacts() = 0;
+    virtual Touching LookAtContacts() = 0;
     /// That a step runs on, the calling one included.
     virtual int Threads() const = 0;
 };

@@ -146,14 +146,24 @@ public:
                          body->GetType() == b2_dynamicBody};
     }
 
-    int TouchingContacts() override
+    Touching LookAtContacts() override
     {
-        int count = 0;
+        Touching touching;
         for (b2Contact* contact = m_world.GetContactList(); contact; contact = contact->GetNext())
         {
-            count += contact->IsTouching();
+            if (!contact->IsTouching())
+            {
+                continue;
+            }
+            touching.pairs += 1.0;
+            b2WorldManifold manifold;
+            contact->GetWorldManifold(&manifold);
+            for (int i = 0; i < contact->GetManifold()->pointCount; ++i)
+            {
+                touching.AddPoint(double(manifold.separations[i]));
+            }
         }
-        return count;
+        return touching;
     }
 
     int Threads() const override

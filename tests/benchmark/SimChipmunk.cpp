@@ -143,37 +143,37 @@ public:
                          cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC};
     }
 
-    int TouchingContacts() override
+    Touching LookAtContacts() override
     {
-        int count = 0;
-        const auto add = [](cpBody*, cpArbiter*, void* data) { ++*static_cast<int*>(data); };
-        int ofMoving = 0;
+        Touching touching;
         for (cpBody* body : m_bodies)
         {
-            int& target = cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC ? count : ofMoving;
-            cpBodyEachArbiter(body, add, &target);
-        }
-        // Each pair was seen from both sides; static bodies keep no list of their own.
-        int withStatic = 0;
-        for (cpBody* body : m_bodies)
-        {
-            const auto addStatic = [](cpBody* self, cpArbiter* arbiter, void* data) {
-                cpBody *a = nullptr, *b = nullptr;
-                cpArbiterGetBodies(arbiter, &a, &b);
-                *static_cast<int*>(data) +=
-                    cpBodyGetType(a == self ? b : a) != CP_BODY_TYPE_DYNAMIC;
-            };
             if (cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC)
             {
-                cpBodyEachArbiter(body, addStatic, &withStatic);
+                cpBodyEachArbiter(body, AddArbiter, &touching);
             }
         }
-        return (count - withStatic) / 2 + withStatic;
+        return touching;
     }
 
     int Threads() const override { return 1; }
 
 private:
+    /// Two bodies that move both tell of their pair.
+    static void AddArbiter(cpBody* self, cpArbiter* arbiter, void* touching)
+    {
+        cpBody *a = nullptr, *b = nullptr;
+        cpArbiterGetBodies(arbiter, &a, &b);
+        const bool isTwice = cpBodyGetType(a == self ? b : a) == CP_BODY_TYPE_DYNAMIC;
+        const double weight = isTwice ? 0.5 : 1.0;
+        auto& target = *static_cast<Touching*>(touching);
+        target.pairs += weight;
+        for (int i = 0; i < cpArbiterGetCount(arbiter); ++i)
+        {
+            target.AddPoint(cpArbiterGetDepth(arbiter, i), weight);
+        }
+    }
+
     void Add(BodyId id, cpShape* shape, double area, const Material& material)
     {
         cpShapeSetFriction(shape, Share(material.friction));

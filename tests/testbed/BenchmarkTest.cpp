@@ -15,7 +15,7 @@ using testing::Not;
 constexpr const char* kLine =
     R"({"engine":"boxreel 1.0","scene":"rain","threads":2,"calls":600,"mean":0.004,"median":0.0039,)"
     R"("p99":0.006,"worst":0.007,"cpu":0.0041,"contacts":13624,"memory":5000,"finite":true,)"
-    R"("escaped":0,"awake":0,"meanHeight":12.6,"highest":30,"meanSpeed":0.1,"bits":"0f"})";
+    R"("escaped":0,"awake":0,"overlap":0.018,"meanHeight":12.6,"highest":30,"meanSpeed":0.1,"bits":"0f"})";
 
 BenchFigures Figures(const std::string& engine, double cpu, double contacts, double height)
 {
@@ -85,6 +85,8 @@ TEST(Benchmark, ReadsTheLastLineOfWhatAProgramPrints)
     EXPECT_EQ(figures->threads, 2);
     EXPECT_EQ(figures->cpu, 0.0041);
     EXPECT_EQ(figures->contacts, 13624.0);
+    EXPECT_EQ(figures->overlap, 0.018);
+    EXPECT_EQ(figures->meanHeight, 12.6);
     EXPECT_EQ(figures->meanSpeed, 0.1);
     EXPECT_EQ(figures->bits, "0f");
     EXPECT_TRUE(figures->finite);
@@ -131,6 +133,24 @@ TEST(Benchmark, CallsARunSoundThatEndsLikeThoseOfThePeers)
     engines[0].awake = 7;
     Judge(result);
     EXPECT_EQ(engines[0].verdict, "7 awake");
+}
+
+TEST(Benchmark, WantsOverlapsNoDeeperThanThoseOfBox2D)
+{
+    BenchResult result = Rain();
+    std::vector<BenchFigures>& engines = result.engines;
+    engines[0].overlap = 0.024;
+    engines[1].overlap = 0.020;
+    engines[2].overlap = 0.001; // leaves another slop
+    Judge(result);
+    EXPECT_EQ(engines[0].verdict, "sound");
+    engines[0].overlap = 0.026;
+    engines[2].overlap = 0.050;
+    Judge(result);
+    EXPECT_EQ(engines[0].verdict, "deep overlaps");
+    result.scene.comparesSpeeds = true; // little touches there
+    Judge(result);
+    EXPECT_EQ(engines[0].verdict, "sound");
 }
 
 TEST(Benchmark, ComparesSpeedsWhereNothingComesToRest)
@@ -240,6 +260,7 @@ TEST(Benchmark, ReadsItsOwnJsonBack)
     rain.engines.push_back(failed);
     rain.engines[1].threads = 2;
     rain.engines[1].meanSpeed = 3.0;
+    rain.engines[1].overlap = 0.02;
     rain.engines[1].escaped = 5.0;
     rain.engines[2].awake = 4.0;
     rain.engines[2].memory = 1000.0;

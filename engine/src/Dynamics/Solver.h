@@ -150,9 +150,9 @@ inline Direction DirectionOf(int32 iteration)
 
 /// The same for the velocities of coloured contacts, with as few turns as possible. Where the
 /// sweeps turn, a colour is solved twice with nothing between: of two colours every other sweep
-/// would be lost, and piles would be soft. So half of a step's sweeps go one way
-/// and half the other, and the next step, which starts from the impulses of this one, goes on the
-/// way that this one ended: `turned` in every other step.
+/// would be lost, and piles would be soft. So half of a step's sweeps go one way and half the
+/// other, and the next step, which starts from the impulses of this one, goes on the way that this
+/// one ended: `turned` in every other step.
 inline Direction ColorDirectionOf(int32 iteration, int32 count, bool turned)
 {
     const bool second = iteration >= (count + 1) / 2;
