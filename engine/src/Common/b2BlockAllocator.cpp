@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2BlockAllocator.h>
 
 #include <array>
@@ -10,7 +11,9 @@ namespace
 constexpr std::array<int32, b2_blockSizes> kBlockSizes = {
     16, 32, 64, 96, 128, 160, 192, 224, 256, 320, 384, 448, 512, b2_maxBlockSize};
 constexpr int32 kGranule = 16;
-constexpr int32 kChunkHeader = 16; // keeps the blocks after it aligned
+// Blocks whose size is a multiple of a cache line start with one: what is read together is kept
+// together.
+constexpr int32 kChunkHeader = box2d::kCacheLine;
 static_assert(kGranule % alignof(std::max_align_t) == 0);
 
 // For every size, counted in granules and rounded up, the index of the smallest block that holds
@@ -84,7 +87,7 @@ void b2BlockAllocator::Clear()
     {
         Chunk* chunk = m_chunks;
         m_chunks = chunk->next;
-        b2Free(chunk);
+        box2d::FreeInLines(chunk);
     }
     for (Block*& list : m_freeLists)
     {
@@ -96,7 +99,7 @@ void b2BlockAllocator::AddChunk(int32 sizeIndex)
 {
     static_assert(sizeof(Chunk) <= kChunkHeader);
     const int32 blockSize = kBlockSizes[sizeIndex];
-    char* memory = static_cast<char*>(b2Alloc(b2_chunkSize));
+    char* memory = static_cast<char*>(box2d::AllocateInLines(b2_chunkSize));
     Chunk* chunk = reinterpret_cast<Chunk*>(memory);
     chunk->next = m_chunks;
     chunk->blockSize = blockSize;

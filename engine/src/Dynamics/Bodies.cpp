@@ -29,6 +29,7 @@ void SynchronizePose(BodyData& body)
     body.transform.p = b2Vec2(float32(body.pose.x - (cosine * lx - sine * ly)),
                               float32(body.pose.y - (sine * lx + cosine * ly)));
     body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
+    body.room = 0.0f;
 }
 
 void SynchronizePlace(BodyData& body)
@@ -230,6 +231,7 @@ void World::MeasureExtents(BodyData& body)
 {
     body.minExtent = b2_maxFloat;
     body.maxExtent = 0.0f;
+    body.room = 0.0f;
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
         const int32 children = f->GetShape()->GetChildCount();

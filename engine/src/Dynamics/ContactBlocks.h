@@ -23,7 +23,7 @@ struct PointLanes
 
 /// See ContactConstraint. All lanes have the same number of points. Lanes that are not used hold
 /// impulses of zero between bodies 0, which are never stored.
-struct ContactBlock
+struct alignas(kCacheLine) ContactBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
     float32 normalX[kBlockLanes], normalY[kBlockLanes];
@@ -42,7 +42,7 @@ struct ContactBlock
 
 /// See OverlapConstraint. All lanes measure the same way, and are those of the ContactBlock of the
 /// same index. Lanes that are not used are far apart.
-struct OverlapBlock
+struct alignas(kCacheLine) OverlapBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
     float32 offsetX[kBlockLanes], offsetY[kBlockLanes];
@@ -60,7 +60,7 @@ struct OverlapBlock
 
 /// What a block is computed from, gathered from bodies and contacts. In the case of circles A
 /// stands for the face.
-struct ContactLanes
+struct alignas(kCacheLine) ContactLanes
 {
     float32 sineFace[kBlockLanes], cosineFace[kBlockLanes];
     float32 sineOther[kBlockLanes], cosineOther[kBlockLanes];

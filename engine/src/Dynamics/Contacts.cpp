@@ -91,8 +91,12 @@ void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
 constexpr float32 kStill = 0.1f * b2_linearSlop;
 constexpr float32 kStillShare = 0.005f;
 
-bool IsAsItWas(const ContactData& c, const b2Transform& bInA)
+bool IsKept(const ContactData& c, const b2Transform& bInA)
 {
+    if ((c.flags & kContactKept) == 0)
+    {
+        return false;
+    }
     const float32 reach = Data(*c.bodyB).maxExtent;
     const float32 still = b2Min(kStill, kStillShare * reach);
     const b2Vec2 moved = b2Abs(bInA.p - c.relative.p);
@@ -327,8 +331,13 @@ void World::ForgetUpdate(ContactData& c)
 
 void World::UpdateContact(b2Contact& contact)
 {
-    b2Manifold old;
-    ComputeManifold(contact, old);
+    ContactData& c = Data(contact);
+    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
+    const b2Manifold old = c.manifold;
+    if (!IsKept(c, bInA))
+    {
+        ComputeManifold(c, bInA, old);
+    }
     FinishContact(contact, old);
 }
 
@@ -336,23 +345,23 @@ void World::ComputeContact(b2Contact& contact, b2Manifold& old)
 {
     ContactData& c = Data(contact);
     c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
+    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
+    old = c.manifold;
+    // What touched and has hardly moved still touches: fixtures and boxes are not even read.
+    if (IsKept(c, bInA))
+    {
+        return;
+    }
     if (!b2TestOverlap(ProxyA(c).aabb, ProxyB(c).aabb))
     {
         c.flags |= kContactApart;
         return;
     }
-    ComputeManifold(contact, old);
+    ComputeManifold(c, bInA, old);
 }
 
-void World::ComputeManifold(b2Contact& contact, b2Manifold& old)
+void World::ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old)
 {
-    ContactData& c = Data(contact);
-    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
-    old = c.manifold;
-    if ((c.flags & kContactKept) != 0 && IsAsItWas(c, bInA))
-    {
-        return;
-    }
     const b2Shape& shapeA = *c.fixtureA->GetShape();
     const b2Shape& shapeB = *c.fixtureB->GetShape();
     c.radiusA = shapeA.m_radius;

@@ -86,6 +86,25 @@ b2AABB BoxOnItsWay(const b2Shape& shape, int32 child, const BodyData& body,
     return box;
 }
 
+/// How far the inner box may move in any direction without leaving the outer one [m].
+float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
+{
+    const b2Vec2 below = inner.lowerBound - outer.lowerBound;
+    const b2Vec2 above = outer.upperBound - inner.upperBound;
+    const b2Vec2 least = b2Min(below, above);
+    return b2Min(least.x, least.y);
+}
+
+/// At most this much may boxes in single precision differ from those of the exact pose, then and
+/// later, each of a few operations rounded [m].
+float32 BoxRounding(const BodyData& body)
+{
+    constexpr float32 operations = 16.0f;
+    const float32 farthest =
+        b2Abs(body.worldCenter.x) + b2Abs(body.worldCenter.y) + body.maxExtent;
+    return operations * b2_epsilon * farthest;
+}
+
 float32 NotNegative(float32 value)
 {
     return b2IsValid(value) && value > 0.0f ? value : 0.0f;
@@ -223,7 +242,8 @@ void World::FreeFixture(b2Fixture& fixture)
 
 void World::CreateProxies(b2Fixture& fixture)
 {
-    const BodyData& body = Data(*fixture.GetBody());
+    BodyData& body = Data(*fixture.GetBody());
+    body.room = 0.0f;
     b2Shape* shape = fixture.GetShape();
     for (int32 child = 0; child < shape->GetChildCount(); ++child)
     {
@@ -269,6 +289,7 @@ bool World::RefreshBoxes(BodyData& body, bool swept)
     const bool anew = bullet || (body.flags & kBodySwept) != 0;
     bool left = anew;
     b2Transform before;
+    float32 room = b2_maxFloat;
     b2Vec2 displacement(0.0f, 0.0f);
     displacement.x = float32(body.pose.x - body.previous.x);
     displacement.y = float32(body.pose.y - body.previous.y);
@@ -287,9 +308,11 @@ bool World::RefreshBoxes(BodyData& body, bool swept)
                 proxy.aabb = bullet ? Widen(box, body.minExtent) : Fatten(box, displacement);
                 left = true;
             }
+            room = b2Min(room, RoomIn(proxy.aabb, box));
         }
     }
     body.flags = bullet ? body.flags | kBodySwept : body.flags & ~std::uint32_t(kBodySwept);
+    body.room = bullet ? 0.0f : room - BoxRounding(body);
     return left;
 }
 

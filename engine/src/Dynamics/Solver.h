@@ -17,7 +17,7 @@ namespace box2d
 {
 
 /// One awake body. 32 bytes, two to a cache line.
-struct SolverBody
+struct alignas(32) SolverBody
 {
     b2Vec2 v;          ///< velocity of the centre of mass [m/s]
     float32 w = 0;     ///< angular velocity [rad/s]

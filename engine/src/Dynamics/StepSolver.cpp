@@ -321,11 +321,17 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     {
         return false;
     }
+    const float32 room = body.room;
     body.pose.x += double(s.d.x);
     body.pose.y += double(s.d.y);
     body.pose.angle += double(s.angle);
     s.angle == 0.0f ? SynchronizePlace(body) : SynchronizePose(body);
     const float32 way = s.d.Length() + b2Abs(s.angle) * body.maxExtent;
+    if (way < room)
+    {
+        body.room = room - way; // no shape can have left its box
+        return false;
+    }
     return World::RefreshBoxes(body, way > kFastShare * body.minExtent);
 }
 

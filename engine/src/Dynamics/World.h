@@ -88,10 +88,9 @@ public:
     void UpdateContact(b2Contact& contact);
     /// The same in two parts: what concerns this contact alone, with the manifold as it was left in
     /// `old`; then what follows from it.
-    static void ComputeManifold(b2Contact& contact, b2Manifold& old);
-    void FinishContact(b2Contact& contact, const b2Manifold& old);
-    /// The first part, unless the boxes are apart.
     static void ComputeContact(b2Contact& contact, b2Manifold& old);
+    void FinishContact(b2Contact& contact, const b2Manifold& old);
+    static void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old);
     bool ComputeContacts();
     void ForgetUpdate(ContactData& c);
     bool NeedsAttention(b2Contact& contact) const;

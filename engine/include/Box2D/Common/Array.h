@@ -9,11 +9,35 @@
 /// allocator sees all of the engine's memory. Engine code only; a program may use what it likes.
 namespace box2d
 {
+inline constexpr int32 kCacheLine = 64; ///< [bytes]
+
+/// b2Alloc aligns no further than malloc: these two do to a cache line. What b2Alloc returned is
+/// kept in front of the memory.
+inline void* AllocateInLines(int32 size)
+{
+    void* whole = b2Alloc(size + 2 * kCacheLine);
+    const std::uintptr_t after = reinterpret_cast<std::uintptr_t>(whole) + sizeof(void*);
+    const std::uintptr_t start = (after + kCacheLine - 1) / kCacheLine * kCacheLine;
+    void** memory = reinterpret_cast<void**>(start);
+    memory[-1] = whole;
+    return memory;
+}
+
+inline void FreeInLines(void* memory)
+{
+    if (memory)
+    {
+        b2Free(static_cast<void**>(memory)[-1]);
+    }
+}
+
 template <typename T>
 struct Allocator
 {
     typedef T value_type;
-    static_assert(alignof(T) <= alignof(std::max_align_t), "b2Alloc aligns no further than malloc");
+    static_assert(alignof(T) <= std::size_t(kCacheLine));
+
+    static constexpr bool kInLines = alignof(T) > alignof(std::max_align_t);
 
     Allocator() = default;
     template <typename U>
@@ -22,10 +46,17 @@ struct Allocator
 
     T* allocate(std::size_t count)
     {
-        b2Assert(count <= INT32_MAX / sizeof(T));
+        b2Assert(count <= std::size_t(INT32_MAX - 2 * kCacheLine) / sizeof(T));
+        if constexpr (kInLines)
+        {
+            return static_cast<T*>(AllocateInLines(static_cast<int32>(count * sizeof(T))));
+        }
         return static_cast<T*>(b2Alloc(static_cast<int32>(count * sizeof(T))));
     }
-    void deallocate(T* memory, std::size_t) { b2Free(memory); }
+    void deallocate(T* memory, std::size_t)
+    {
+        kInLines ? FreeInLines(memory) : b2Free(memory);
+    }
 
     template <typename U>
     bool operator==(const Allocator<U>&) const

@@ -47,14 +47,19 @@ struct Pose
 
 struct BodyData
 {
-    // What a step reads and writes.
+    // What every contact of the body reads, in one cache line.
     Pose pose;                    ///< of the centre of mass
     b2Rot rotation;               ///< sine and cosine of pose.angle
     b2Vec2 localCenter;           ///< centre of mass in the body's frame
     float32 invMass = 0.0f;       ///< 0: infinite mass
     float32 invInertia = 0.0f;    ///< about the centre of mass
+    float32 maxExtent = 0.0f;     ///< farthest point from the centre of mass [m]
     std::int32_t awakeIndex = -1; ///< place among the awake bodies, -1 when asleep or static
-    b2Vec2 linearVelocity;        ///< of the centre of mass [m/s]
+    std::uint32_t flags = 0;
+    Mobility mobility = Mobility::Static;
+
+    // What a step reads and writes.
+    b2Vec2 linearVelocity; ///< of the centre of mass [m/s]
     float32 angularVelocity = 0.0f;
     b2Vec2 force; ///< at the centre of mass [N]
     float32 torque = 0.0f;
@@ -62,14 +67,6 @@ struct BodyData
     float32 linearDamping = 0.0f;
     float32 angularDamping = 0.0f;
     float32 sleepTime = 0.0f; ///< how long it has been slow [s]
-    std::uint32_t flags = 0;
-    std::uint32_t colorMask = 0; ///< the colours of the constraint graph that touch it
-    Mobility mobility = Mobility::Static;
-
-    std::int32_t island = -1;    ///< dynamic and active bodies only
-    std::int32_t jointLevel = 0; ///< while the joints' schedule is made: the first that is free
-    b2Body* islandPrev = nullptr;
-    b2Body* islandNext = nullptr;
 
     // The way of the last step, for continuous collision: from `previous` at `sweepStart` to `pose`
     // at its end.
@@ -77,7 +74,13 @@ struct BodyData
     float32 sweepStart = 0.0f;      ///< fraction of the step, 0 to 1
     std::uint32_t sweepVersion = 0; ///< changes whenever the way does
     float32 minExtent = 0.0f; ///< radius of the thinnest fixture [m]: farther in one step is fast
-    float32 maxExtent = 0.0f; ///< farthest point from the centre of mass [m]
+    float32 room = 0.0f; ///< how far any point may move before a box must be looked at [m]
+
+    std::uint32_t colorMask = 0; ///< the colours of the constraint graph that touch it
+    std::int32_t island = -1;    ///< dynamic and active bodies only
+    std::int32_t jointLevel = 0; ///< while the joints' schedule is made: the first that is free
+    b2Body* islandPrev = nullptr;
+    b2Body* islandNext = nullptr;
 
     // What the user sees.
     b2Transform transform; ///< of the body's origin
