@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Narrowphase.h"
+#include "ReadAhead.h"
 #include "Sweeps.h"
 #include "World.h"
-
-#include "Access.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -236,6 +235,7 @@ bool World::ComputeContacts()
                     b2Manifold unused;
                     for (int32 i = begin; i < end; ++i)
                     {
+                        ReadAhead(awakeContacts, std::size_t(i));
                         b2Contact& contact = *awakeContacts[std::size_t(i)];
                         Data(contact).oldIndex = i;
                         ComputeContact(contact, keepOld ? oldManifolds[std::size_t(i)] : unused);
@@ -269,6 +269,7 @@ void World::FinishContacts()
     b2Manifold old;
     for (std::size_t i = 0; i < awakeContacts.size();)
     {
+        ReadAhead(awakeContacts, i);
         b2Contact* contact = awakeContacts[i];
         ContactData& c = Data(*contact);
         const bool computed = (c.flags & kContactComputed) != 0;
