@@ -66,7 +66,8 @@ void ConstraintGraph::Add(b2Contact& contact)
 {
     ContactData& c = Data(contact);
     b2Assert(c.color == -1);
-    c.color = Claim(Data(*c.bodyA), Data(*c.bodyB));
+    c.color = std::int8_t(Claim(Data(*c.bodyA), Data(*c.bodyB)));
+    m_contactsChanged[c.color] = true;
     Array<b2Contact*>& list = m_contacts[c.color];
     c.colorIndex = int32(list.size());
     list.push_back(&contact);
@@ -77,12 +78,26 @@ void ConstraintGraph::Remove(b2Contact& contact)
     ContactData& c = Data(contact);
     b2Assert(c.color != -1);
     Release(Data(*c.bodyA), Data(*c.bodyB), c.color);
+    m_contactsChanged[c.color] = true;
     Array<b2Contact*>& list = m_contacts[c.color];
     list[std::size_t(c.colorIndex)] = list.back();
     Data(*list.back()).colorIndex = c.colorIndex;
     list.pop_back();
     c.color = -1;
     c.colorIndex = -1;
+}
+
+ConstraintGraph::Change ConstraintGraph::ChangeOf(int32 color) const
+{
+    return m_contactsChanged[color]                                ? Change::Contacts
+           : m_formsChanged[color].load(std::memory_order_relaxed) ? Change::Forms
+                                                                   : Change::None;
+}
+
+void ConstraintGraph::Settle(int32 color)
+{
+    m_contactsChanged[color] = false;
+    m_formsChanged[color].store(false, std::memory_order_relaxed);
 }
 
 void ConstraintGraph::Add(b2Joint& joint)

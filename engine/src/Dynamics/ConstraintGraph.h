@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
+#include <Box2D/Dynamics/Internal/ContactData.h>
+
+#include <atomic>
 
 class b2Contact;
 class b2Joint;
@@ -29,6 +32,24 @@ public:
 
     const Array<b2Contact*>& Contacts(int32 color) const { return m_contacts[color]; }
 
+    /// What has become of a colour since Settle was last called for it.
+    enum class Change : uint8
+    {
+        None,
+        Forms,    ///< a contact is solved in another form
+        Contacts, ///< contacts have come or gone
+    };
+    Change ChangeOf(int32 color) const;
+    void Settle(int32 color);
+    /// A contact is to be solved in another form than last time; from any thread.
+    void NoteForm(const ContactData& c)
+    {
+        if (c.color != -1 && c.Form() != c.solvedAs)
+        {
+            m_formsChanged[c.color].store(true, std::memory_order_relaxed);
+        }
+    }
+
     /// Joints are solved one by one, in the order of their creation, which for a chain is the order
     /// of its links: an impulse runs the length of the chain in one sweep, where colours would
     /// carry it two links. Adding and removing may change the order until SortJoints.
@@ -42,6 +63,8 @@ private:
     static void Release(BodyData& a, BodyData& b, int32 color);
 
     Array<b2Contact*> m_contacts[kColorCount];
+    bool m_contactsChanged[kColorCount] = {};
+    std::atomic<bool> m_formsChanged[kColorCount] = {};
     Array<b2Joint*> m_joints;
     int32 m_jointVersion = 0;
     bool m_sorted = true;

@@ -64,11 +64,11 @@ bool UsesWideInstructions()
     return s_wide;
 }
 
-void ContactBlocks::Reset(std::size_t contactCount, bool sharesBodies)
+void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies)
 {
-    constexpr std::size_t kinds = 5; // of each the last block may be part empty
+    constexpr std::size_t forms = 5; // of each the last block may be part empty
     const std::size_t most =
-        sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + kinds);
+        sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + forms);
     if (most > m_contacts.size())
     {
         // Some in reserve, for a colour that grows does so step by step.
@@ -77,7 +77,6 @@ void ContactBlocks::Reset(std::size_t contactCount, bool sharesBodies)
     }
     m_sorted.resize(contactCount);
     m_buckets.resize(contactCount);
-    m_count = 0;
 }
 
 int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
@@ -92,22 +91,24 @@ int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
 }
 
 /// By the place of the newer body, as near as a few buckets tell (counting sort).
-void ContactBlocks::Sort(const Array<b2Contact*>& contacts, std::size_t bodyCount)
+void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
+                         std::size_t bodyCount)
 {
+    const bool few = contacts.size() <= kBlockLanes; // whose order does not matter
+    if (sharesBodies || few)
+    {
+        std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
+        return;
+    }
     constexpr std::size_t most = 64;
-    constexpr uint8 none = 255;
     const std::size_t buckets = b2Min(most, contacts.size() / kBlockLanes + 1);
     std::size_t ends[most] = {};
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
         const ContactData& c = Data(*contacts[i]);
-        m_buckets[i] = none;
-        if (c.IsEnabled() && c.manifold.pointCount > 0)
-        {
-            const int32 place = b2Max(Data(*c.bodyA).awakeIndex, Data(*c.bodyB).awakeIndex);
-            m_buckets[i] = uint8(std::size_t(place) * buckets / bodyCount);
-            ++ends[m_buckets[i]];
-        }
+        const int32 place = b2Max(Data(*c.bodyA).awakeIndex, Data(*c.bodyB).awakeIndex);
+        m_buckets[i] = uint8(std::size_t(place) * buckets / bodyCount);
+        ++ends[m_buckets[i]];
     }
     std::size_t end = 0;
     for (std::size_t i = 0; i < buckets; ++i)
@@ -118,28 +119,26 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, std::size_t bodyCoun
     }
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
-        if (m_buckets[i] != none)
-        {
-            m_sorted[ends[m_buckets[i]]++] = contacts[i];
-        }
+        m_sorted[ends[m_buckets[i]]++] = contacts[i];
     }
-    m_sorted.resize(end);
 }
 
-void ContactBlocks::Assign(const Array<b2Contact*>& contacts, bool sharesBodies,
-                           std::size_t bodyCount)
+void ContactBlocks::Assign(bool sharesBodies)
 {
-    const bool few = contacts.size() <= kBlockLanes;            // whose order does not matter
-    Sort(contacts, sharesBodies || few ? SIZE_MAX : bodyCount); // in one bucket they keep theirs
-    int32 open[] = {-1, -1, -1, -1, -1, -1}; // three ways to measure, of one or two points
+    m_count = 0;
+    int32 open[] = {-1, -1, -1, -1, -1, -1, -1}; // by form: three ways to measure, one or two points
     for (b2Contact* contact : m_sorted)
     {
-        const b2Manifold& manifold = Data(*contact).manifold;
-        const OverlapKind kind = KindOf(manifold);
-        int32& last = open[2 * int32(kind) + manifold.pointCount - 1];
+        ContactData& c = Data(*contact);
+        c.solvedAs = c.Form();
+        if (c.solvedAs == 0)
+        {
+            continue;
+        }
+        int32& last = open[c.solvedAs];
         if (last == -1 || sharesBodies || Contacts(last).count == kBlockLanes)
         {
-            last = Add(kind, manifold.pointCount);
+            last = Add(KindOf(c.manifold), c.manifold.pointCount);
         }
         ContactBlock& block = Contacts(last);
         block.contact[block.count++] = contact;

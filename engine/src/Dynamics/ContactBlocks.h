@@ -74,28 +74,30 @@ struct alignas(kCacheLine) ContactLanes
     float32 normalImpulse[2][kBlockLanes], tangentImpulse[2][kBlockLanes];
 };
 
-/// The blocks of one colour. Entries are used again from step to step without being cleared.
+/// The blocks of one colour. What is in which block stays while the colour's contacts do.
 class ContactBlocks
 {
 public:
-    /// Makes room for the contacts of a colour and forgets the last step's.
-    void Reset(std::size_t contactCount, bool sharesBodies);
-    /// Gives each contact that has to be solved a lane in a block of its kind; one block each when
-    /// they may share bodies, for then they must be solved in order. Else they are put in the order
-    /// of their bodies, `bodyCount` in all, so that neighbours in memory are solved by one thread.
-    /// The blocks still have to be prepared. Allocates nothing.
-    void Assign(const Array<b2Contact*>& contacts, bool sharesBodies, std::size_t bodyCount);
+    /// Puts the contacts of a colour in the order of their bodies, `bodyCount` in all, so that
+    /// neighbours in memory are solved by one thread; in their own order when they may share
+    /// bodies, for then they must be solved in it.
+    void Sort(const Array<b2Contact*>& contacts, bool sharesBodies, std::size_t bodyCount);
+    /// Makes room for as many.
+    void Reserve(std::size_t contactCount, bool sharesBodies);
+    /// Gives each of the sorted contacts that has to be solved a lane in a block of its form; one
+    /// block each when they may share bodies. The blocks still have to be prepared. Allocates
+    /// nothing.
+    void Assign(bool sharesBodies);
 
     int32 Count() const { return m_count; }
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
 
 private:
-    void Sort(const Array<b2Contact*>& contacts, std::size_t bodyCount);
     int32 Add(OverlapKind kind, int32 pointCount);
 
-    Array<b2Contact*> m_sorted; // those to be solved
-    Array<uint8> m_buckets;     // of each contact
+    Array<b2Contact*> m_sorted; // the contacts of the colour
+    Array<uint8> m_buckets;     // of each
     Array<ContactBlock> m_contacts;
     Array<OverlapBlock> m_overlaps;
     int32 m_count = 0;

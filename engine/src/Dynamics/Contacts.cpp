@@ -247,7 +247,7 @@ bool World::ComputeContacts()
 
 /// Whether more follows from the first part of an update than that the contact takes part in the
 /// step, when nobody listens.
-bool World::NeedsAttention(b2Contact& contact) const
+bool World::NeedsAttention(b2Contact& contact)
 {
     ContactData& c = Data(contact);
     const bool touching = (c.flags & kContactMeets) != 0;
@@ -258,6 +258,7 @@ bool World::NeedsAttention(b2Contact& contact) const
     }
     c.flags |= kContactEnabled;
     c.flags &= ~std::uint32_t(kContactComputed);
+    graph.NoteForm(c);
     return false;
 }
 
@@ -392,6 +393,7 @@ void World::FinishContact(b2Contact& contact, const b2Manifold& old)
     const bool touching = (c.flags & kContactMeets) != 0;
     c.flags |= kContactEnabled;
     c.flags &= ~std::uint32_t(kContactComputed);
+    graph.NoteForm(c);
     if (touching != c.IsTouching())
     {
         c.flags ^= kContactTouching;

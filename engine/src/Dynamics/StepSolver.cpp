@@ -96,16 +96,13 @@ void StepSolver::PrepareConstraints()
         if (count > 0)
         {
             m_arrays.colors[m_arrays.colorCount++] = color;
-            m_arrays.contacts[color].Reset(count, color == ConstraintGraph::kOverflow);
+            m_arrays.contacts[color].Reserve(count, color == ConstraintGraph::kOverflow);
         }
     }
     ParallelFor(m_threads, m_arrays.colorCount, 1, [this](int32 begin, int32 end) {
         for (int32 i = begin; i < end; ++i)
         {
-            const int32 color = m_arrays.colors[i];
-            m_arrays.contacts[color].Assign(m_world.graph.Contacts(color),
-                                            color == ConstraintGraph::kOverflow,
-                                            m_world.awakeBodies.size());
+            AssignBlocks(m_arrays.colors[i]);
         }
     });
     ForBlocks([this](ContactBlock& block, OverlapBlock& overlap) {
@@ -115,6 +112,25 @@ void StepSolver::PrepareConstraints()
         [this](ContactBlock& block, OverlapBlock&) { WarmStartBlock(block, m_context.bodies); });
     m_arrays.joints.Update(m_world.graph);
     m_arrays.joints.Prepare(m_context, m_threads);
+}
+
+/// As far as the last step's do not serve again. A listener may give any contact another form at
+/// any time.
+void StepSolver::AssignBlocks(int32 color)
+{
+    const bool sharesBodies = color == ConstraintGraph::kOverflow;
+    ConstraintGraph& graph = m_world.graph;
+    const ConstraintGraph::Change change = graph.ChangeOf(color);
+    if (change == ConstraintGraph::Change::Contacts)
+    {
+        m_arrays.contacts[color].Sort(graph.Contacts(color), sharesBodies,
+                                      m_world.awakeBodies.size());
+    }
+    if (change != ConstraintGraph::Change::None || m_world.listener != nullptr)
+    {
+        m_arrays.contacts[color].Assign(sharesBodies);
+    }
+    graph.Settle(color);
 }
 
 /// Colour after colour: first what may share bodies, in order; then the colours, the blocks of

@@ -26,6 +26,7 @@ public:
     void LetRest();
 
 private:
+    void AssignBlocks(int32 color);
     template <class Function>
     void ForColors(Direction direction, Function&& some);
     template <class Function>

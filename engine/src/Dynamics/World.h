@@ -93,7 +93,7 @@ public:
     static void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old);
     bool ComputeContacts();
     void ForgetUpdate(ContactData& c);
-    bool NeedsAttention(b2Contact& contact) const;
+    bool NeedsAttention(b2Contact& contact);
     void FinishContacts();
     void FinishContactsInNeed();
     void DestroyContact(b2Contact& contact);

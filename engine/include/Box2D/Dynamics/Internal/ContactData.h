@@ -49,7 +49,9 @@ struct ContactData
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
     float32 radiusA = 0.0f;      ///< of the shapes' skins, as of the last update [m]
     float32 radiusB = 0.0f;
-    std::int32_t toiCount = 0; ///< times of impact handled in this step
+    std::int16_t toiCount = 0; ///< times of impact handled in this step
+    std::int8_t color = -1;    ///< of the constraint graph, -1 when not solved
+    std::uint8_t solvedAs = 0; ///< the form in which it was last put among the blocks
     b2Manifold manifold;
     b2Transform relative; ///< body B in A's frame when the manifold was computed
 
@@ -61,7 +63,6 @@ struct ContactData
     std::int32_t awakeIndex =
         -1; ///< place among the contacts updated each step, -1 when both bodies rest
     std::int32_t oldIndex = 0; ///< of its manifold before the present update
-    std::int32_t color = -1;   ///< of the constraint graph, -1 when not solved
     std::int32_t colorIndex = -1;
     std::int32_t poolIndex = 0;
 
@@ -70,6 +71,13 @@ struct ContactData
     b2Contact* prev = nullptr;
     b2Contact* next = nullptr;
 
+    /// What decides which contacts are solved side by side: how the overlap is measured and at how
+    /// many points; 0 when the contact is not solved.
+    std::uint8_t Form() const
+    {
+        const bool solved = (flags & kContactEnabled) != 0 && manifold.pointCount > 0;
+        return solved ? std::uint8_t(2 * int(manifold.type) + manifold.pointCount) : std::uint8_t(0);
+    }
     bool IsTouching() const { return (flags & kContactTouching) != 0; }
     bool IsEnabled() const { return (flags & kContactEnabled) != 0; }
     bool IsSensor() const { return (flags & kContactSensor) != 0; }
