@@ -97,6 +97,39 @@ TEST_F(CountedMemory, BlocksOfOneSizeShareAChunkAndAreUsedAgain)
     EXPECT_EQ(blocks.Allocate(0), nullptr);
 }
 
+TEST(BlockAllocator, BlocksOfWholeCacheLinesStartWithOne)
+{
+    b2BlockAllocator blocks;
+    for (int i = 0; i < 200; ++i)
+    {
+        for (const int32 size : {64, 256, 320})
+        {
+            const auto address = reinterpret_cast<std::uintptr_t>(blocks.Allocate(size));
+            EXPECT_EQ(address % std::uintptr_t(box2d::kCacheLine), 0u) << size;
+        }
+    }
+}
+
+struct alignas(64) Line
+{
+    int numbers[16];
+};
+
+TEST_F(CountedMemory, ArraysOfWholeCacheLinesStartWithOneAndGiveAllBack)
+{
+    {
+        box2d::Array<Line> lines;
+        for (int i = 0; i < 100; ++i)
+        {
+            lines.push_back(Line{{i}});
+            EXPECT_EQ(reinterpret_cast<std::uintptr_t>(lines.data()) % 64u, 0u);
+        }
+        EXPECT_EQ(lines[77].numbers[0], 77);
+    }
+    EXPECT_GT(g_allocated, 1);
+    EXPECT_EQ(g_allocated, g_freed);
+}
+
 TEST(BlockAllocator, BlocksNeverOverlapUnderRandomUse)
 {
     struct Held

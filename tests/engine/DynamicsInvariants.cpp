@@ -146,7 +146,10 @@ private:
             return false;
         }
         const b2AABB& box = m_world.proxies.FatBox(proxy.proxyId);
-        return Expect(proxy.fixture == &fixture && proxy.childIndex == child,
+        b2AABB tight;
+        fixture.GetShape()->ComputeAABB(&tight, body.transform, child);
+        return Expect(box.Contains(tight), "a shape has left the box that stands for it") &&
+               Expect(proxy.fixture == &fixture && proxy.childIndex == child,
                       "a proxy stands for another child") &&
                Expect(box.lowerBound == proxy.aabb.lowerBound &&
                           box.upperBound == proxy.aabb.upperBound,

@@ -20,10 +20,10 @@ using dynamics::Scene;
 
 void FillPoint(const ContactPoint& from, PointLanes& to, int lane)
 {
-    to.armAX[lane] = from.armA.x;
-    to.armAY[lane] = from.armA.y;
-    to.armBX[lane] = from.armB.x;
-    to.armBY[lane] = from.armB.y;
+    to.normalLeverA[lane] = from.normalLeverA;
+    to.normalLeverB[lane] = from.normalLeverB;
+    to.tangentLeverA[lane] = from.tangentLeverA;
+    to.tangentLeverB[lane] = from.tangentLeverB;
     to.normalImpulse[lane] = from.normalImpulse;
     to.tangentImpulse[lane] = from.tangentImpulse;
     to.normalMass[lane] = from.normalMass;
@@ -227,13 +227,16 @@ private:
         return b2Vec2(x, Real(-reach, reach));
     }
 
-    /// How an impulse along `axis` at one point changes the speed along it at the other.
-    static float32 Coupling(const ContactConstraint& c, const ContactPoint& p,
-                            const ContactPoint& q, const b2Vec2& axis)
+    /// How an impulse at one lever changes the speed at the other.
+    static float32 Coupling(const ContactConstraint& c, float32 pA, float32 pB, float32 qA,
+                            float32 qB)
     {
-        return c.invMassA + c.invMassB +
-               c.invInertiaA * b2Cross(p.armA, axis) * b2Cross(q.armA, axis) +
-               c.invInertiaB * b2Cross(p.armB, axis) * b2Cross(q.armB, axis);
+        return c.invMassA + c.invMassB + c.invInertiaA * pA * qA + c.invInertiaB * pB * qB;
+    }
+    static float32 NormalCoupling(const ContactConstraint& c, const ContactPoint& p,
+                                  const ContactPoint& q)
+    {
+        return Coupling(c, p.normalLeverA, p.normalLeverB, q.normalLeverA, q.normalLeverB);
     }
 
     /// One point, two that are nearly one, or a pair, with numbers of the sizes that occur.
@@ -254,17 +257,23 @@ private:
         for (int32 i = 0; i < c.pointCount; ++i)
         {
             ContactPoint& p = c.points[i];
-            p.armA = Vector(1.0f);
-            p.armB = Vector(1.0f);
+            const b2Vec2 tangent = b2Cross(c.normal, 1.0f);
+            const b2Vec2 armA = Vector(1.0f);
+            const b2Vec2 armB = Vector(1.0f);
+            p.normalLeverA = b2Cross(armA, c.normal);
+            p.normalLeverB = b2Cross(armB, c.normal);
+            p.tangentLeverA = b2Cross(armA, tangent);
+            p.tangentLeverB = b2Cross(armB, tangent);
             p.normalImpulse = Real(0.0f, 1.0f);
             p.tangentImpulse = Real(-0.5f, 0.5f);
             p.bias = m_random() % 5 == 0 ? Real(0.0f, 3.0f) : 0.0f;
-            p.normalMass = 1.0f / Coupling(c, p, p, c.normal);
-            p.tangentMass = 1.0f / Coupling(c, p, p, b2Cross(c.normal, 1.0f));
+            p.normalMass = 1.0f / NormalCoupling(c, p, p);
+            p.tangentMass = 1.0f / Coupling(c, p.tangentLeverA, p.tangentLeverB, p.tangentLeverA,
+                                            p.tangentLeverB);
         }
-        c.k11 = Coupling(c, c.points[0], c.points[0], c.normal);
-        c.k22 = Coupling(c, c.points[1], c.points[1], c.normal);
-        c.k12 = Coupling(c, c.points[0], c.points[1], c.normal);
+        c.k11 = NormalCoupling(c, c.points[0], c.points[0]);
+        c.k22 = NormalCoupling(c, c.points[1], c.points[1]);
+        c.k12 = NormalCoupling(c, c.points[0], c.points[1]);
         c.coupled = c.pointCount == 2 && m_random() % 3 > 0;
         return c;
     }
@@ -504,8 +513,10 @@ void ExpectLanesAsPrepared(const ContactBlock& block, const OverlapBlock& overla
         for (int i = 0; i < c.pointCount; ++i)
         {
             const PointLanes& p = block.points[i];
-            EXPECT_EQ(b2Vec2(p.armAX[lane], p.armAY[lane]), c.points[i].armA);
-            EXPECT_EQ(b2Vec2(p.armBX[lane], p.armBY[lane]), c.points[i].armB);
+            EXPECT_EQ(p.normalLeverA[lane], c.points[i].normalLeverA);
+            EXPECT_EQ(p.normalLeverB[lane], c.points[i].normalLeverB);
+            EXPECT_EQ(p.tangentLeverA[lane], c.points[i].tangentLeverA);
+            EXPECT_EQ(p.tangentLeverB[lane], c.points[i].tangentLeverB);
             EXPECT_EQ(p.normalMass[lane], c.points[i].normalMass);
             EXPECT_EQ(p.tangentMass[lane], c.points[i].tangentMass);
             EXPECT_EQ(p.normalImpulse[lane], c.points[i].normalImpulse);
@@ -536,6 +547,15 @@ Array<b2Contact*> TouchingContacts(b2World& world)
     return contacts;
 }
 
+ContactBlocks BlocksOf(const Array<b2Contact*>& contacts, bool sharesBodies)
+{
+    ContactBlocks blocks;
+    blocks.Reserve(contacts.size(), sharesBodies);
+    blocks.Sort(contacts, sharesBodies, 200);
+    blocks.Assign(sharesBodies);
+    return blocks;
+}
+
 TEST(SolverBlocks, ArePreparedWithTheBitsOfThePlainSolverAtEveryWidth)
 {
     const WidthGuard guard;
@@ -556,9 +576,7 @@ TEST(SolverBlocks, ArePreparedWithTheBitsOfThePlainSolverAtEveryWidth)
             SolverContext context;
             context.bodies = bodies.data();
             context.stepRatio = 0.75f;
-            ContactBlocks blocks;
-            blocks.Reset(TouchingContacts(pile.scene.world).size(), false);
-            blocks.Assign(TouchingContacts(pile.scene.world), false, 200);
+            ContactBlocks blocks = BlocksOf(TouchingContacts(pile.scene.world), false);
             for (int32 i = 0; i < blocks.Count(); ++i)
             {
                 PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), context);
@@ -576,9 +594,7 @@ TEST(SolverBlocks, HoldEveryContactOnceAndEightOfOneKind)
 {
     Pile pile(3);
     const Array<b2Contact*> contacts = TouchingContacts(pile.scene.world);
-    ContactBlocks blocks;
-    blocks.Reset(contacts.size(), false);
-    blocks.Assign(contacts, false, 200);
+    ContactBlocks blocks = BlocksOf(contacts, false);
     std::vector<const b2Contact*> seen;
     std::size_t full = 0;
     for (int32 i = 0; i < blocks.Count(); ++i)
@@ -604,9 +620,7 @@ TEST(SolverBlocks, HoldOneContactEachWhereBodiesMayBeShared)
 {
     Pile pile(4);
     const Array<b2Contact*> contacts = TouchingContacts(pile.scene.world);
-    ContactBlocks blocks;
-    blocks.Reset(contacts.size(), true);
-    blocks.Assign(contacts, true, 200);
+    ContactBlocks blocks = BlocksOf(contacts, true);
     EXPECT_EQ(std::size_t(blocks.Count()), contacts.size());
 }
 

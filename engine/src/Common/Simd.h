@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -88,6 +89,11 @@ inline bool Any(Mask4 a)
 inline Mask4 Not(Mask4 a)
 {
     return {_mm_xor_ps(a.v, _mm_castsi128_ps(_mm_set1_epi32(-1)))};
+}
+/// The bits of both: zero, or minus zero, when both are.
+inline Float4 OrBits(Float4 a, Float4 b)
+{
+    return {_mm_or_ps(a.v, b.v)};
 }
 inline Mask4 Or(Mask4 a, Mask4 b)
 {
@@ -188,6 +194,11 @@ inline bool Any(Mask4 a)
 inline Mask4 Not(Mask4 a)
 {
     return {vmvnq_u32(a.v)};
+}
+inline Float4 OrBits(Float4 a, Float4 b)
+{
+    return {vreinterpretq_f32_u32(
+        vorrq_u32(vreinterpretq_u32_f32(a.v), vreinterpretq_u32_f32(b.v)))};
 }
 inline Mask4 Or(Mask4 a, Mask4 b)
 {
@@ -315,6 +326,13 @@ inline Mask4 Not(Mask4 a)
 {
     return {{!a.v[0], !a.v[1], !a.v[2], !a.v[3]}};
 }
+inline Float4 OrBits(Float4 a, Float4 b)
+{
+    return EachLane([&](int i) {
+        return std::bit_cast<float>(std::bit_cast<std::uint32_t>(a.v[i]) |
+                                    std::bit_cast<std::uint32_t>(b.v[i]));
+    });
+}
 inline Mask4 Or(Mask4 a, Mask4 b)
 {
     return {{a.v[0] || b.v[0], a.v[1] || b.v[1], a.v[2] || b.v[2], a.v[3] || b.v[3]}};
@@ -408,6 +426,10 @@ inline bool Any(Mask8 a)
 inline Mask8 Not(Mask8 a)
 {
     return {_mm256_xor_ps(a.v, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
+}
+inline Float8 OrBits(Float8 a, Float8 b)
+{
+    return {_mm256_or_ps(a.v, b.v)};
 }
 inline Mask8 Or(Mask8 a, Mask8 b)
 {

@@ -137,14 +137,16 @@ struct BlockPreparer
                    const Vector<F>& armA, const Vector<F>& armB) const
     {
         const F zero = F::Set(0.0f);
-        Put(armA, p.armAX, p.armAY);
-        Put(armB, p.armBX, p.armBY);
         const Vector<F> tangent = {normal.y, -normal.x};
         const F mass = bodies.invMassA + bodies.invMassB;
         const F nA = Cross(armA, normal);
         const F nB = Cross(armB, normal);
         const F tA = Cross(armA, tangent);
         const F tB = Cross(armB, tangent);
+        nA.Store(p.normalLeverA + lane);
+        nB.Store(p.normalLeverB + lane);
+        tA.Store(p.tangentLeverA + lane);
+        tB.Store(p.tangentLeverB + lane);
         Inverse(mass + bodies.invInertiaA * nA * nA + bodies.invInertiaB * nB * nB)
             .Store(p.normalMass + lane);
         Inverse(mass + bodies.invInertiaA * tA * tA + bodies.invInertiaB * tB * tB)
@@ -157,14 +159,14 @@ struct BlockPreparer
         Select(fast, -At(from.restitution) * approach, zero).Store(p.bias + lane);
     }
 
-    void FillCoupling(const Bodies& bodies, const Vector<F>& normal) const
+    void FillCoupling(const Bodies& bodies) const
     {
         const PointLanes& p1 = block.points[0];
         const PointLanes& p2 = block.points[1];
-        const F a1 = Cross(At(p1.armAX, p1.armAY), normal);
-        const F b1 = Cross(At(p1.armBX, p1.armBY), normal);
-        const F a2 = Cross(At(p2.armAX, p2.armAY), normal);
-        const F b2 = Cross(At(p2.armBX, p2.armBY), normal);
+        const F a1 = At(p1.normalLeverA);
+        const F b1 = At(p1.normalLeverB);
+        const F a2 = At(p2.normalLeverA);
+        const F b2 = At(p2.normalLeverB);
         const F mass = bodies.invMassA + bodies.invMassB;
         const F k11 = mass + bodies.invInertiaA * a1 * a1 + bodies.invInertiaB * b1 * b1;
         const F k22 = mass + bodies.invInertiaA * a2 * a2 + bodies.invInertiaB * b2 * b2;
@@ -199,7 +201,7 @@ struct BlockPreparer
         }
         if (block.pointCount == 2)
         {
-            FillCoupling(bodies, g.normal);
+            FillCoupling(bodies);
         }
     }
 };

@@ -14,8 +14,8 @@ inline constexpr int kBlockLanes = 8;
 /// See ContactPoint.
 struct PointLanes
 {
-    float32 armAX[kBlockLanes], armAY[kBlockLanes];
-    float32 armBX[kBlockLanes], armBY[kBlockLanes];
+    float32 normalLeverA[kBlockLanes], normalLeverB[kBlockLanes];
+    float32 tangentLeverA[kBlockLanes], tangentLeverB[kBlockLanes];
     float32 normalImpulse[kBlockLanes], tangentImpulse[kBlockLanes];
     float32 normalMass[kBlockLanes], tangentMass[kBlockLanes];
     float32 bias[kBlockLanes];

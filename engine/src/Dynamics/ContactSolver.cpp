@@ -83,10 +83,10 @@ void FillCoupling(ContactConstraint& c)
 {
     const ContactPoint& p1 = c.points[0];
     const ContactPoint& p2 = c.points[1];
-    const float32 a1 = b2Cross(p1.armA, c.normal);
-    const float32 b1 = b2Cross(p1.armB, c.normal);
-    const float32 a2 = b2Cross(p2.armA, c.normal);
-    const float32 b2 = b2Cross(p2.armB, c.normal);
+    const float32 a1 = p1.normalLeverA;
+    const float32 b1 = p1.normalLeverB;
+    const float32 a2 = p2.normalLeverA;
+    const float32 b2 = p2.normalLeverB;
     const float32 mass = c.invMassA + c.invMassB;
     c.k11 = mass + c.invInertiaA * a1 * a1 + c.invInertiaB * b1 * b1;
     c.k22 = mass + c.invInertiaA * a2 * a2 + c.invInertiaB * b2 * b2;
@@ -95,8 +95,8 @@ void FillCoupling(ContactConstraint& c)
     c.coupled = c.k11 * c.k11 < kMaxCondition * determinant;
 }
 
-void FillPoint(ContactConstraint& c, ContactPoint& p, const b2ManifoldPoint& from,
-               float32 restitution, const SolverContext& context)
+void FillPoint(ContactConstraint& c, ContactPoint& p, const b2Vec2& armA, const b2Vec2& armB,
+               const b2ManifoldPoint& from, float32 restitution, const SolverContext& context)
 {
     const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
     // What is not finite is forgotten.
@@ -105,106 +105,118 @@ void FillPoint(ContactConstraint& c, ContactPoint& p, const b2ManifoldPoint& fro
         b2Abs(from.tangentImpulse) <= b2_maxFloat ? share * from.tangentImpulse : 0.0f;
     const b2Vec2 tangent = b2Cross(c.normal, 1.0f);
     const float32 mass = c.invMassA + c.invMassB;
-    const float32 nA = b2Cross(p.armA, c.normal);
-    const float32 nB = b2Cross(p.armB, c.normal);
-    const float32 tA = b2Cross(p.armA, tangent);
-    const float32 tB = b2Cross(p.armB, tangent);
+    const float32 nA = b2Cross(armA, c.normal);
+    const float32 nB = b2Cross(armB, c.normal);
+    const float32 tA = b2Cross(armA, tangent);
+    const float32 tB = b2Cross(armB, tangent);
+    p.normalLeverA = nA;
+    p.normalLeverB = nB;
+    p.tangentLeverA = tA;
+    p.tangentLeverB = tB;
     p.normalMass = Inverse(mass + c.invInertiaA * nA * nA + c.invInertiaB * nB * nB);
     p.tangentMass = Inverse(mass + c.invInertiaA * tA * tA + c.invInertiaB * tB * tB);
     const SolverBody& a = context.bodies[c.bodyA];
     const SolverBody& b = context.bodies[c.bodyB];
-    const float32 approach =
-        b2Dot(b.v + b2Cross(b.w, p.armB) - a.v - b2Cross(a.w, p.armA), c.normal);
+    const float32 approach = b2Dot(b.v + b2Cross(b.w, armB) - a.v - b2Cross(a.w, armA), c.normal);
     p.bias = approach < -b2_velocityThreshold ? -restitution * approach : 0.0f;
 }
 
-struct Velocities
+/// How a contact's bodies move, in the axes of its normal and tangent. The velocities of the two
+/// centres of mass matter only by their difference; what the impulses do to each is worked out when
+/// all are known.
+struct Motion
 {
-    b2Vec2 vA, vB;
-    float32 wA, wB;
+    float32 along, across;            // velocity of centre B relative to A [m/s]
+    float32 wA, wB;                   // [rad/s]
+    float32 push = 0.0f, drag = 0.0f; // impulses given along the normal and the tangent [Ns]
+    float32 invMass;                  // of both together
 };
 
-void Apply(Velocities& v, const ContactConstraint& c, const ContactPoint& p, const b2Vec2& impulse)
+Motion Load(const ContactConstraint& c, const SolverBody* bodies)
 {
-    v.vA -= c.invMassA * impulse;
-    v.wA -= c.invInertiaA * b2Cross(p.armA, impulse);
-    v.vB += c.invMassB * impulse;
-    v.wB += c.invInertiaB * b2Cross(p.armB, impulse);
-}
-
-/// Normal impulses at both points at once: equal ones at mirrored points leave no spin at all.
-void ApplyPair(Velocities& v, const ContactConstraint& c, float32 x1, float32 x2)
-{
-    const ContactPoint& p1 = c.points[0];
-    const ContactPoint& p2 = c.points[1];
-    const b2Vec2 impulse = (x1 + x2) * c.normal;
-    v.vA -= c.invMassA * impulse;
-    v.wA -= c.invInertiaA * (b2Cross(p1.armA, c.normal) * x1 + b2Cross(p2.armA, c.normal) * x2);
-    v.vB += c.invMassB * impulse;
-    v.wB += c.invInertiaB * (b2Cross(p1.armB, c.normal) * x1 + b2Cross(p2.armB, c.normal) * x2);
-}
-
-b2Vec2 PointSpeed(const Velocities& v, const ContactPoint& p)
-{
-    return v.vB + b2Cross(v.wB, p.armB) - v.vA - b2Cross(v.wA, p.armA);
-}
-
-Velocities Load(const ContactConstraint& c, const SolverBody* bodies)
-{
-    return {bodies[c.bodyA].v, bodies[c.bodyB].v, bodies[c.bodyA].w, bodies[c.bodyB].w};
+    const SolverBody& a = bodies[c.bodyA];
+    const SolverBody& b = bodies[c.bodyB];
+    const b2Vec2 apart = b.v - a.v;
+    Motion m;
+    m.along = apart.x * c.normal.x + apart.y * c.normal.y;
+    m.across = apart.x * c.normal.y - apart.y * c.normal.x;
+    m.wA = a.w;
+    m.wB = b.w;
+    m.invMass = c.invMassA + c.invMassB;
+    return m;
 }
 
 // What cannot be moved may be shared by several contacts of a colour: it is left alone.
-void Store(const Velocities& v, const ContactConstraint& c, SolverBody* bodies)
+void Store(const Motion& m, const ContactConstraint& c, SolverBody* bodies)
 {
+    const b2Vec2 impulse(m.push * c.normal.x + m.drag * c.normal.y,
+                         m.push * c.normal.y - m.drag * c.normal.x);
     if (Moves(c.invMassA, c.invInertiaA))
     {
-        bodies[c.bodyA].v = v.vA;
-        bodies[c.bodyA].w = v.wA;
+        bodies[c.bodyA].v -= c.invMassA * impulse;
+        bodies[c.bodyA].w = m.wA;
     }
     if (Moves(c.invMassB, c.invInertiaB))
     {
-        bodies[c.bodyB].v = v.vB;
-        bodies[c.bodyB].w = v.wB;
+        bodies[c.bodyB].v += c.invMassB * impulse;
+        bodies[c.bodyB].w = m.wB;
     }
 }
 
-void SolveFriction(ContactConstraint& c, Velocities& v)
+void SolveFriction(ContactConstraint& c, Motion& m)
 {
-    const b2Vec2 tangent = b2Cross(c.normal, 1.0f);
     for (int32 i = 0; i < c.pointCount; ++i)
     {
         ContactPoint& p = c.points[i];
-        const float32 slip = b2Dot(PointSpeed(v, p), tangent) - c.tangentSpeed;
+        const float32 slip =
+            m.across + m.wB * p.tangentLeverB - m.wA * p.tangentLeverA - c.tangentSpeed;
         const float32 limit = c.friction * p.normalImpulse;
         const float32 total = b2Clamp(p.tangentImpulse - p.tangentMass * slip, -limit, limit);
-        Apply(v, c, p, (total - p.tangentImpulse) * tangent);
+        const float32 change = total - p.tangentImpulse;
+        m.across += m.invMass * change;
+        m.wA -= c.invInertiaA * p.tangentLeverA * change;
+        m.wB += c.invInertiaB * p.tangentLeverB * change;
+        m.drag += change;
         p.tangentImpulse = total;
     }
 }
 
-void SolvePoint(ContactConstraint& c, ContactPoint& p, Velocities& v)
+float32 NormalSpeed(const Motion& m, const ContactPoint& p)
 {
-    const float32 speed = b2Dot(PointSpeed(v, p), c.normal);
+    return m.along + m.wB * p.normalLeverB - m.wA * p.normalLeverA;
+}
+
+void SolvePoint(ContactConstraint& c, ContactPoint& p, Motion& m)
+{
+    const float32 speed = NormalSpeed(m, p);
     const float32 total = b2Max(p.normalImpulse - p.normalMass * (speed - p.bias), 0.0f);
-    Apply(v, c, p, (total - p.normalImpulse) * c.normal);
+    const float32 change = total - p.normalImpulse;
+    m.along += m.invMass * change;
+    m.wA -= c.invInertiaA * p.normalLeverA * change;
+    m.wB += c.invInertiaB * p.normalLeverB * change;
+    m.push += change;
     p.normalImpulse = total;
 }
 
-void SolvePair(ContactConstraint& c, Velocities& v)
+void SolvePair(ContactConstraint& c, Motion& m)
 {
     ContactPoint& p1 = c.points[0];
     ContactPoint& p2 = c.points[1];
     const float32 old1 = p1.normalImpulse;
     const float32 old2 = p2.normalImpulse;
     // Speeds as they would be without the impulses applied so far.
-    const float32 b1 = b2Dot(PointSpeed(v, p1), c.normal) - p1.bias - (c.k11 * old1 + c.k12 * old2);
-    const float32 b2 = b2Dot(PointSpeed(v, p2), c.normal) - p2.bias - (c.k12 * old1 + c.k22 * old2);
+    const float32 b1 = NormalSpeed(m, p1) - p1.bias - (c.k11 * old1 + c.k12 * old2);
+    const float32 b2 = NormalSpeed(m, p2) - p2.bias - (c.k12 * old1 + c.k22 * old2);
     float32 x1 = 0.0f;
     float32 x2 = 0.0f;
     if (EnumerateImpulses(c.k11, c.k12, c.k22, b1, b2, x1, x2))
     {
-        ApplyPair(v, c, x1 - old1, x2 - old2);
+        // Both at once: equal ones at mirrored points leave no spin at all.
+        const float32 change1 = x1 - old1;
+        const float32 change2 = x2 - old2;
+        m.wA -= c.invInertiaA * (p1.normalLeverA * change1 + p2.normalLeverA * change2);
+        m.wB += c.invInertiaB * (p1.normalLeverB * change1 + p2.normalLeverB * change2);
+        m.push += change1 + change2;
         p1.normalImpulse = x1;
         p2.normalImpulse = x2;
     }
@@ -263,9 +275,8 @@ void PrepareContact(b2Contact& contact, const SolverContext& context, ContactCon
     c.normal = g.normal;
     for (int32 i = 0; i < c.pointCount; ++i)
     {
-        c.points[i].armA = g.points[i];
-        c.points[i].armB = g.points[i] - o.offset;
-        FillPoint(c, c.points[i], data.manifold.points[i], data.restitution, context);
+        FillPoint(c, c.points[i], g.points[i], g.points[i] - o.offset, data.manifold.points[i],
+                  data.restitution, context);
     }
     c.coupled = false;
     if (c.pointCount == 2)
@@ -278,14 +289,18 @@ void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context)
 {
     for (ContactConstraint& c : contacts)
     {
-        const b2Vec2 tangent = b2Cross(c.normal, 1.0f);
-        Velocities v = Load(c, context.bodies);
+        Motion m = Load(c, context.bodies);
         for (int32 i = 0; i < c.pointCount; ++i)
         {
             const ContactPoint& p = c.points[i];
-            Apply(v, c, p, p.normalImpulse * c.normal + p.tangentImpulse * tangent);
+            m.wA -= c.invInertiaA *
+                    (p.normalLeverA * p.normalImpulse + p.tangentLeverA * p.tangentImpulse);
+            m.wB += c.invInertiaB *
+                    (p.normalLeverB * p.normalImpulse + p.tangentLeverB * p.tangentImpulse);
+            m.push += p.normalImpulse;
+            m.drag += p.tangentImpulse;
         }
-        Store(v, c, context.bodies);
+        Store(m, c, context.bodies);
     }
 }
 
@@ -307,20 +322,20 @@ bool SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodi
     bool changed = false;
     ForEach(contacts, direction, [bodies, &changed](ContactConstraint& c) {
         const b2Vec2 before[2] = {ImpulseAt(c, 0), ImpulseAt(c, 1)};
-        Velocities v = Load(c, bodies);
-        SolveFriction(c, v);
+        Motion m = Load(c, bodies);
+        SolveFriction(c, m);
         if (c.coupled)
         {
-            SolvePair(c, v);
+            SolvePair(c, m);
         }
         else
         {
             for (int32 i = 0; i < c.pointCount; ++i)
             {
-                SolvePoint(c, c.points[i], v);
+                SolvePoint(c, c.points[i], m);
             }
         }
-        Store(v, c, bodies);
+        Store(m, c, bodies);
         changed = changed || ImpulseAt(c, 0) != before[0] || ImpulseAt(c, 1) != before[1];
     });
     return changed;

@@ -26,6 +26,7 @@ struct OverlapSolver
     int lane;           // the first
     F a[4], b[4];       // moved by (0, 1), turned by sine 2 and cosine 3
     F turnedA, turnedB; // in all, by this block [rad]
+    bool moved = false;
     F invMassA, invInertiaA, invMassB, invInertiaB;
 
     OverlapSolver(const OverlapBlock& from, int first, const float32* bodies)
@@ -43,6 +44,10 @@ struct OverlapSolver
 
     void Store(float32* bodies) const
     {
+        if (!moved)
+        {
+            return;
+        }
         StoreSide(bodies, block.bodyA + lane, uint32(block.movesA) >> lane, a, turnedA);
         StoreSide(bodies, block.bodyB + lane, uint32(block.movesB) >> lane, b, turnedB);
     }
@@ -158,6 +163,7 @@ struct OverlapSolver
     template <class M>
     void Move(M active, const Vector<F>& normal, F impulse, F turnA, F turnB)
     {
+        moved = true;
         const F alongA = invMassA * impulse;
         const F alongB = invMassB * impulse;
         a[0] = Select(active, a[0] - alongA * normal.x, a[0]);

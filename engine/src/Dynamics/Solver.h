@@ -71,10 +71,12 @@ struct SolverContext
     bool warmStarting = true;
 };
 
+/// The levers are the moments of a unit impulse at the point about the centres of mass [m]: arm
+/// times direction. The tangent is the normal turned clockwise.
 struct ContactPoint
 {
-    b2Vec2 armA; ///< from the centre of mass to the point, in world axes [m]
-    b2Vec2 armB;
+    float32 normalLeverA, normalLeverB;
+    float32 tangentLeverA, tangentLeverB;
     float32 normalImpulse;
     float32 tangentImpulse;
     float32 normalMass;  ///< effective
