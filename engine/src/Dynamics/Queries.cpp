@@ -92,6 +92,11 @@ void World::ShiftOrigin(const b2Vec2& newOrigin)
         joint->ShiftOrigin(newOrigin);
     }
     proxies.ShiftOrigin(newOrigin);
+    // Boxes are in single precision: where the shift was rounded, a shape may look out of its own.
+    for (b2Body* b = bodyList; b; b = b->GetNext())
+    {
+        UpdateProxies(Data(*b), false);
+    }
 }
 
 } // namespace box2d

@@ -342,13 +342,18 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     body.pose.y += double(s.d.y);
     body.pose.angle += double(s.angle);
     s.angle == 0.0f ? SynchronizePlace(body) : SynchronizePose(body);
-    const float32 way = s.d.Length() + b2Abs(s.angle) * body.maxExtent;
-    if (way < room)
+    // What it really did: far out, or turned very often, a pose is coarser than a step.
+    const b2Vec2 moved(float32(body.pose.x - body.previous.x),
+                       float32(body.pose.y - body.previous.y));
+    const float32 turned = b2Abs(float32(body.pose.angle - body.previous.angle));
+    const float32 way = moved.Length() + turned * body.maxExtent;
+    const bool fast = way > kFastShare * body.minExtent;
+    if (way < room && !(fast && (body.flags & kBodyBullet) != 0))
     {
         body.room = room - way; // no shape can have left its box
         return false;
     }
-    return World::RefreshBoxes(body, way > kFastShare * body.minExtent);
+    return World::RefreshBoxes(body, fast);
 }
 
 void StepSolver::LetRest()
