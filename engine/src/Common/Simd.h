@@ -197,8 +197,8 @@ inline Mask4 Not(Mask4 a)
 }
 inline Float4 OrBits(Float4 a, Float4 b)
 {
-    return {vreinterpretq_f32_u32(
-        vorrq_u32(vreinterpretq_u32_f32(a.v), vreinterpretq_u32_f32(b.v)))};
+    return {
+        vreinterpretq_f32_u32(vorrq_u32(vreinterpretq_u32_f32(a.v), vreinterpretq_u32_f32(b.v)))};
 }
 inline Mask4 Or(Mask4 a, Mask4 b)
 {

@@ -130,10 +130,8 @@ struct BlockSolver
     {
         const F change1 = x1 - old1;
         const F change2 = x2 - old2;
-        m.wA = m.wA -
-               invInertiaA * (At(p1.normalLeverA) * change1 + At(p2.normalLeverA) * change2);
-        m.wB = m.wB +
-               invInertiaB * (At(p1.normalLeverB) * change1 + At(p2.normalLeverB) * change2);
+        m.wA = m.wA - invInertiaA * (At(p1.normalLeverA) * change1 + At(p2.normalLeverA) * change2);
+        m.wB = m.wB + invInertiaB * (At(p1.normalLeverB) * change1 + At(p2.normalLeverB) * change2);
         m.push = m.push + (change1 + change2);
         Note(change1);
         Note(change2);

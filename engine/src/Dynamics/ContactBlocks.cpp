@@ -126,7 +126,8 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
 void ContactBlocks::Assign(bool sharesBodies)
 {
     m_count = 0;
-    int32 open[] = {-1, -1, -1, -1, -1, -1, -1}; // by form: three ways to measure, one or two points
+    int32 open[] = {-1, -1, -1, -1,
+                    -1, -1, -1}; // by form: three ways to measure, one or two points
     for (b2Contact* contact : m_sorted)
     {
         ContactData& c = Data(*contact);

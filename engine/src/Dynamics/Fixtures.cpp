@@ -100,8 +100,7 @@ float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
 float32 BoxRounding(const BodyData& body)
 {
     constexpr float32 operations = 16.0f;
-    const float32 farthest =
-        b2Abs(body.worldCenter.x) + b2Abs(body.worldCenter.y) + body.maxExtent;
+    const float32 farthest = b2Abs(body.worldCenter.x) + b2Abs(body.worldCenter.y) + body.maxExtent;
     return operations * b2_epsilon * farthest;
 }
 

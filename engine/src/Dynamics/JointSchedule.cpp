@@ -175,15 +175,12 @@ void JointSchedule::AddLevel(b2Joint* const* begin, b2Joint* const* end)
 }
 
 template <class OneBlock, class OneJoint>
-void JointSchedule::ForLevels(ThreadPool* threads, Direction direction, OneBlock&& oneBlock,
-                              OneJoint&& oneJoint)
+void JointSchedule::ForLevels(ThreadPool* threads, OneBlock&& oneBlock, OneJoint&& oneJoint)
 {
-    const std::size_t count = m_levels.empty() ? 0 : m_levels.size() - 1;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i + 1 < m_levels.size(); ++i)
     {
-        const std::size_t index = direction == Direction::Forward ? i : count - 1 - i;
-        const Level& level = m_levels[index];
-        const Level& next = m_levels[index + 1];
+        const Level& level = m_levels[i];
+        const Level& next = m_levels[i + 1];
         ParallelFor(threads, next.firstBlock - level.firstBlock, kBlockGrain,
                     [&](int32 begin, int32 end) {
                         for (int32 k = begin; k < end; ++k)
@@ -207,16 +204,14 @@ void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
         }
     });
     ForLevels(
-        threads, Direction::Forward,
-        [&](HingeBlock& block) { WarmStartHinges(block, context.bodies); },
+        threads, [&](HingeBlock& block) { WarmStartHinges(block, context.bodies); },
         [&](b2Joint& joint) { JointAccess::Prepare(joint, context); });
 }
 
-void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads,
-                                    Direction direction)
+void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads)
 {
     ForLevels(
-        threads, direction, [&](HingeBlock& block) { SolveHingeVelocities(block, context.bodies); },
+        threads, [&](HingeBlock& block) { SolveHingeVelocities(block, context.bodies); },
         [&](b2Joint& joint) { JointAccess::SolveVelocity(joint, context); });
 }
 
@@ -230,12 +225,11 @@ void JointSchedule::StoreImpulses(ThreadPool* threads)
     });
 }
 
-bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* threads,
-                                   Direction direction)
+bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* threads)
 {
     std::atomic<bool> joined = true;
     ForLevels(
-        threads, direction,
+        threads,
         [&](HingeBlock& block) {
             if (!SolveHingePositions(block, context.bodies) &&
                 joined.load(std::memory_order_relaxed))

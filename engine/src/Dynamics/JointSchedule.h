@@ -29,11 +29,11 @@ public:
 
     void Prepare(const SolverContext& context, ThreadPool* threads);
     /// One sweep.
-    void SolveVelocities(const SolverContext& context, ThreadPool* threads, Direction direction);
+    void SolveVelocities(const SolverContext& context, ThreadPool* threads);
     /// Puts the impulses back into the joints.
     void StoreImpulses(ThreadPool* threads);
     /// One sweep; whether all errors were below the tolerance.
-    bool SolvePositions(const SolverContext& context, ThreadPool* threads, Direction direction);
+    bool SolvePositions(const SolverContext& context, ThreadPool* threads);
 
 private:
     /// Up to the next level's, of either list.
@@ -47,8 +47,7 @@ private:
                   const Array<int32>& counts);
     void AddLevel(b2Joint* const* begin, b2Joint* const* end);
     template <class OneBlock, class OneJoint>
-    void ForLevels(ThreadPool* threads, Direction direction, OneBlock&& oneBlock,
-                   OneJoint&& oneJoint);
+    void ForLevels(ThreadPool* threads, OneBlock&& oneBlock, OneJoint&& oneJoint);
 
     Array<HingeBlock> m_blocks;
     Array<b2Joint*> m_singles;

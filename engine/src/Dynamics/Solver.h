@@ -136,9 +136,9 @@ struct OverlapConstraint
 /// than need be.
 inline constexpr float32 kFastShare = 0.25f;
 
-/// Sweeps over constraints go forward and backward in turn (symmetric Gauss-Seidel; Saad,
-/// "Iterative Methods for Sparse Linear Systems", 4.1): constraints that follow the colours rather
-/// than the stack would else push a tall pile to one side, sweep after sweep.
+/// Sweeps over contacts go forward and backward (symmetric Gauss-Seidel; Saad, "Iterative Methods
+/// for Sparse Linear Systems", 4.1): contacts that follow the colours rather than the stack would
+/// else push a tall pile to one side, sweep after sweep. This one turns after every sweep.
 enum class Direction : uint8
 {
     Forward,

@@ -216,7 +216,7 @@ void StepSolver::SolveVelocities(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        m_arrays.joints.SolveVelocities(m_context, m_threads, DirectionOf(i));
+        m_arrays.joints.SolveVelocities(m_context, m_threads);
         const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
         // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
         if (!changed && m_arrays.joints.IsEmpty())
@@ -261,10 +261,9 @@ void StepSolver::SolvePositions(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        const Direction direction = DirectionOf(i);
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveOverlaps(direction) >= -3.0f * b2_linearSlop;
-        const bool joined = m_arrays.joints.SolvePositions(m_context, m_threads, direction);
+        const bool apart = SolveOverlaps(DirectionOf(i)) >= -3.0f * b2_linearSlop;
+        const bool joined = m_arrays.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
         {
             break;

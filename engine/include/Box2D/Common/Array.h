@@ -53,10 +53,7 @@ struct Allocator
         }
         return static_cast<T*>(b2Alloc(static_cast<int32>(count * sizeof(T))));
     }
-    void deallocate(T* memory, std::size_t)
-    {
-        kInLines ? FreeInLines(memory) : b2Free(memory);
-    }
+    void deallocate(T* memory, std::size_t) { kInLines ? FreeInLines(memory) : b2Free(memory); }
 
     template <typename U>
     bool operator==(const Allocator<U>&) const

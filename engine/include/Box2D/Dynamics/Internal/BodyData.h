@@ -74,7 +74,7 @@ struct BodyData
     float32 sweepStart = 0.0f;      ///< fraction of the step, 0 to 1
     std::uint32_t sweepVersion = 0; ///< changes whenever the way does
     float32 minExtent = 0.0f; ///< radius of the thinnest fixture [m]: farther in one step is fast
-    float32 room = 0.0f; ///< how far any point may move before a box must be looked at [m]
+    float32 room = 0.0f;      ///< how far any point may move before a box must be looked at [m]
 
     std::uint32_t colorMask = 0; ///< the colours of the constraint graph that touch it
     std::int32_t island = -1;    ///< dynamic and active bodies only

@@ -76,7 +76,8 @@ struct ContactData
     std::uint8_t Form() const
     {
         const bool solved = (flags & kContactEnabled) != 0 && manifold.pointCount > 0;
-        return solved ? std::uint8_t(2 * int(manifold.type) + manifold.pointCount) : std::uint8_t(0);
+        return solved ? std::uint8_t(2 * int(manifold.type) + manifold.pointCount)
+                      : std::uint8_t(0);
     }
     bool IsTouching() const { return (flags & kContactTouching) != 0; }
     bool IsEnabled() const { return (flags & kContactEnabled) != 0; }
