@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One engine's program: `list`, or `run SCENE [THREADS]`, which prints one line of JSON. `boxreel
-// bench` runs the programs of all engines in turn.
+// One engine's program: `list`, or `run SCENE [THREADS]`, which prints one line of JSON, and the
+// same for accuracy: `accuracy-list`, `accuracy CASE VELOCITY_ITERATIONS POSITION_ITERATIONS HZ
+// SUBSTEPS`. `boxreel bench` runs the programs of all engines in turn.
+#include "AccuracyRun.h"
 #include "Scenes.h"
 
 #include <algorithm>
@@ -305,6 +307,17 @@ int main(int count, char** words)
         std::fprintf(stderr, "No scene is called '%s'; `list` names them all.\n", words[2]);
         return 1;
     }
-    std::fprintf(stderr, "Usage: %s list | run SCENE [THREADS]\n", words[0]);
+    if (count == 2 && std::strcmp(words[1], "accuracy-list") == 0)
+    {
+        return bench::ListAccuracy();
+    }
+    if (count == 7 && std::strcmp(words[1], "accuracy") == 0)
+    {
+        return bench::RunAccuracy(words[2], {words + 3, words + 7});
+    }
+    std::fprintf(stderr,
+                 "Usage: %s list | run SCENE [THREADS] | accuracy-list | accuracy CASE "
+                 "VELOCITY_ITERATIONS POSITION_ITERATIONS HZ SUBSTEPS\n",
+                 words[0]);
     return 1;
 }

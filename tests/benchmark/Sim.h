@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -25,6 +26,7 @@ struct BodySpec
 {
     Kind kind = Kind::Dynamic;
     double x = 0.0, y = 0.0;
+    double angle = 0.0;
     double vx = 0.0, vy = 0.0;
     double angularVelocity = 0.0;
     bool bullet = false;
@@ -51,11 +53,13 @@ struct Touching
     double pairs = 0.0;
     double points = 0.0;  ///< that overlap
     double squares = 0.0; ///< of these overlaps, summed [m^2]
+    double deepest = 0.0; ///< of these overlaps [m]
 
     void AddPoint(double separation, double weight = 1.0)
     {
         points += separation < 0.0 ? weight : 0.0;
         squares += separation < 0.0 ? weight * separation * separation : 0.0;
+        deepest = std::max(deepest, -separation);
     }
     /// The root of the mean square [m]: a few deep ones count for more than many shallow ones.
     double Overlap() const { return points > 0.0 ? std::sqrt(squares / points) : 0.0; }
@@ -77,7 +81,7 @@ public:
     /// Removes what was added last.
     virtual void RemoveLastBody() = 0;
 
-    /// A sixtieth of a second with the engine's customary iterations: 8 and 3, for Chipmunk 10.
+    /// One step of the length and with the iterations of the settings.
     virtual void Step() = 0;
     /// The fraction of the way at which a ray first hits something, 1 when nothing.
     virtual double CastRay(double x1, double y1, double x2, double y2) = 0;
@@ -98,10 +102,17 @@ struct SimSettings
     double gravity = -10.0;
     bool sleep = false;
     int threads = 1; ///< where the engine has a choice
+    int hz = 60;     ///< steps a second
+    /// Chipmunk has one count: 10, its own default, for 8 and 3, and in proportion to the first.
+    int velocityIterations = 8;
+    int positionIterations = 3;
+    int subSteps = 1; ///< of a step: from 1 to MostSubSteps()
 };
 
 /// Name and version of the engine that this program was built with.
 std::string EngineName();
+/// Into which a step can be split; 1: the engine knows no sub-steps.
+int MostSubSteps();
 std::unique_ptr<Sim> CreateSim(const SimSettings& settings);
 
 } // namespace bench

@@ -36,7 +36,8 @@ b2Vec2 Vector(double x, double y)
 class SimBox2D final : public Sim
 {
 public:
-    explicit SimBox2D(const SimSettings& settings) : m_world(Vector(0.0, settings.gravity))
+    explicit SimBox2D(const SimSettings& settings)
+        : m_world(Vector(0.0, settings.gravity)), m_settings(settings)
     {
         m_world.SetAllowSleeping(settings.sleep);
 #ifndef BENCHMARK_BOX2D_24
@@ -51,6 +52,7 @@ public:
                    : spec.kind == Kind::Kinematic ? b2_kinematicBody
                                                   : b2_dynamicBody;
         def.position = Vector(spec.x, spec.y);
+        def.angle = float32(spec.angle);
         def.linearVelocity = Vector(spec.vx, spec.vy);
         def.angularVelocity = float32(spec.angularVelocity);
         def.bullet = spec.bullet;
@@ -107,7 +109,8 @@ public:
 
     void Step() override
     {
-        m_world.Step(1.0f / 60.0f, 8, 3);
+        m_world.Step(1.0f / float32(m_settings.hz), m_settings.velocityIterations,
+                     m_settings.positionIterations);
     }
 
     double CastRay(double x1, double y1, double x2, double y2) override
@@ -189,6 +192,7 @@ private:
     }
 
     b2World m_world;
+    SimSettings m_settings;
     std::vector<b2Body*> m_bodies;
 };
 
@@ -201,6 +205,11 @@ std::string EngineName()
 #else
     return "boxreel " BOXREEL_VERSION;
 #endif
+}
+
+int MostSubSteps()
+{
+    return 1;
 }
 
 std::unique_ptr<Sim> CreateSim(const SimSettings& settings)

@@ -15,9 +15,8 @@ cpVect Vector(double x, double y)
     return cpv(cpFloat(x), cpFloat(y));
 }
 
-/// Chipmunk takes the product of two frictions and of two restitutions; the square root makes the
-/// friction of two equal materials theirs. Restitution is 0 or 1 in the scenes, where it changes
-/// nothing.
+/// Chipmunk takes the product of two frictions and of two restitutions; the square root makes those
+/// of two equal materials theirs.
 double Share(double coefficient)
 {
     return cpfsqrt(coefficient);
@@ -26,9 +25,10 @@ double Share(double coefficient)
 class SimChipmunk final : public Sim
 {
 public:
-    explicit SimChipmunk(const SimSettings& settings) : m_space(cpSpaceNew())
+    explicit SimChipmunk(const SimSettings& settings)
+        : m_space(cpSpaceNew()), m_step(1.0 / settings.hz)
     {
-        cpSpaceSetIterations(m_space, 10);
+        cpSpaceSetIterations(m_space, (settings.velocityIterations * 10 + 4) / 8);
         cpSpaceSetGravity(m_space, Vector(0.0, settings.gravity));
         if (settings.sleep)
         {
@@ -57,6 +57,7 @@ public:
                        : spec.kind == Kind::Kinematic ? cpBodyNewKinematic()
                                                       : cpBodyNew(0.0, 0.0);
         cpBodySetPosition(body, Vector(spec.x, spec.y));
+        cpBodySetAngle(body, spec.angle);
         if (spec.kind != Kind::Static)
         {
             cpBodySetVelocity(body, Vector(spec.vx, spec.vy));
@@ -110,7 +111,7 @@ public:
         m_bodies.pop_back();
     }
 
-    void Step() override { cpSpaceStep(m_space, 1.0 / 60.0); }
+    void Step() override { cpSpaceStep(m_space, m_step); }
 
     double CastRay(double x1, double y1, double x2, double y2) override
     {
@@ -177,7 +178,7 @@ private:
     void Add(BodyId id, cpShape* shape, double area, const Material& material)
     {
         cpShapeSetFriction(shape, Share(material.friction));
-        cpShapeSetElasticity(shape, material.restitution);
+        cpShapeSetElasticity(shape, Share(material.restitution));
         cpShapeSetFilter(shape, cpShapeFilterNew(CP_NO_GROUP, material.category, material.mask));
         if (area > 0.0 && cpBodyGetType(m_bodies[std::size_t(id)]) == CP_BODY_TYPE_DYNAMIC)
         {
@@ -188,6 +189,7 @@ private:
     }
 
     cpSpace* m_space;
+    double m_step; ///< [s]
     std::vector<cpBody*> m_bodies;
     std::vector<std::vector<cpShape*>> m_shapes; ///< by body
     std::vector<cpConstraint*> m_joints;
@@ -198,6 +200,11 @@ private:
 std::string EngineName()
 {
     return std::string("Chipmunk ") + cpVersionString;
+}
+
+int MostSubSteps()
+{
+    return 1;
 }
 
 std::unique_ptr<Sim> CreateSim(const SimSettings& settings)

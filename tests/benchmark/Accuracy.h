@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Sim.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// What is compared with the truth, the same for every engine: each case builds a small world,
+/// looks at it after each step, and says by how much it was wrong, in a unit of its own. Knows no
+/// clock; AccuracyRun times the steps.
+namespace bench
+{
+
+/// A second number of a run, beside the error.
+struct Remark
+{
+    std::string name; ///< with its unit: "gap_mm"
+    double value = 0.0;
+};
+
+struct Outcome
+{
+    double error = 0.0; ///< in the unit of the case; smaller is better
+    std::vector<Remark> remarks;
+};
+
+/// One run of a case: made, built, stepped and judged once.
+class Experiment
+{
+public:
+    virtual ~Experiment() = default;
+
+    virtual void Build(Sim& sim) = 0;
+    /// After each step; `time` since the start [s].
+    virtual void Look(Sim& sim, double time) = 0;
+    /// After the last step.
+    virtual Outcome Judge(Sim& sim) = 0;
+};
+
+struct AccuracyCase
+{
+    std::string name; ///< the letter of its group first
+    std::string what;
+    std::string unit;     ///< of the error
+    double goal = 0.0;    ///< the largest error that is good enough, in that unit
+    double seconds = 0.0; ///< that are simulated
+    double gravity = -10.0;
+    std::function<std::unique_ptr<Experiment>()> make;
+};
+
+using AccuracyCases = std::vector<AccuracyCase>;
+
+/// Free flight, sliding, bouncing, slow motion far away: AccuracyMotion.cpp.
+void AppendMotionCases(AccuracyCases& cases);
+/// Pendulums, chains, a pair that spins: AccuracyJoints.cpp.
+void AppendJointCases(AccuracyCases& cases);
+/// Stacks and the card house: AccuracyPiles.cpp.
+void AppendPileCases(AccuracyCases& cases);
+/// The cradle, and what is too fast for its walls: AccuracyImpacts.cpp.
+void AppendImpactCases(AccuracyCases& cases);
+
+/// Group by group, A to K and then X, which is continuous collision.
+const AccuracyCases& AllAccuracyCases();
+
+} // namespace bench

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The commands for accuracy of an engine's program: each runs to its end and returns the program's
+/// exit code. Called by Main.cpp only.
+namespace bench
+{
+
+/// Prints a line a case: name, what it is, the unit of its error and the goal, apart by tabs.
+int ListAccuracy();
+
+/// Runs a case, first with a look after each step, then again, as often as the clock needs,
+/// without: only that is timed. `numbers`: velocity iterations, position iterations, steps a
+/// second, sub-steps. Prints one line of JSON.
+int RunAccuracy(const std::string& name, const std::vector<std::string>& numbers);
+
+} // namespace bench
