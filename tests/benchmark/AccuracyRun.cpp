@@ -127,8 +127,8 @@ int ListAccuracy()
 {
     for (const AccuracyCase& one : AllAccuracyCases())
     {
-        std::printf("%s\t%s\tunit=%s goal=%g\n", one.name.c_str(), one.what.c_str(),
-                    one.unit.c_str(), one.goal);
+        std::printf("%s\t%s\tunit=%s goal=%g sub-steps=%d\n", one.name.c_str(), one.what.c_str(),
+                    one.unit.c_str(), one.goal, MostSubSteps());
     }
     return 0;
 }
