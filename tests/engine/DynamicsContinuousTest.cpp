@@ -165,6 +165,28 @@ TEST(DynamicsContinuous, AFastPlatformTakesASleepingBallAlong)
     }
 }
 
+// What lies on it takes it into an impact as a neighbour; that must leave no trace.
+TEST(DynamicsContinuous, APlatformThatSleepsThroughAnImpactStopsWhatFallsOnItLater)
+{
+    for (int i = 0; i < 20; ++i)
+    {
+        Scene scene;
+        b2EdgeShape edge;
+        edge.Set(b2Vec2(-50.0f, 0.0f), b2Vec2(50.0f, 0.0f));
+        Scene::Add(scene.Body(b2_kinematicBody, 0.0f, 0.0f), edge, 0.2f, 0.0f);
+        scene.Box(0.0f, 0.07f, 0.5f, 0.05f);
+        scene.Step(120);
+        b2Body* bullet = scene.Ball(0.0f, 5.0f, 0.05f);
+        bullet->SetBullet(true);
+        bullet->SetLinearVelocity(b2Vec2(0.0f, -100.0f));
+        scene.Step(10);
+        b2Body* ball = scene.Ball(5.0f, 3.0f + 0.05f * float32(i), 0.05f);
+        ball->SetLinearVelocity(b2Vec2(0.0f, -60.0f));
+        scene.Step(60);
+        EXPECT_GT(ball->GetPosition().y, 0.0f) << "from " << 3.0f + 0.05f * float32(i) << " m";
+    }
+}
+
 TEST(DynamicsContinuous, ABallBetweenTwoWallsStaysThere)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));

@@ -101,6 +101,33 @@ TEST(DynamicsKeptBlocks, HoldAgainWhatAListenerHadSwitchedOffOnceItIsGone)
     EXPECT_EQ(WhyBroken(kept.world, true), "");
 }
 
+/// Switches the first contact it is shown off and takes itself away.
+struct Leaver : public b2ContactListener
+{
+    explicit Leaver(b2World& of) : world(of) {}
+    void PreSolve(b2Contact* contact, const b2Manifold*) override
+    {
+        contact->SetEnabled(false);
+        world.SetContactListener(nullptr);
+    }
+    b2World& world;
+};
+
+TEST(DynamicsKeptBlocks, HeedWhatAListenerSwitchesOffBeforeItTakesItselfAway)
+{
+    Scene scene;
+    scene.Ground();
+    b2Body* box = scene.Box(0.0f, 0.5f);
+    scene.world.SetAllowSleeping(false);
+    scene.Step(60);
+    Leaver leaver(scene.world);
+    scene.world.SetContactListener(&leaver);
+    scene.Step();
+    EXPECT_NEAR(box->GetLinearVelocity().y, -10.0f * kStep, 1e-3f);
+    scene.Step(60);
+    EXPECT_NEAR(box->GetLinearVelocity().y, 0.0f, 1e-3f) << "for one step only";
+}
+
 TEST(DynamicsKeptBlocks, AreMadeAnewWhenAContactComesOrGoesOrChangesItsForm)
 {
     Scene scene;
@@ -129,7 +156,9 @@ TEST(DynamicsKeptBlocks, AreMadeAnewWhenAContactComesOrGoesOrChangesItsForm)
     graph.Settle(own);
     graph.Remove(contact);
     EXPECT_EQ(graph.ChangeOf(own), Change::Contacts);
-    graph.NoteForm(c); // of no colour: nothing to note
+    graph.Settle(own);
+    graph.NoteForm(c); // of no colour
+    EXPECT_EQ(graph.ChangeOf(own), Change::None);
     c.color = color;
     c.colorIndex = index;
 }

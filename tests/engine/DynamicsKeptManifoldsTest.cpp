@@ -112,6 +112,23 @@ TEST_F(OnPedestal, WhatAListenerChangesLastsOneStep)
     scene.world.SetContactListener(nullptr);
 }
 
+TEST_F(OnPedestal, AManifoldThatSomebodyHasEmptiedIsComputedAnew)
+{
+    b2Manifold& manifold = *box->GetContactList()->contact->GetManifold();
+    manifold.pointCount = 0;
+    scene.Step(1);
+    EXPECT_EQ(manifold.pointCount, 2);
+    EXPECT_NEAR(box->GetLinearVelocity().y, 0.0f, 1e-3f);
+}
+
+TEST_F(OnPedestal, AShapeChangedInPlaceIsTakenUpWithTheMassOfItsBody)
+{
+    static_cast<b2PolygonShape*>(box->GetFixtureList()->GetShape())->SetAsBox(2.0f, 0.25f);
+    box->ResetMassData();
+    scene.Step(60);
+    EXPECT_NEAR(box->GetPosition().y, 0.265f, 0.01f);
+}
+
 TEST_F(OnPedestal, AKeptContactEndsWhenTheBoxIsLifted)
 {
     box->SetTransform(box->GetPosition() + b2Vec2(0.0f, 0.05f), 0.0f);

@@ -294,9 +294,24 @@ void World::SetMassData(BodyData& body, const b2MassData& massData)
     MeasureExtents(body);
 }
 
+namespace
+{
+
+/// A shape may have been changed in place.
+void ForgetManifolds(BodyData& body)
+{
+    for (b2ContactEdge* edge = body.contactList; edge; edge = edge->next)
+    {
+        Data(*edge->contact).flags &= ~std::uint32_t(kContactKept);
+    }
+}
+
+} // namespace
+
 void World::ResetMassData(BodyData& body)
 {
     body.flags &= ~std::uint32_t(kBodyMassSet);
+    ForgetManifolds(body);
     MassProperties total;
     for (b2Fixture* f = body.fixtureList; f && body.IsDynamic(); f = f->GetNext())
     {

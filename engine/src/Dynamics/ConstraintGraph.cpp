@@ -100,6 +100,14 @@ void ConstraintGraph::Settle(int32 color)
     m_formsChanged[color].store(false, std::memory_order_relaxed);
 }
 
+void ConstraintGraph::NoteAllForms()
+{
+    for (std::atomic<bool>& changed : m_formsChanged)
+    {
+        changed.store(true, std::memory_order_relaxed);
+    }
+}
+
 void ConstraintGraph::Add(b2Joint& joint)
 {
     int32& index = JointAccess::SolverIndex(joint);

@@ -41,6 +41,8 @@ public:
     };
     Change ChangeOf(int32 color) const;
     void Settle(int32 color);
+    /// Any contact may have got another form.
+    void NoteAllForms();
     /// A contact is to be solved in another form than last time; from any thread.
     void NoteForm(const ContactData& c)
     {
@@ -50,9 +52,9 @@ public:
         }
     }
 
-    /// Joints are solved one by one, in the order of their creation, which for a chain is the order
-    /// of its links: an impulse runs the length of the chain in one sweep, where colours would
-    /// carry it two links. Adding and removing may change the order until SortJoints.
+    /// Joints are solved as if one by one, in the order of their creation, which for a chain is the
+    /// order of its links: an impulse runs the length of the chain in one sweep, where colours
+    /// would carry it two links. Adding and removing may change the order until SortJoints.
     const Array<b2Joint*>& Joints() const { return m_joints; }
     void SortJoints();
     /// Changes whenever the list does.

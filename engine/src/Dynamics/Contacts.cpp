@@ -92,7 +92,7 @@ constexpr float32 kStillShare = 0.005f;
 
 bool IsKept(const ContactData& c, const b2Transform& bInA)
 {
-    if ((c.flags & kContactKept) == 0)
+    if ((c.flags & kContactKept) == 0 || c.manifold.pointCount == 0) // somebody has emptied it
     {
         return false;
     }

@@ -6,8 +6,8 @@
 class b2Joint;
 
 /// The order in which joints are solved, and what of it can be done at once. Joints are solved in
-/// the order of their creation and back, each with what those before it have left of its bodies:
-/// for a chain an impulse then runs along all links in one sweep. Two joints that share no body
+/// the order of their creation, each with what those before it have left of its bodies: in a chain
+/// an impulse then runs along all links in one sweep. Two joints that share no body
 /// that moves do not notice each other's turn, so they are sorted into levels: a joint is one level
 /// above the last of its bodies' earlier joints (level scheduling of triangular solves; Anderson
 /// and Saad, 1989). Within a level all can be solved at the same time; the result is that of one

@@ -86,10 +86,13 @@ inline float32 Way(const BodyData& body)
            b2Abs(float32(body.pose.angle - body.previous.angle)) * body.maxExtent;
 }
 
-/// Whether the body can be stopped where it is at that time.
+/// Whether the body can be stopped where it is at that time. A platform that sleeps stands still,
+/// and no impact wakes it: what is left of its way must begin at 0 in the next step too.
 inline bool CanAdvance(const BodyData& body, float32 time)
 {
-    return body.mobility != Mobility::Static && body.sweepStart <= time;
+    const bool moves = body.mobility == Mobility::Dynamic ||
+                       (body.mobility == Mobility::Kinematic && body.IsAwake());
+    return moves && body.sweepStart <= time;
 }
 
 inline bool IsFast(const BodyData& body)

@@ -33,6 +33,7 @@ void b2World::SetContactFilter(b2ContactFilter* filter)
 void b2World::SetContactListener(b2ContactListener* listener)
 {
     m_world->listener = listener;
+    m_world->graph.NoteAllForms(); // it may have switched contacts off before it goes
 }
 
 void b2World::SetDebugDraw(b2Draw* debugDraw)
