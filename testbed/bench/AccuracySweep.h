@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Chart.h"
+
+#include <debugdraw/Result.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Runs the accuracy cases of the engines' programs over a sweep of settings and shows CPU time
+/// against error: as a table, as JSON, and as a chart a case. The programs (tests/benchmark) are
+/// executed, never linked.
+namespace boxreel
+{
+
+struct AccuracySettings
+{
+    int velocityIterations = 8;
+    int positionIterations = 3;
+    int hz = 60;
+    int subSteps = 1;
+};
+
+struct AccuracyCase
+{
+    std::string name;
+    std::string what;  ///< in a few words
+    std::string unit;  ///< of the error
+    double goal = 0.0; ///< the largest error that is good enough, in that unit
+    int mostSubSteps = 1;
+};
+
+struct AccuracyFigures
+{
+    std::string engine; ///< name and version
+    AccuracySettings settings;
+    double error = kNoValue;                             ///< kNoValue: there is none
+    double cpu = 0.0;                                    ///< of a step [s]
+    bool held = false;                                   ///< all numbers stayed finite
+    std::vector<std::pair<std::string, double>> remarks; ///< more numbers, units in their names
+    std::string failure; ///< why there are no figures; empty: there are
+
+    /// For a sixtieth of a second, however many steps that takes: what settings are compared by
+    /// [s].
+    double CpuOfAFrame() const { return cpu * settings.hz / 60.0; }
+};
+
+struct AccuracyResult
+{
+    AccuracyCase info;
+    std::vector<AccuracyFigures> runs;
+};
+
+/// One line of a program's `accuracy-list`.
+AccuracyCase ParseAccuracyCase(const std::string& line);
+/// The line of JSON that `accuracy` prints, whatever stands before it.
+Result<AccuracyFigures> ParseAccuracyFigures(const std::string& output);
+
+/// The cases of one program, with the sub-steps of its engine.
+Result<std::vector<AccuracyCase>> ListAccuracyCases(const std::filesystem::path& program);
+
+/// Iterations 4/2, 8/3, 20/10 and 50/20, each at 60, 120, 240 and 480 Hz, each with 1, 2, 4, 8 and
+/// 16 sub-steps as far as the engine has them.
+std::vector<AccuracySettings> AccuracySweep(int mostSubSteps);
+
+AccuracyFigures RunAccuracyCase(const std::filesystem::path& program, const std::string& name,
+                                const AccuracySettings& settings);
+
+/// The runs of one engine, cheapest first, each more accurate than all cheaper ones by a hundredth
+/// or more of their error.
+std::vector<AccuracyFigures> BestRuns(const AccuracyResult& result, const std::string& engine);
+
+/// A row a run.
+std::string AccuracyTable(const std::vector<AccuracyResult>& results);
+/// All figures for programs.
+std::string AccuracyJson(const std::vector<AccuracyResult>& results);
+/// A line an engine through its best runs, and the goal. An Error when nothing has held.
+Result<LineChart> AccuracyChart(const AccuracyResult& result);
+
+} // namespace boxreel
