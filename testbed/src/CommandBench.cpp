@@ -159,6 +159,10 @@ Result<int> Show(const BenchOptions& options, const std::vector<BenchResult>& re
 
 Result<int> RunBench(const BenchOptions& options)
 {
+    if (options.accuracy)
+    {
+        return RunBenchAccuracy(options);
+    }
     if (const Result<void> usable = CheckCharts(options); !usable)
     {
         return usable.GetError();

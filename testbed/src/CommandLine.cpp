@@ -243,6 +243,13 @@ Result<Request> CheckDiff(DiffOptions options)
 
 Result<Request> CheckBench(BenchOptions options)
 {
+    if (options.accuracy &&
+        (options.curve || !options.from.empty() || options.rounds != BenchOptions().rounds ||
+         options.threads != BenchOptions().threads))
+    {
+        return Unusable("--accuracy goes with --list, --json, --chart and --force; leave --curve, "
+                        "--from, --rounds and --threads out.");
+    }
     if (options.curve && !options.scenes.empty())
     {
         return Unusable("--curve names its scenes itself; leave '" + options.scenes.front() +

@@ -225,6 +225,8 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
     command->add_flag("--list", bench.list, "Only say which scenes there are");
     command->add_flag("--curve", bench.curve,
                       "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies");
+    command->add_flag("--accuracy", bench.accuracy,
+                      "Run cases of known truth instead: error against time");
     AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
              "How often each engine runs, in turn; figures are medians (3)");
     AddValue(*command, "--threads", "N[,N...]", bench.threads, ParseThreads,
@@ -238,7 +240,7 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
             [&bench](const std::vector<std::string>& names) {
                 bench.charts.assign(names.begin(), names.end());
             },
-            "Draw the ratios: .png or .svg; may be given again")
+            "Draw the ratios, or each case: .png or .svg; repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
     AddForce(*command, bench.force);
@@ -255,7 +257,9 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "  boxreel bench rain --threads 1,2,4\n"
         "  boxreel bench --json > bench.json\n"
         "  boxreel bench --from bench.json --chart bench.png --chart bench.svg\n"
-        "  boxreel bench --curve --chart curve.png");
+        "  boxreel bench --curve --chart curve.png\n"
+        "  boxreel bench --accuracy --json > accuracy.json\n"
+        "  boxreel bench --accuracy A-projectile --chart error.svg   (error-A-projectile.svg)");
 }
 
 } // namespace boxreel

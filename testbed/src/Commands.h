@@ -70,6 +70,7 @@ struct BenchOptions
     bool list = false;               ///< only say which scenes there are
     std::vector<std::string> scenes; ///< empty: all that are not only for the curve
     bool curve = false;              ///< the scenes of the curve, and its chart
+    bool accuracy = false;           ///< cases of accuracy instead of scenes, a chart for each
     int rounds = 3;
     std::vector<int> threads{1};               ///< of our engine
     bool json = false;                         ///< figures for programs instead of a table
@@ -84,5 +85,7 @@ Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
 Result<int> RunBench(const BenchOptions& options);
+/// What RunBench does when accuracy is asked for.
+Result<int> RunBenchAccuracy(const BenchOptions& options);
 
 } // namespace boxreel

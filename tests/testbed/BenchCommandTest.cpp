@@ -108,6 +108,28 @@ TEST_F(BenchCommand, RunsASceneOnAllEnginesAndPrintsWhatItCanReadAgain)
     EXPECT_EQ(Run({"--from", "again.json", "--json"}).output, outcome.output);
 }
 
+TEST_F(BenchCommand, SweepsAnAccuracyCaseOnAllEnginesAndDrawsIt)
+{
+    const Outcome outcome = Run({"--accuracy", "F-slope", "--json", "--chart", "e.svg"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("\"case\": \"F-slope\""));
+    EXPECT_THAT(outcome.output, HasSubstr("\"engine\": \"boxreel "));
+    EXPECT_THAT(outcome.output, HasSubstr("\"hz\": 480"));
+    EXPECT_THAT(folder.Files(), ElementsAre("e-F-slope.svg", "run.json"));
+    EXPECT_THAT(ReadFile(folder / "e-F-slope.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(BenchCommand, RefusesWhatDoesNotGoWithAccuracy)
+{
+    std::ofstream(folder / "e-F-slope.svg") << "old";
+    ExpectRefusal({"--accuracy", "F-slop"}, "Did you mean 'F-slope'?");
+    ExpectRefusal({"--accuracy", "--curve"}, "--accuracy goes with");
+    ExpectRefusal({"--accuracy", "--rounds", "5"}, "--accuracy goes with");
+    ExpectRefusal({"--accuracy", "F-slope", "--chart", "e.svg"}, "'e-F-slope.svg' exists");
+    EXPECT_EQ(Run({"--accuracy", "--list"}).code, 0);
+    EXPECT_THAT(Run({"--accuracy", "--list"}).output, HasSubstr("K-far"));
+}
+
 TEST_F(BenchCommand, ListsAllScenes)
 {
     const Outcome outcome = Run({"--list"});
