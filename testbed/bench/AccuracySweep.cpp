@@ -2,8 +2,7 @@
 #include "AccuracySweep.h"
 
 #include "ChildProcess.h"
-
-#include <nlohmann/json.hpp>
+#include "JsonFields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +13,6 @@ namespace boxreel
 {
 namespace
 {
-
-using Json = nlohmann::ordered_json;
-
-double Number(const Json& json, const char* name, double otherwise)
-{
-    return json.is_object() && json.contains(name) && json[name].is_number()
-               ? json[name].get<double>()
-               : otherwise;
-}
-
-std::string Text(const Json& json, const char* name)
-{
-    return json.is_object() && json.contains(name) && json[name].is_string()
-               ? json[name].get<std::string>()
-               : "";
-}
 
 Json RunJson(const AccuracyFigures& run)
 {

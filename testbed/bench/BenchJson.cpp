@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Benchmark.h"
-
-#include <nlohmann/json.hpp>
+#include "JsonFields.h"
 
 #include <cmath>
 
@@ -9,22 +8,6 @@ namespace boxreel
 {
 namespace
 {
-
-using Json = nlohmann::ordered_json;
-
-double Number(const Json& json, const char* name, double otherwise)
-{
-    return json.is_object() && json.contains(name) && json[name].is_number()
-               ? json[name].get<double>()
-               : otherwise;
-}
-
-std::string Text(const Json& json, const char* name)
-{
-    return json.is_object() && json.contains(name) && json[name].is_string()
-               ? json[name].get<std::string>()
-               : "";
-}
 
 bool Flag(const Json& json, const char* name)
 {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "BenchChoice.h"
 #include "Commands.h"
-#include "Nearest.h"
 #include "OutputPath.h"
-#include "Terminal.h"
 
 #include <bench/BenchChart.h>
-#include <bench/Benchmark.h>
-#include <debugdraw/AtomicFile.h>
 
 #include <algorithm>
 #include <fstream>
@@ -21,42 +18,19 @@ namespace
 Result<std::vector<BenchScene>> Choose(const std::vector<BenchScene>& all,
                                        const BenchOptions& options)
 {
+    if (!options.scenes.empty())
+    {
+        return ChooseByName(all, options.scenes, "benchmark", "boxreel bench --list");
+    }
     std::vector<BenchScene> chosen;
-    std::vector<std::string> known;
     for (const BenchScene& scene : all)
     {
-        known.push_back(scene.name);
-        if (options.scenes.empty() && (options.curve ? !scene.curve.empty() : !scene.onlyForCurve))
+        if (options.curve ? !scene.curve.empty() : !scene.onlyForCurve)
         {
             chosen.push_back(scene);
         }
     }
-    for (const std::string& name : options.scenes)
-    {
-        const auto found = std::find(known.begin(), known.end(), name);
-        if (found == known.end())
-        {
-            const int nearest = NearestWord(name, known);
-            const std::string hint =
-                nearest < 0 ? "" : " Did you mean '" + known[std::size_t(nearest)] + "'?";
-            return Error{ErrorKind::Unusable, "No benchmark is called '" + name +
-                                                  "'; `boxreel bench --list` shows them." + hint};
-        }
-        chosen.push_back(all[std::size_t(found - known.begin())]);
-    }
     return chosen;
-}
-
-Result<int> PrintList(const std::vector<BenchScene>& scenes)
-{
-    std::string text;
-    for (const BenchScene& scene : scenes)
-    {
-        text += scene.name + std::string(scene.name.size() < 16 ? 16 - scene.name.size() : 1, ' ') +
-                scene.what + "\n";
-    }
-    const Result<void> written = WriteOutput(text);
-    return written ? Result<int>(0) : Result<int>(written.GetError());
 }
 
 /// Before minutes of work: whether each chart can be drawn and written.
@@ -101,14 +75,7 @@ Result<void> WriteCharts(const BenchOptions& options, const std::vector<BenchRes
     }
     for (const std::filesystem::path& path : options.charts)
     {
-        const bool isPng = path.extension() == ".png";
-        const Result<std::vector<std::uint8_t>> bytes =
-            EncodeChart(*chart, isPng ? ChartFormat::Png : ChartFormat::Svg);
-        if (!bytes)
-        {
-            return bytes.GetError();
-        }
-        if (const Result<void> written = WriteWhole(path, *bytes, options.force); !written)
+        if (const Result<void> written = WriteChart(*chart, path, options.force); !written)
         {
             return written;
         }
@@ -172,27 +139,26 @@ Result<int> RunBench(const BenchOptions& options)
         const Result<std::vector<BenchResult>> results = ReadResults(options.from);
         return results ? Show(options, *results) : Result<int>(results.GetError());
     }
-    const std::vector<std::filesystem::path> programs = FindBenchPrograms();
-    if (programs.empty())
+    const Result<std::vector<std::filesystem::path>> programs = BenchPrograms();
+    if (!programs)
     {
-        return Error{ErrorKind::Absent, "The benchmark programs are not beside this program; run "
-                                        "`./boxreel bench` in a checkout, which builds them."};
+        return programs.GetError();
     }
-    const Result<std::vector<BenchScene>> all = ListBenchScenes(programs.front());
+    const Result<std::vector<BenchScene>> all = ListBenchScenes(programs->front());
     if (!all)
     {
         return all.GetError();
     }
     if (options.list)
     {
-        return PrintList(*all);
+        return PrintNames(*all);
     }
     const Result<std::vector<BenchScene>> scenes = Choose(*all, options);
     if (!scenes)
     {
         return scenes.GetError();
     }
-    const Result<std::vector<BenchResult>> results = RunScenes(programs, *scenes, options);
+    const Result<std::vector<BenchResult>> results = RunScenes(*programs, *scenes, options);
     return results ? Show(options, *results) : Result<int>(results.GetError());
 }
 

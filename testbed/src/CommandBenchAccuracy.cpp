@@ -1,46 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "BenchChoice.h"
 #include "Commands.h"
-#include "Nearest.h"
 #include "OutputPath.h"
-#include "Terminal.h"
 
 #include <bench/AccuracySweep.h>
-#include <bench/Benchmark.h>
-#include <debugdraw/AtomicFile.h>
-
-#include <algorithm>
 
 namespace boxreel
 {
 namespace
 {
-
-/// The cases that were asked for, in the order of their names; all when none was.
-Result<std::vector<AccuracyCase>> Choose(const std::vector<AccuracyCase>& all,
-                                         const BenchOptions& options)
-{
-    std::vector<std::string> known;
-    for (const AccuracyCase& info : all)
-    {
-        known.push_back(info.name);
-    }
-    std::vector<AccuracyCase> chosen = options.scenes.empty() ? all : std::vector<AccuracyCase>();
-    for (const std::string& name : options.scenes)
-    {
-        const auto found = std::find(known.begin(), known.end(), name);
-        if (found == known.end())
-        {
-            const int nearest = NearestWord(name, known);
-            const std::string hint =
-                nearest < 0 ? "" : " Did you mean '" + known[std::size_t(nearest)] + "'?";
-            return Error{ErrorKind::Unusable,
-                         "No accuracy case is called '" + name +
-                             "'; `boxreel bench --accuracy --list` shows them." + hint};
-        }
-        chosen.push_back(all[std::size_t(found - known.begin())]);
-    }
-    return chosen;
-}
 
 /// error.svg becomes error-A-projectile.svg.
 std::filesystem::path PathFor(const std::filesystem::path& chart, const AccuracyCase& info)
@@ -81,13 +49,8 @@ Result<void> WriteCharts(const BenchOptions& options, const AccuracyResult& resu
     }
     for (const std::filesystem::path& file : options.charts)
     {
-        const ChartFormat format = file.extension() == ".png" ? ChartFormat::Png : ChartFormat::Svg;
-        const Result<std::vector<std::uint8_t>> bytes = EncodeChart(Chart(*chart), format);
-        if (!bytes)
-        {
-            return bytes.GetError();
-        }
-        const Result<void> written = WriteWhole(PathFor(file, result.info), *bytes, options.force);
+        const Result<void> written =
+            WriteChart(Chart(*chart), PathFor(file, result.info), options.force);
         if (!written)
         {
             return written;
@@ -118,18 +81,6 @@ Result<AccuracyResult> RunCase(const std::vector<std::filesystem::path>& program
     return result;
 }
 
-Result<int> PrintList(const std::vector<AccuracyCase>& cases)
-{
-    std::string text;
-    for (const AccuracyCase& info : cases)
-    {
-        text += info.name + std::string(info.name.size() < 20 ? 20 - info.name.size() : 1, ' ') +
-                info.what + "\n";
-    }
-    const Result<void> written = WriteOutput(text);
-    return written ? Result<int>(0) : Result<int>(written.GetError());
-}
-
 Result<int> RunCases(const BenchOptions& options,
                      const std::vector<std::filesystem::path>& programs,
                      const std::vector<AccuracyCase>& cases)
@@ -158,22 +109,24 @@ Result<int> RunCases(const BenchOptions& options,
 
 Result<int> RunBenchAccuracy(const BenchOptions& options)
 {
-    const std::vector<std::filesystem::path> programs = FindBenchPrograms();
-    if (programs.empty())
+    const Result<std::vector<std::filesystem::path>> programs = BenchPrograms();
+    if (!programs)
     {
-        return Error{ErrorKind::Absent, "The benchmark programs are not beside this program; run "
-                                        "`./boxreel bench` in a checkout, which builds them."};
+        return programs.GetError();
     }
-    const Result<std::vector<AccuracyCase>> all = ListAccuracyCases(programs.front());
+    const Result<std::vector<AccuracyCase>> all = ListAccuracyCases(programs->front());
     if (!all)
     {
         return all.GetError();
     }
     if (options.list)
     {
-        return PrintList(*all);
+        return PrintNames(*all);
     }
-    const Result<std::vector<AccuracyCase>> cases = Choose(*all, options);
+    const Result<std::vector<AccuracyCase>> cases =
+        options.scenes.empty() ? all
+                               : ChooseByName(*all, options.scenes, "accuracy case",
+                                              "boxreel bench --accuracy --list");
     if (!cases)
     {
         return cases.GetError();
@@ -182,7 +135,7 @@ Result<int> RunBenchAccuracy(const BenchOptions& options)
     {
         return usable.GetError();
     }
-    return RunCases(options, programs, *cases);
+    return RunCases(options, *programs, *cases);
 }
 
 } // namespace boxreel

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Nearest.h"
+#include "Terminal.h"
+
+#include <bench/Benchmark.h>
+#include <bench/Chart.h>
+#include <debugdraw/AtomicFile.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// What the two ways to run the benchmark, by time and by error, have in common: programs, lists
+/// and choices by name, and chart files. Entries have a `name` and a `what`.
+namespace boxreel
+{
+
+/// Ours first; an error when it is not there.
+inline Result<std::vector<std::filesystem::path>> BenchPrograms()
+{
+    std::vector<std::filesystem::path> programs = FindBenchPrograms();
+    if (programs.empty())
+    {
+        return Error{ErrorKind::Absent, "The benchmark programs are not beside this program; run "
+                                        "`./boxreel bench` in a checkout, which builds them."};
+    }
+    return programs;
+}
+
+/// The entries of these names, in their order. `kind` and `list` are for the error: what they are,
+/// and the command that shows them.
+template <class Entry>
+Result<std::vector<Entry>> ChooseByName(const std::vector<Entry>& all,
+                                        const std::vector<std::string>& names,
+                                        const std::string& kind, const std::string& list)
+{
+    std::vector<std::string> known;
+    for (const Entry& entry : all)
+    {
+        known.push_back(entry.name);
+    }
+    std::vector<Entry> chosen;
+    for (const std::string& name : names)
+    {
+        const auto found = std::find(known.begin(), known.end(), name);
+        if (found == known.end())
+        {
+            const int nearest = NearestWord(name, known);
+            const std::string hint =
+                nearest < 0 ? "" : " Did you mean '" + known[std::size_t(nearest)] + "'?";
+            return Error{ErrorKind::Unusable, "No " + kind + " is called '" + name + "'; `" + list +
+                                                  "` shows them." + hint};
+        }
+        chosen.push_back(all[std::size_t(found - known.begin())]);
+    }
+    return chosen;
+}
+
+template <class Entry>
+Result<int> PrintNames(const std::vector<Entry>& entries)
+{
+    std::size_t width = 0;
+    for (const Entry& entry : entries)
+    {
+        width = std::max(width, entry.name.size());
+    }
+    std::string text;
+    for (const Entry& entry : entries)
+    {
+        text += entry.name + std::string(width + 2 - entry.name.size(), ' ') + entry.what + "\n";
+    }
+    const Result<void> written = WriteOutput(text);
+    return written ? Result<int>(0) : Result<int>(written.GetError());
+}
+
+/// PNG or SVG, as the file's name says.
+inline Result<void> WriteChart(const Chart& chart, const std::filesystem::path& path, bool force)
+{
+    const ChartFormat format = path.extension() == ".png" ? ChartFormat::Png : ChartFormat::Svg;
+    const Result<std::vector<std::uint8_t>> bytes = EncodeChart(chart, format);
+    return bytes ? WriteWhole(path, *bytes, force) : Result<void>(bytes.GetError());
+}
+
+} // namespace boxreel
