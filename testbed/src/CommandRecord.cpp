@@ -92,12 +92,12 @@ FilmReport ReportOf(const RecordOptions& options, std::int64_t frameCount, doubl
 Result<int> RecordScene(const RecordOptions& options, std::int64_t frameCount, SceneSource source)
 {
     Progress progress(options.progress);
+    StopSignals::RemoveWhenEnded(PartPath(options.output)); // before there is anything to remove
     Result<VideoWriter> writer = VideoWriter::Open(options.output, VideoSettingsOf(options));
     if (!writer)
     {
         return writer.GetError();
     }
-    StopSignals::RemoveWhenEnded(PartPath(options.output));
     Result<Renderer> renderer =
         Renderer::Create({.width = options.look.width, .height = options.look.height});
     if (!renderer)
