@@ -42,6 +42,7 @@ public:
         m_world.SetAllowSleeping(settings.sleep);
 #ifndef BENCHMARK_BOX2D_24
         m_world.SetThreadCount(settings.threads);
+        m_world.SetSubStepCount(settings.subSteps);
 #endif
     }
 
@@ -209,7 +210,11 @@ std::string EngineName()
 
 int MostSubSteps()
 {
+#ifdef BENCHMARK_BOX2D_24
     return 1;
+#else
+    return 64;
+#endif
 }
 
 std::unique_ptr<Sim> CreateSim(const SimSettings& settings)

@@ -23,9 +23,10 @@ using namespace dynamics;
 class Pit
 {
 public:
-    explicit Pit(int32 threads)
+    explicit Pit(int32 threads, int32 subSteps = 1)
     {
         scene.world.SetThreadCount(threads);
+        scene.world.SetSubStepCount(subSteps);
         scene.Ground();
         scene.Wall(-9.0f, 0.5f);
         scene.Wall(9.0f, 0.5f);
@@ -93,6 +94,24 @@ TEST(DynamicsThreads, GiveTheSameBitsInAnyNumberAndWidth)
                 hash = hash == 0 ? pit.Hash() : hash;
                 EXPECT_EQ(pit.Hash(), hash) << threads << " threads, wide: " << wide;
             }
+            EXPECT_EQ(WhyBroken(pit.scene.world, true), "");
+        }
+    }
+}
+
+TEST(DynamicsThreads, GiveTheSameBitsInSmallStepsToo)
+{
+    const WidthGuard guard;
+    std::uint64_t expected = 0;
+    for (const bool wide : {true, false})
+    {
+        for (const int32 threads : {1, 2, 4})
+        {
+            box2d::UseWideInstructions(wide);
+            Pit pit(threads, 4);
+            pit.scene.Step(200);
+            expected = expected == 0 ? pit.Hash() : expected;
+            EXPECT_EQ(pit.Hash(), expected) << threads << " threads, wide: " << wide;
             EXPECT_EQ(WhyBroken(pit.scene.world, true), "");
         }
     }

@@ -353,7 +353,7 @@ const char* WorldCalls::Push()
 
 const char* WorldCalls::ChangeWorld()
 {
-    switch (m_choices.Number(0, 8))
+    switch (m_choices.Number(0, 9))
     {
     case 0:
         m_world.SetAllowSleeping(!m_choices.Rarely(3));
@@ -379,6 +379,9 @@ const char* WorldCalls::ChangeWorld()
     case 7:
         m_world.SetThreadCount(m_choices.Number(1, 3));
         return "SetThreadCount";
+    case 8:
+        m_world.SetSubStepCount(m_choices.Number(1, 6));
+        return "SetSubStepCount";
     default:
         m_world.ShiftOrigin(m_choices.Vector(1.0f));
         return "ShiftOrigin";

@@ -10,6 +10,8 @@
 namespace box2d
 {
 
+struct JointRows;
+
 struct FixtureAccess
 {
     static b2Fixture* Construct(void* memory) { return new (memory) b2Fixture(); }
@@ -42,6 +44,18 @@ struct JointAccess
     static bool SolvePosition(b2Joint& j, const SolverContext& context)
     {
         return j.SolvePosition(context);
+    }
+    static void FillRows(b2Joint& j, const SolverContext& context, JointRows& rows)
+    {
+        j.FillRows(context, rows);
+    }
+    static void GetRowImpulses(const b2Joint& j, float32 (&impulse)[3])
+    {
+        j.GetRowImpulses(impulse);
+    }
+    static void SetRowImpulses(b2Joint& j, const float32 (&within)[3], const float32 (&beyond)[3])
+    {
+        j.SetRowImpulses(within, beyond);
     }
     static b2Joint*& Prev(b2Joint& j) { return j.m_prev; }
     static b2Joint*& Next(b2Joint& j) { return j.m_next; }

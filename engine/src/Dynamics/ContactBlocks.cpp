@@ -79,6 +79,15 @@ void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies)
     m_buckets.resize(contactCount);
 }
 
+void ContactBlocks::ClearTotals()
+{
+    if (m_totals.size() < std::size_t(m_count))
+    {
+        m_totals.resize(m_contacts.size());
+    }
+    std::fill_n(m_totals.begin(), m_count, BlockTotals());
+}
+
 int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
 {
     ContactBlock& block = m_contacts[std::size_t(m_count)];
@@ -337,7 +346,7 @@ void StoreImpulses(const ContactBlock& block)
     }
 }
 
-float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, float32 rate)
+OverlapConstraint OverlapOf(const OverlapBlock& block, int lane)
 {
     OverlapConstraint o;
     o.offset.Set(block.offsetX[lane], block.offsetY[lane]);
@@ -356,7 +365,12 @@ float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bod
     o.bodyB = block.bodyB[lane];
     o.pointCount = block.pointCount;
     o.kind = block.kind;
-    return SolveNearlyOnePoint(o, bodies, rate);
+    return o;
+}
+
+float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, float32 rate)
+{
+    return SolveNearlyOnePoint(OverlapOf(block, lane), bodies, rate);
 }
 
 } // namespace box2d

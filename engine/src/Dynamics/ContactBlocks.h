@@ -58,6 +58,12 @@ struct alignas(kCacheLine) OverlapBlock
     uint8 movesA, movesB; ///< as in ContactBlock
 };
 
+/// What only small steps keep of a block: the impulses of the whole step.
+struct BlockTotals
+{
+    float32 normal[2][kBlockLanes], tangent[2][kBlockLanes];
+};
+
 /// What a block is computed from, gathered from bodies and contacts. In the case of circles A
 /// stands for the face.
 struct alignas(kCacheLine) ContactLanes
@@ -92,6 +98,9 @@ public:
     int32 Count() const { return m_count; }
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
+    /// After ClearTotals.
+    BlockTotals& Totals(int32 index) { return m_totals[std::size_t(index)]; }
+    void ClearTotals();
 
 private:
     int32 Add(OverlapKind kind, int32 pointCount);
@@ -100,6 +109,7 @@ private:
     Array<uint8> m_buckets;     // of each
     Array<ContactBlock> m_contacts;
     Array<OverlapBlock> m_overlaps;
+    Array<BlockTotals> m_totals;
     int32 m_count = 0;
 };
 
@@ -116,6 +126,8 @@ float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, float32 rate);
 /// Puts the impulses into the manifolds.
 void StoreImpulses(const ContactBlock& block);
 
+/// One lane of a block, as the plain solver has it.
+OverlapConstraint OverlapOf(const OverlapBlock& block, int lane);
 /// Two points of a lane that are nearly one, pushed apart one after the other.
 float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, float32 rate);
 

@@ -62,8 +62,14 @@ private:
     void AddNeighbours(b2Body& body, float32 time);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
     void SolvePositions(b2Body& bodyA, b2Body& bodyB);
-    void SolveVelocities(float32 timeLeft);
+    void SolveVelocities(float32 time);
     void Advance(BodyData& body, float32 time);
+    b2Vec2 AccelerationOf(const BodyData& body) const;
+    float32 DepthOf(std::size_t contact, int32 point) const;
+    void NoteDepths();
+    void CorrectBounces();
+    void CorrectBounce(std::size_t index);
+    void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
     void PrepareAll(bool warmStart);
     void LoadBodies();
 
@@ -81,6 +87,7 @@ private:
     Array<b2Body*>& m_bodies;      // of the present event
     Array<ImpactBackup>& m_before; // the same bodies as they were
     Array<b2Contact*>& m_contacts; // of the present event
+    Array<float32> m_depths;       // two of each, when they matter
 };
 
 void ImpactSolver::Run()
@@ -234,6 +241,10 @@ bool ImpactSolver::HasNewWay(std::size_t index) const
 void ImpactSolver::Restore(const ImpactBackup& backup)
 {
     BodyData& data = Data(*backup.body);
+    if (data.sweepStart != backup.sweepStart)
+    {
+        data.linearVelocity += (1.0f - data.sweepStart) * m_timeStep * AccelerationOf(data);
+    }
     data.pose = backup.pose;
     data.previous = backup.previous;
     data.sweepStart = backup.sweepStart;
@@ -252,7 +263,17 @@ void ImpactSolver::Advance(BodyData& body, float32 time)
     body.pose = PoseAt(body, time);
     body.previous = body.pose;
     body.sweepStart = time;
+    body.linearVelocity -= (1.0f - time) * m_timeStep * AccelerationOf(body);
     SynchronizePose(body);
+}
+
+/// Of a body that flies freely through a step of small ones; there only the speed is known at every
+/// time of the step.
+b2Vec2 ImpactSolver::AccelerationOf(const BodyData& body) const
+{
+    const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
+                       std::size_t(body.awakeIndex) < m_arrays.accelerations.size();
+    return known ? m_arrays.accelerations[std::size_t(body.awakeIndex)] : b2Vec2(0.0f, 0.0f);
 }
 
 /// False when it turned out that nothing touches, or that the contact was switched off.
@@ -283,7 +304,7 @@ bool ImpactSolver::Resolve(const ImpactEvent& event)
     AddNeighbours(bodyA, event.time);
     AddNeighbours(bodyB, event.time);
     SolvePositions(bodyA, bodyB);
-    SolveVelocities((1.0f - event.time) * m_timeStep);
+    SolveVelocities(event.time);
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
         BodyData& data = Data(*m_bodies[i]);
@@ -390,10 +411,86 @@ void ImpactSolver::PrepareAll(bool warmStart)
     }
 }
 
+/// How deep a point of a contact of the event is below the surfaces [m]; negative above. Skins
+/// around polygons and edges are no part of them.
+float32 ImpactSolver::DepthOf(std::size_t contact, int32 point) const
+{
+    const OverlapConstraint& o = m_arrays.impactOverlaps[contact];
+    const ContactData& c = Data(*m_contacts[contact]);
+    float32 skins = 0.0f;
+    for (const b2Fixture* fixture : {c.fixtureA, c.fixtureB})
+    {
+        skins += fixture->GetType() == b2Shape::e_circle ? 0.0f : fixture->GetShape()->m_radius;
+    }
+    return -skins - MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
+                        .separation;
+}
+
+void ImpactSolver::NoteDepths()
+{
+    m_depths.clear();
+    for (std::size_t i = 0; i < m_contacts.size() && m_world.subStepCount > 1; ++i)
+    {
+        for (int32 k = 0; k < 2; ++k)
+        {
+            m_depths.push_back(k < m_arrays.impact[i].pointCount ? DepthOf(i, k) : 0.0f);
+        }
+    }
+}
+
+void ImpactSolver::CorrectBounces()
+{
+    for (std::size_t i = 0; i < m_contacts.size() && !m_depths.empty(); ++i)
+    {
+        CorrectBounce(i);
+    }
+}
+
+/// An impact is found, and resolved, a little below the surfaces. Freely falling bodies have won
+/// speed there since they met, and lose it again: with the depths d before and d' after overlaps
+/// were pushed apart, and a the acceleration with which the bodies come together,
+///   u^2 = v^2 - 2 a d,    v'^2 = e^2 u^2 + 2 a d'.
+void ImpactSolver::CorrectBounce(std::size_t index)
+{
+    ContactConstraint& c = m_arrays.impact[index];
+    const ContactData& data = Data(*m_contacts[index]);
+    const b2Vec2 apart = AccelerationOf(Data(*data.bodyB)) - AccelerationOf(Data(*data.bodyA));
+    const float32 a = -b2Dot(apart, c.normal);
+    for (int32 k = 0; k < c.pointCount; ++k)
+    {
+        float32& bias = c.points[k].bias;
+        if (bias > 0.0f && a != 0.0f)
+        {
+            const float32 e = data.restitution;
+            const float32 v = bias / e;
+            const float32 met =
+                b2Max(v * v - 2.0f * a * m_depths[2 * index + std::size_t(k)], 0.0f);
+            bias = b2Sqrt(b2Max(e * e * met + 2.0f * a * DepthOf(index, k), 0.0f));
+        }
+    }
+}
+
+/// For the rest of the step. In small steps, which allow higher speeds, the way is a parabola.
+void ImpactSolver::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const
+{
+    if (m_world.subStepCount == 1)
+    {
+        return MoveByVelocity(body, timeLeft, b2_maxTranslation);
+    }
+    body.v += 0.5f * timeLeft * acceleration;
+    const int32 parts = m_world.subStepCount;
+    for (int32 i = 0; i < parts; ++i)
+    {
+        MoveByVelocity(body, timeLeft / float32(parts), kMostSmallWay);
+    }
+    body.v += 0.5f * timeLeft * acceleration;
+}
+
 /// Only the two bodies of the impact may be moved.
 void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 {
     PrepareAll(false);
+    NoteDepths();
     const int32 indexA = Data(bodyA).SolverIndex();
     const int32 indexB = Data(bodyB).SolverIndex();
     for (OverlapConstraint& o : m_arrays.impactOverlaps)
@@ -435,9 +532,10 @@ void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 }
 
 // Impulses are not kept: the contact is solved for the time that is left only.
-void ImpactSolver::SolveVelocities(float32 timeLeft)
+void ImpactSolver::SolveVelocities(float32 time)
 {
     PrepareAll(false);
+    CorrectBounces();
     for (int32 i = 0; i < m_velocityIterations; ++i)
     {
         if (!SolveContactVelocities(m_arrays.impact, m_context.bodies, DirectionOf(i)))
@@ -453,7 +551,9 @@ void ImpactSolver::SolveVelocities(float32 timeLeft)
             continue;
         }
         SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
-        MoveByVelocity(s, timeLeft);
+        const bool wasStopped = data.sweepStart == time;
+        MoveOn(s, wasStopped ? AccelerationOf(data) : b2Vec2(0.0f, 0.0f),
+               (1.0f - time) * m_timeStep);
         if (!IsFinite(s))
         {
             s = SolverBody(); // it stops rather than vanish

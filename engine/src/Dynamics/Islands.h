@@ -39,6 +39,7 @@ public:
     /// next call.
     const Array<int32>& FindSleepy(float32 timeToSleep);
 
+    int32 Size() const { return int32(m_islands.size()); } ///< numbers are below this
     const Island& At(int32 island) const { return m_islands[std::size_t(island)]; }
 
 private:

@@ -6,18 +6,8 @@
 namespace box2d
 {
 
-namespace
-{
-
-/// How deep a point overlaps, which way out, and where, after what has moved so far in this step.
-struct Overlap
-{
-    b2Vec2 normal; // from A to B
-    b2Vec2 armA, armB;
-    float32 separation;
-};
-
-Overlap Measure(const OverlapConstraint& o, int32 point, const SolverBody& a, const SolverBody& b)
+Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
+                       const SolverBody& b)
 {
     Overlap result;
     const bool faceOnB = o.kind == OverlapKind::FaceB;
@@ -52,6 +42,9 @@ Overlap Measure(const OverlapConstraint& o, int32 point, const SolverBody& a, co
     }
     return result;
 }
+
+namespace
+{
 
 /// How far a point is to be pushed out [m]; negative where there is room to move in. A slop is
 /// left, so that the contact lasts.
@@ -115,7 +108,7 @@ struct Push
 
 float32 PushPoint(Push& push, int32 point, float32 rate)
 {
-    const Overlap overlap = Measure(push.o, point, push.a, push.b);
+    const Overlap overlap = MeasureOverlap(push.o, point, push.a, push.b);
     const float32 out = PushOut(overlap, rate);
     if (out > 0.0f)
     {
@@ -126,8 +119,8 @@ float32 PushPoint(Push& push, int32 point, float32 rate)
 
 float32 PushPair(Push& push, float32 rate)
 {
-    const Overlap p = Measure(push.o, 0, push.a, push.b);
-    const Overlap q = Measure(push.o, 1, push.a, push.b);
+    const Overlap p = MeasureOverlap(push.o, 0, push.a, push.b);
+    const Overlap q = MeasureOverlap(push.o, 1, push.a, push.b);
     const float32 smaller = b2Min(p.separation, q.separation);
     const float32 outP = PushOut(p, rate);
     const float32 outQ = PushOut(q, rate);

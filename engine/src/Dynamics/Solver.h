@@ -176,8 +176,13 @@ void ForEach(List& list, Direction direction, Function&& function)
 
 // Step.cpp
 
-/// Moves and turns a body for `timeStep`, slowing it down to what a step allows.
-void MoveByVelocity(SolverBody& body, float32 timeStep);
+/// Moves and turns a body for `timeStep`, slowing it down to ways of `mostWay` [m] and to what a
+/// step allows of a turn.
+void MoveByVelocity(SolverBody& body, float32 timeStep, float32 mostWay);
+
+/// What a small step allows: impacts are found however far a body comes, and a higher limit loses
+/// less energy [m].
+inline constexpr float32 kMostSmallWay = 10.0f * b2_maxTranslation;
 
 // ContactSolver.cpp
 
@@ -210,6 +215,17 @@ bool SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodi
 /// Puts the impulses into the manifold.
 void StoreImpulses(const ContactConstraint& contact);
 // OverlapSolver.cpp
+
+/// How deep a point overlaps, which way out, and where, after what has moved so far in this step.
+struct Overlap
+{
+    b2Vec2 normal; // from A to B
+    b2Vec2 armA, armB;
+    float32 separation;
+};
+
+Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
+                       const SolverBody& b);
 
 /// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop.
 /// Returns the smallest separation that was met [m].

@@ -3,7 +3,9 @@
 
 #include "ConstraintGraph.h"
 #include "ContactBlocks.h"
+#include "ContactSystem.h"
 #include "JointSchedule.h"
+#include "JointSystem.h"
 #include "Solver.h"
 
 /// The memory that a step works in. It belongs to the world and is used again in every step.
@@ -39,11 +41,15 @@ struct SolverArrays
     int32 colors[ConstraintGraph::kColorCount]; ///< that have contacts, in the order of solving
     int32 colorCount = 0;
     JointSchedule joints;
-    Array<uint8> left;                ///< by awake body: whether a shape has left its box
-    Array<b2Contact*> reported;       ///< whose impulses the listener wants to know, in order
-    Array<float32> impactTimes;       ///< by awake contact
-    Array<ImpactEvent> impactEvents;  ///< a heap, the earliest first
-    Array<b2Body*> impactBodies;      ///< of one impact
+    JointSystem jointSystem;         ///< of small steps
+    ContactSystem contactSystem;     ///< of small steps
+    Array<uint8> left;               ///< by awake body: whether a shape has left its box
+    Array<uint8> flies;              ///< by awake body, of small steps: nothing holds or touches it
+    Array<b2Vec2> accelerations;     ///< by awake body, of small steps: 0 unless it flies freely
+    Array<b2Contact*> reported;      ///< whose impulses the listener wants to know, in order
+    Array<float32> impactTimes;      ///< by awake contact
+    Array<ImpactEvent> impactEvents; ///< a heap, the earliest first
+    Array<b2Body*> impactBodies;     ///< of one impact
     Array<ImpactBackup> impactBefore; ///< the same bodies as they were
     Array<b2Contact*> impactContacts; ///< of one impact
     Array<ContactConstraint> impact;  ///< of one impact

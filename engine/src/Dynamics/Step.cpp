@@ -132,12 +132,19 @@ void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIter
 
 void World::SolveAwake(float32 timeStep, int32 velocityIterations, int32 positionIterations)
 {
+    if (subStepCount > 1)
+    {
+        SolveInSmallSteps(timeStep, velocityIterations, positionIterations);
+        return;
+    }
+    lastSubSteps = 1;
     StepSolver solve(*this, timeStep);
     {
         ProfileScope init(profiling, profile.solveInit);
         solve.WakeJointNeighbours();
         solve.IntegrateVelocities();
-        solve.PrepareConstraints();
+        solve.PrepareContacts();
+        solve.WarmStart();
     }
     {
         ProfileScope velocity(profiling, profile.solveVelocity);

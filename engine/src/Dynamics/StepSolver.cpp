@@ -18,10 +18,6 @@ namespace
 /// after a very short step this much of them, and no more, is carried over.
 constexpr float32 kMostStepRatio = 10.0f;
 
-// What one thread takes at a time.
-constexpr int32 kBlockGrain = 8;
-constexpr int32 kBodyGrain = 64;
-
 } // namespace
 
 StepSolver::StepSolver(World& world, float32 timeStep)
@@ -86,7 +82,7 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
     return s;
 }
 
-void StepSolver::PrepareConstraints()
+void StepSolver::PrepareContacts()
 {
     m_arrays.colorCount = 0;
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
@@ -108,6 +104,10 @@ void StepSolver::PrepareConstraints()
     ForBlocks([this](ContactBlock& block, OverlapBlock& overlap) {
         PrepareBlock(block, overlap, m_context);
     });
+}
+
+void StepSolver::WarmStart()
+{
     ForBlocks(
         [this](ContactBlock& block, OverlapBlock&) { WarmStartBlock(block, m_context.bodies); });
     m_arrays.joints.Update(m_world.graph);
@@ -133,45 +133,6 @@ void StepSolver::AssignBlocks(int32 color)
     graph.Settle(color);
 }
 
-/// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
-/// each on all threads. `some` is called with a colour's blocks and the part of them to work on.
-template <class Function>
-void StepSolver::ForColors(Direction direction, Function&& some)
-{
-    const int32 count = m_arrays.colorCount;
-    for (int32 i = 0; i < count; ++i)
-    {
-        const int32 color = m_arrays.colors[direction == Direction::Forward ? i : count - 1 - i];
-        ContactBlocks& blocks = m_arrays.contacts[color];
-        ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
-        ParallelFor(threads, blocks.Count(), kBlockGrain,
-                    [&](int32 begin, int32 end) { some(blocks, begin, end); });
-    }
-}
-
-template <class Function>
-void StepSolver::ForBlocks(Function&& function)
-{
-    ForColors(Direction::Forward, [&](ContactBlocks& blocks, int32 begin, int32 end) {
-        for (int32 i = begin; i < end; ++i)
-        {
-            function(blocks.Contacts(i), blocks.Overlaps(i));
-        }
-    });
-}
-
-template <class Function>
-void StepSolver::ForBodies(Function&& function)
-{
-    ParallelFor(m_threads, int32(m_world.awakeBodies.size()), kBodyGrain,
-                [&](int32 begin, int32 end) {
-                    for (int32 i = begin; i < end; ++i)
-                    {
-                        function(std::size_t(i));
-                    }
-                });
-}
-
 // Blocks of a colour share no bodies: only in the overflow, which is one part, does the direction
 // within a colour matter.
 
@@ -194,7 +155,7 @@ bool StepSolver::SolveContacts(Direction direction)
 }
 
 /// Returns the smallest separation [m], or 0 if that is smaller.
-float32 StepSolver::SolveOverlaps(Direction direction)
+float32 StepSolver::SolveOverlaps(Direction direction, float32 rate)
 {
     std::atomic<float32> smallest = 0.0f;
     ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
@@ -202,8 +163,7 @@ float32 StepSolver::SolveOverlaps(Direction direction)
         for (int32 i = 0; i < end - begin; ++i)
         {
             const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
-            found =
-                b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, b2_baumgarte));
+            found = b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, rate));
         }
         float32 before = smallest.load(std::memory_order_relaxed);
         while (found < before && !smallest.compare_exchange_weak(before, found))
@@ -262,7 +222,7 @@ void StepSolver::SolvePositions(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveOverlaps(DirectionOf(i)) >= -3.0f * b2_linearSlop;
+        const bool apart = SolveOverlaps(DirectionOf(i), b2_baumgarte) >= -3.0f * b2_linearSlop;
         const bool joined = m_arrays.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
         {
@@ -273,8 +233,9 @@ void StepSolver::SolvePositions(int32 iterations)
 
 void StepSolver::IntegratePositions()
 {
-    ForBodies(
-        [this](std::size_t i) { MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep); });
+    ForBodies([this](std::size_t i) {
+        MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep, b2_maxTranslation);
+    });
 }
 
 // Slow means slow in both velocity and what position correction did: something that is still being
@@ -377,12 +338,12 @@ void StepSolver::LetRest()
     }
 }
 
-void MoveByVelocity(SolverBody& body, float32 timeStep)
+void MoveByVelocity(SolverBody& body, float32 timeStep, float32 mostWay)
 {
     const b2Vec2 way = timeStep * body.v;
-    if (way.LengthSquared() > b2_maxTranslationSquared)
+    if (way.LengthSquared() > mostWay * mostWay)
     {
-        body.v *= b2_maxTranslation / way.Length();
+        body.v *= mostWay / way.Length();
     }
     const float32 turn = timeStep * body.w;
     if (turn * turn > b2_maxRotationSquared)

@@ -32,6 +32,9 @@ namespace box2d
 
 struct SolverArrays;
 
+/// Of one step; more only costs.
+inline constexpr int32 kMostSubSteps = 64;
+
 struct ContactData;
 
 class World
@@ -121,6 +124,8 @@ public:
     void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);
     void Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations);
     void SolveAwake(float32 timeStep, int32 velocityIterations, int32 positionIterations);
+    // SmallSteps.cpp
+    void SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 positionIterations);
     void ClearForces();
     // Continuous.cpp
     void SolveContinuous(float32 timeStep, int32 velocityIterations);
@@ -162,6 +167,8 @@ public:
     b2DestructionListener* destructionListener = nullptr;
     b2Draw* debugDraw = nullptr;
 
+    int32 subStepCount = 1;     ///< small steps of a step
+    int32 lastSubSteps = 1;     ///< of the last step in which anything was solved
     float32 inverseStep = 0.0f; ///< of the last step [1/s], 0 before the first
     b2Profile profile;
     mutable b2ContactManager contactManager; ///< what b2World::GetContactManager hands out

@@ -149,6 +149,23 @@ const b2Contact* b2World::GetContactList() const
     return m_world->contactList;
 }
 
+void b2World::SetSubStepCount(int32 count)
+{
+    if (!B2_REQUIRE(!IsLocked(),
+                    "b2World::SetSubStepCount must not be called from inside a callback."))
+    {
+        return;
+    }
+    (void)B2_REQUIRE(count >= 1 && count <= box2d::kMostSubSteps,
+                     "The number of sub-steps must be from 1 to 64.");
+    m_world->subStepCount = b2Clamp(count, 1, box2d::kMostSubSteps);
+}
+
+int32 b2World::GetSubStepCount() const
+{
+    return m_world->subStepCount;
+}
+
 void b2World::SetThreadCount(int32 count)
 {
     if (!B2_REQUIRE(!IsLocked(),

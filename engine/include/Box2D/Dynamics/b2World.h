@@ -75,6 +75,13 @@ public:
     void SetSubStepping(bool flag);
     bool GetSubStepping() const;
 
+    /// How many small steps a step takes, 1 to 64, and 1 unless said: the scheme of the manual.
+    /// With more, contacts are found once a step, and the bodies then move in small steps of a
+    /// scheme of second order: free flight is exact, joints are solved exactly and lose no energy.
+    /// The iterations given to Step are shared out over the small steps, at least one to each.
+    void SetSubStepCount(int32 count);
+    int32 GetSubStepCount() const;
+
     /// How many threads share the work of a step, the calling one included; 1 to 64, and 1 unless
     /// said. The results are the same to the last bit whatever the number. Callbacks come from the
     /// calling thread, in the same order. While a step lasts the others wait busily, callbacks

@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // Keep two anchors at length L:  C = |d| - L,  n = d / |d|
 //   Cdot = dot(n, vB + wB x rB - vA - wA x rA)
@@ -74,6 +75,34 @@ bool b2DistanceJoint::SolvePosition(const box2d::SolverContext& context)
         f.Move((-error / k) * axis, armA, armB);
     }
     return b2Abs(error) < b2_linearSlop;
+}
+
+void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armA = row.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    m_axis = row.Offset() + armB - armA;
+    const float32 length = m_axis.Normalize();
+    if (length == 0.0f)
+    {
+        m_axis.SetZero(); // no direction to push in
+    }
+    row.AddAlong(m_axis, armA, armB, length - m_length);
+    if (m_frequencyHz > 0.0f)
+    {
+        row.GiveToSpring(length - m_length, m_frequencyHz, m_dampingRatio);
+    }
+}
+
+void b2DistanceJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse;
+}
+
+void b2DistanceJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse = within[0];
 }
 
 b2Vec2 b2DistanceJoint::GetAnchorA() const

@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // The relative velocity of the anchors and the relative angular velocity are driven to zero, each
 // with a bounded impulse.
@@ -50,6 +51,28 @@ void b2FrictionJoint::SolveVelocity(const box2d::SolverContext& context)
 bool b2FrictionJoint::SolvePosition(const box2d::SolverContext&)
 {
     return true;
+}
+
+void b2FrictionJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armA = row.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    row.AddPoint(armA, armB, b2Vec2(0.0f, 0.0f));
+    row.GiveToFriction(m_maxForce, m_maxTorque);
+}
+
+void b2FrictionJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse.x;
+    impulse[1] = m_impulse.y;
+    impulse[2] = m_angularImpulse;
+}
+
+void b2FrictionJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse.Set(within[0], within[1]);
+    m_angularImpulse = within[2];
 }
 
 b2Vec2 b2FrictionJoint::GetAnchorA() const

@@ -5,6 +5,7 @@
 #include "../JointDefinitions.h"
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 #include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
 #include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
@@ -87,7 +88,8 @@ double b2GearJoint::Coordinate(const Side& side, const box2d::SolverContext* con
     return double(b2Dot(d, b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAxis))));
 }
 
-void b2GearJoint::Measure(Side& side)
+/// How the coordinate changes with the velocities, at the same pose.
+void b2GearJoint::Measure(Side& side, const box2d::SolverContext* context)
 {
     side.axis.SetZero();
     side.armFrame = 1.0f;
@@ -96,9 +98,14 @@ void b2GearJoint::Measure(Side& side)
     {
         const BodyData& frame = Data(*side.frame);
         const BodyData& body = Data(*side.body);
-        const b2Vec2 armBody = b2Mul(body.rotation, side.localAnchorBody - body.localCenter);
-        side.axis = b2Mul(frame.rotation, side.localAxis);
-        side.armFrame = b2Cross(box2d::CenterOffset(frame, body) + armBody, side.axis);
+        const box2d::SolverBody none;
+        const box2d::SolverBody& movedFrame = context ? context->bodies[frame.SolverIndex()] : none;
+        const box2d::SolverBody& movedBody = context ? context->bodies[body.SolverIndex()] : none;
+        const b2Vec2 armBody =
+            b2Mul(movedBody.q, b2Mul(body.rotation, side.localAnchorBody - body.localCenter));
+        const b2Vec2 offset = box2d::CenterOffset(frame, body) + movedBody.d - movedFrame.d;
+        side.axis = b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAxis));
+        side.armFrame = b2Cross(offset + armBody, side.axis);
         side.armBody = b2Cross(armBody, side.axis);
     }
 }
@@ -184,8 +191,8 @@ void b2GearJoint::Apply(const box2d::SolverContext& context, float32 impulse,
 
 void b2GearJoint::Prepare(const box2d::SolverContext& context)
 {
-    Measure(m_side1);
-    Measure(m_side2);
+    Measure(m_side1, nullptr);
+    Measure(m_side2, nullptr);
     m_mass = EffectiveMass();
     box2d::Carry(m_impulse, box2d::CarryOver(context));
     Apply(context, m_impulse, false);
@@ -214,6 +221,31 @@ bool b2GearJoint::SolvePosition(const box2d::SolverContext& context)
     const float32 error = float32(coordinate - m_constant);
     Apply(context, -m_mass * error, true);
     return b2Abs(error) < b2_linearSlop;
+}
+
+void b2GearJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    // The columns in the order of the joints' bodies: frame 1, body 1, frame 2, body 2.
+    for (Side* side : {&m_side1, &m_side2})
+    {
+        const float32 weight = side == &m_side1 ? 1.0f : m_ratio;
+        Measure(*side, &context);
+        rows.Of(Data(*side->frame)).AddTo(0, -weight * side->axis, -weight * side->armFrame);
+        rows.Of(Data(*side->body)).AddTo(0, weight * side->axis, weight * side->armBody);
+    }
+    rows.error[0] = float32(Coordinate(m_side1, &context) +
+                            double(m_ratio) * Coordinate(m_side2, &context) - m_constant);
+    rows.rows = 1;
+}
+
+void b2GearJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse;
+}
+
+void b2GearJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse = within[0];
 }
 
 b2Vec2 b2GearJoint::GetAnchorA() const

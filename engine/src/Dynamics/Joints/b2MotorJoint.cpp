@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // Like friction, but towards a velocity that makes good a share of the error in one step:
 //   Cdot + factor / h * C = 0,  C the distance from where body B's origin and angle should be.
@@ -55,6 +56,33 @@ void b2MotorJoint::SolveVelocity(const box2d::SolverContext& context)
 bool b2MotorJoint::SolvePosition(const box2d::SolverContext&)
 {
     return true;
+}
+
+void b2MotorJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armA = row.ArmA(m_linearOffset);
+    const b2Vec2 armB = row.ArmB(b2Vec2(0.0f, 0.0f));
+    const float32 rate = context.inverseStep * m_correctionFactor;
+    const b2Vec2 error = row.Offset() + armB - armA;
+    row.AddPoint(armA, armB, b2Vec2(0.0f, 0.0f));
+    row.GiveToFriction(m_maxForce, m_maxTorque);
+    rows.laws[0].wanted = -rate * error.x;
+    rows.laws[1].wanted = -rate * error.y;
+    rows.laws[2].wanted = -rate * float32(row.Angle() - double(m_angularOffset));
+}
+
+void b2MotorJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse.x;
+    impulse[1] = m_impulse.y;
+    impulse[2] = m_angularImpulse;
+}
+
+void b2MotorJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse.Set(within[0], within[1]);
+    m_angularImpulse = within[2];
 }
 
 b2Vec2 b2MotorJoint::GetAnchorA() const

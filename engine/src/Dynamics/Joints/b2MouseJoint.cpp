@@ -3,12 +3,21 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 #include <Box2D/Dynamics/b2World.h>
 
 // A spring between a point of body B and a fixed point, in both directions at once:
 //   C = xB + rB - target,  Cdot = vB + wB x rB,  K = mB E - iB [rB][rB] + gamma E,  with a bounded
 //   impulse.
+
+namespace
+{
+
+/// Share of the body's turning that is taken away each second, in small steps.
+constexpr float32 kSpinLoss = 1.2f;
+
+} // namespace
 
 b2MouseJoint::b2MouseJoint(const b2MouseJointDef* def)
     : b2Joint(def), m_localAnchorB(def->bodyB->GetLocalPoint(def->target)), m_target(def->target),
@@ -56,6 +65,37 @@ void b2MouseJoint::SolveVelocity(const box2d::SolverContext& context)
 bool b2MouseJoint::SolvePosition(const box2d::SolverContext&)
 {
     return true;
+}
+
+void b2MouseJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    const box2d::BodyData& data = row.f.dataB;
+    const b2Vec2 error(float32(data.pose.x - double(m_target.x)) + row.f.b.d.x + armB.x,
+                       float32(data.pose.y - double(m_target.y)) + row.f.b.d.y + armB.y);
+    for (const bool isX : {true, false})
+    {
+        const b2Vec2 direction(isX ? 1.0f : 0.0f, isX ? 0.0f : 1.0f);
+        row.b.AddTo(rows.rows++, direction, b2Cross(armB, direction));
+        row.GiveToSpring(isX ? error.x : error.y, m_frequencyHz, m_dampingRatio, row.f.mB);
+        rows.laws[rows.rows - 1].most = context.timeStep * m_maxForce;
+    }
+    rows.disc = true;
+    // What is dragged about should not spin for long.
+    row.b.AddTo(rows.rows++, b2Vec2(0.0f, 0.0f), 1.0f);
+    row.Give().softness = row.f.iB / (kSpinLoss * context.timeStep);
+}
+
+void b2MouseJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse.x;
+    impulse[1] = m_impulse.y;
+}
+
+void b2MouseJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse.Set(within[0], within[1]);
 }
 
 b2Vec2 b2MouseJoint::GetAnchorA() const

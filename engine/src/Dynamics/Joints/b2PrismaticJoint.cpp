@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
 //   across:   C1 = dot(t, d),                 Cdot1 = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x
@@ -169,6 +170,43 @@ bool b2PrismaticJoint::SolvePosition(const box2d::SolverContext& context)
     f.b.d += (f.mB * impulse.x) * rows.across;
     f.b.Rotate(f.iB * (rows.acrossB * impulse.x + impulse.y));
     return b2Max(b2Abs(error.x), limitError) <= b2_linearSlop && b2Abs(error.y) <= b2_angularSlop;
+}
+
+void b2PrismaticJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    const b2Vec2 reachA = row.Offset() + armB;
+    const b2Vec2 d = reachA - row.ArmA(m_localAnchorA);
+    m_axis = b2Mul(row.f.a.q, b2Mul(row.f.dataA.rotation, m_localAxisA));
+    const b2Vec2 across = b2Cross(1.0f, m_axis);
+    row.AddAlong(across, reachA, armB, b2Dot(across, d));
+    row.AddAngle(float32(row.Angle() - double(m_referenceAngle)));
+    if (m_enableMotor || m_enableLimit)
+    {
+        const float32 translation = b2Dot(m_axis, d);
+        row.AddAlong(m_axis, reachA, armB, 0.0f);
+        row.GiveToMotor(m_motorSpeed, m_enableMotor ? m_maxMotorForce : 0.0f);
+        if (m_enableLimit)
+        {
+            row.GiveToLimit(translation, m_lowerTranslation, m_upperTranslation);
+        }
+    }
+}
+
+void b2PrismaticJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse.x;
+    impulse[1] = m_impulse.y;
+    impulse[2] = m_motorImpulse + m_lowerImpulse - m_upperImpulse;
+}
+
+void b2PrismaticJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3])
+{
+    m_impulse.Set(within[0], within[1]);
+    m_motorImpulse = within[2];
+    m_lowerImpulse = b2Max(beyond[2], 0.0f);
+    m_upperImpulse = b2Max(-beyond[2], 0.0f);
 }
 
 b2Vec2 b2PrismaticJoint::GetAnchorA() const

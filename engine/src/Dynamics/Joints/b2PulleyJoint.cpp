@@ -2,6 +2,7 @@
 #include <Box2D/Dynamics/Joints/b2PulleyJoint.h>
 
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // With u = xA + rA - groundA, uB likewise, nA = u / |u|:
 //   C    = |uA| + ratio |uB| - constant
@@ -19,6 +20,14 @@ b2Vec2 RopeDirection(const b2Vec2& rope)
 {
     const float32 length = rope.Length();
     return length > kShortest ? (1.0f / length) * rope : b2Vec2(0.0f, 0.0f);
+}
+
+/// From the ground anchor to the body's centre of mass.
+b2Vec2 RopeOf(const box2d::BodyData& data, const box2d::SolverBody& moved, const b2Vec2& ground)
+{
+    return b2Vec2(float32(data.pose.x - double(ground.x)),
+                  float32(data.pose.y - double(ground.y))) +
+           moved.d;
 }
 
 float32 PulleyMatrix(const box2d::JointFrame& f, float32 ratio, const b2Vec2& axisA,
@@ -112,6 +121,32 @@ bool b2PulleyJoint::SolvePosition(const box2d::SolverContext& context)
     f.b.d += f.mB * onB;
     f.b.Rotate(f.iB * b2Cross(armB, onB));
     return b2Abs(error) < b2_linearSlop;
+}
+
+void b2PulleyJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    // The impulse pulls, so the row is the rope's length that is left.
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armA = row.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    const b2Vec2 ropeA = RopeOf(row.f.dataA, row.f.a, m_groundAnchorA) + armA;
+    const b2Vec2 ropeB = RopeOf(row.f.dataB, row.f.b, m_groundAnchorB) + armB;
+    m_axisA = RopeDirection(ropeA);
+    m_axisB = RopeDirection(ropeB);
+    row.a.AddTo(0, -m_axisA, -b2Cross(armA, m_axisA));
+    row.b.AddTo(0, -m_ratio * m_axisB, -m_ratio * b2Cross(armB, m_axisB));
+    rows.error[0] = m_lengthA - ropeA.Length() + m_ratio * (m_lengthB - ropeB.Length());
+    rows.rows = 1;
+}
+
+void b2PulleyJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse;
+}
+
+void b2PulleyJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse = within[0];
 }
 
 b2Vec2 b2PulleyJoint::GetAnchorA() const

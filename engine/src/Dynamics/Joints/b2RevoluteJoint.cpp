@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in
 // PointMatrix. About the hinge: the motor drives wB - wA to its speed within its torque; a limit is
@@ -104,6 +105,39 @@ bool b2RevoluteJoint::SolvePosition(const box2d::SolverContext& context)
     const b2Vec2 error = m_offset + f.b.d - f.a.d + armB - armA;
     f.Move(box2d::PointMatrix(f, armA, armB).Solve(-error), armA, armB);
     return error.Length() <= b2_linearSlop && angularError <= b2_angularSlop;
+}
+
+void b2RevoluteJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armA = row.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    row.AddPoint(armA, armB, row.Offset() + armB - armA);
+    if (m_enableMotor || m_enableLimit)
+    {
+        const float32 angle = float32(row.Angle() - double(m_referenceAngle));
+        row.AddAngle(0.0f);
+        row.GiveToMotor(m_motorSpeed, m_enableMotor ? m_maxMotorTorque : 0.0f);
+        if (m_enableLimit)
+        {
+            row.GiveToLimit(angle, m_lowerAngle, m_upperAngle);
+        }
+    }
+}
+
+void b2RevoluteJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse.x;
+    impulse[1] = m_impulse.y;
+    impulse[2] = m_motorImpulse + m_lowerImpulse - m_upperImpulse;
+}
+
+void b2RevoluteJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3])
+{
+    m_impulse.Set(within[0], within[1]);
+    m_motorImpulse = within[2];
+    m_lowerImpulse = b2Max(beyond[2], 0.0f);
+    m_upperImpulse = b2Max(-beyond[2], 0.0f);
 }
 
 b2Vec2 b2RevoluteJoint::GetAnchorA() const

@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // The distance joint as an inequality:  C = |d| - L <= 0. While the rope is slack, the anchors may
 // part at most as fast as they would pull it taut in this step.
@@ -51,6 +52,32 @@ bool b2RopeJoint::SolvePosition(const box2d::SolverContext& context)
     f.Move((-error * box2d::InverseOrZero(box2d::AxisMatrix(f, axis, armA, armB))) * axis, armA,
            armB);
     return length - m_maxLength < b2_linearSlop;
+}
+
+void b2RopeJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armA = row.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    m_axis = row.Offset() + armB - armA;
+    const float32 length = m_axis.Normalize();
+    if (length == 0.0f)
+    {
+        m_axis.SetZero();
+    }
+    row.AddAlong(m_axis, armA, armB, 0.0f);
+    row.GiveToMotor(0.0f, 0.0f);
+    row.GiveToLimit(length, -b2_maxFloat, m_maxLength);
+}
+
+void b2RopeJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse;
+}
+
+void b2RopeJoint::SetRowImpulses(const float32 (&)[3], const float32 (&beyond)[3])
+{
+    m_impulse = beyond[0];
 }
 
 b2Vec2 b2RopeJoint::GetAnchorA() const

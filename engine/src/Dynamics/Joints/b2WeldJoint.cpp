@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // A hinge whose angle is held too. Rigid: the three rows are solved together, with
 //   K = [ PointMatrix   k ; k^T   iA + iB ],   k = (-iA rA.y - iB rB.y, iA rA.x + iB rB.x).
@@ -100,6 +101,33 @@ bool b2WeldJoint::SolvePosition(const box2d::SolverContext& context)
     f.b.d += f.mB * push;
     f.b.Rotate(f.iB * (b2Cross(armB, push) + impulse.z));
     return error.Length() <= b2_linearSlop && b2Abs(angularError) <= b2_angularSlop;
+}
+
+void b2WeldJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armA = row.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    row.AddPoint(armA, armB, row.Offset() + armB - armA);
+    const float32 angle = float32(row.Angle() - double(m_referenceAngle));
+    row.AddAngle(angle);
+    if (m_frequencyHz > 0.0f)
+    {
+        row.GiveToSpring(angle, m_frequencyHz, m_dampingRatio);
+    }
+}
+
+void b2WeldJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse.x;
+    impulse[1] = m_impulse.y;
+    impulse[2] = m_angularImpulse;
+}
+
+void b2WeldJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse.Set(within[0], within[1]);
+    m_angularImpulse = within[2];
 }
 
 b2Vec2 b2WeldJoint::GetAnchorA() const

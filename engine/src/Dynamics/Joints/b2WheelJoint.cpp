@@ -3,6 +3,7 @@
 
 #include "JointChecks.h"
 #include "JointFrame.h"
+#include "JointRows.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
 //   rigid:   C = dot(t, d),   Cdot = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x t) wA
@@ -123,6 +124,35 @@ bool b2WheelJoint::SolvePosition(const box2d::SolverContext& context)
     f.b.d += (f.mB * impulse) * rigid.direction;
     f.b.Rotate(f.iB * rigid.crossB * impulse);
     return b2Abs(error) <= b2_linearSlop;
+}
+
+void b2WheelJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
+{
+    box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
+    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    const b2Vec2 reachA = row.Offset() + armB;
+    const b2Vec2 d = reachA - row.ArmA(m_localAnchorA);
+    m_axis = b2Mul(row.f.a.q, b2Mul(row.f.dataA.rotation, m_localAxisA));
+    const b2Vec2 across = b2Cross(1.0f, m_axis);
+    row.AddAlong(across, reachA, armB, b2Dot(across, d));
+    row.AddAlong(m_axis, reachA, armB, 0.0f);
+    row.GiveToSpring(b2Dot(m_axis, d), m_frequencyHz, m_dampingRatio);
+    row.AddAngle(0.0f);
+    row.GiveToMotor(m_motorSpeed, m_enableMotor ? m_maxMotorTorque : 0.0f);
+}
+
+void b2WheelJoint::GetRowImpulses(float32 (&impulse)[3]) const
+{
+    impulse[0] = m_impulse;
+    impulse[1] = m_springImpulse;
+    impulse[2] = m_motorImpulse;
+}
+
+void b2WheelJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+{
+    m_impulse = within[0];
+    m_springImpulse = within[1];
+    m_motorImpulse = within[2];
 }
 
 b2Vec2 b2WheelJoint::GetAnchorA() const

@@ -78,7 +78,9 @@ struct BodyData
 
     std::uint32_t colorMask = 0; ///< the colours of the constraint graph that touch it
     std::int32_t island = -1;    ///< dynamic and active bodies only
-    std::int32_t jointLevel = 0; ///< while the joints' schedule is made: the first that is free
+    /// While the joints' schedule is made the first level that is free, while a system's pattern is
+    /// made its place there.
+    mutable std::int32_t jointLevel = 0;
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 

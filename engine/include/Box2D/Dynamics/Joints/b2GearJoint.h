@@ -39,6 +39,9 @@ protected:
     void Prepare(const box2d::SolverContext& context) override;
     void SolveVelocity(const box2d::SolverContext& context) override;
     bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
+    void GetRowImpulses(float32 (&impulse)[3]) const override;
+    void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
 
     /// One of the two joints as the gear sees it: a coordinate of its body B against its body A.
     struct Side
@@ -60,7 +63,7 @@ protected:
 
     static Side MakeSide(b2Joint* joint);
     static double Coordinate(const Side& side, const box2d::SolverContext* context);
-    static void Measure(Side& side);
+    static void Measure(Side& side, const box2d::SolverContext* context);
     float32 EffectiveMass() const;
     float32 SharedMatrix() const;
     void Apply(const box2d::SolverContext& context, float32 impulse, bool onPositions) const;

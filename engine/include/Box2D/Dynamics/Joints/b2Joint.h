@@ -11,6 +11,7 @@ namespace box2d
 struct HingeAccess;
 struct JointAccess;
 struct JointFrame;
+struct JointRows;
 struct SolverContext;
 } // namespace box2d
 
@@ -101,6 +102,12 @@ protected:
     virtual void Prepare(const box2d::SolverContext& context) = 0;
     virtual void SolveVelocity(const box2d::SolverContext& context) = 0;
     virtual bool SolvePosition(const box2d::SolverContext& context) = 0;
+    // In small steps all joints are solved together instead. Their rows follow from the present
+    // poses and, for springs, from the velocities before a kick; the impulses are those of a step,
+    // by row, of what gives way within its force and beyond it.
+    virtual void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) = 0;
+    virtual void GetRowImpulses(float32 (&impulse)[3]) const = 0;
+    virtual void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) = 0;
 
     /// One over the length of the last step, 0 before the first.
     float32 LastInverseStep() const;
@@ -113,9 +120,9 @@ protected:
     b2JointEdge m_edgeB;
     b2Body* m_bodyA;
     b2Body* m_bodyB;
-    int32 m_number = 0; ///< in order of creation
+    int32 m_number = 0;       ///< in order of creation
     int32 m_solverIndex = -1; ///< place among the joints that are solved, -1 when not
-    bool m_linked = false; ///< joins its bodies' islands
+    bool m_linked = false;    ///< joins its bodies' islands
     bool m_collideConnected;
     void* m_userData;
 };

@@ -61,6 +61,9 @@ protected:
     void Prepare(const box2d::SolverContext& context) override;
     void SolveVelocity(const box2d::SolverContext& context) override;
     bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
+    void GetRowImpulses(float32 (&impulse)[3]) const override;
+    void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
     /// Computes what stays the same during a step.
     void Ready(const box2d::JointFrame& frame, const box2d::SolverContext& context);
     /// The speeds that would reach the limits within the step [rad/s].

@@ -57,6 +57,9 @@ protected:
     void Prepare(const box2d::SolverContext& context) override;
     void SolveVelocity(const box2d::SolverContext& context) override;
     bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
+    void GetRowImpulses(float32 (&impulse)[3]) const override;
+    void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
 
     b2Vec2 m_localAnchorA;
     b2Vec2 m_localAnchorB;

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "BoundedSystem.h"
+
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace box2d
+{
+
+namespace
+{
+
+constexpr int32 kMostRounds = 8;
+
+/// Limits that differ by less than this share are the same.
+constexpr double kSameLimit = 0.01;
+
+double Limited(double value, double least, double most)
+{
+    return value < least ? least : (value > most ? most : value);
+}
+
+/// The speed that bodies give a row which are moved by nothing.
+double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context)
+{
+    double speed = 0.0;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        if (!Moves(c.invMass, c.invInertia))
+        {
+            const SolverBody& s = context.bodies[c.body];
+            speed += double(c.x[row]) * double(s.v.x) + double(c.y[row]) * double(s.v.y) +
+                     double(c.w[row]) * double(s.w);
+        }
+    }
+    return speed;
+}
+
+} // namespace
+
+void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates)
+{
+    m_system.Build(sides, mostUpdates);
+    m_items.resize(sides.size());
+}
+
+void BoundedSystem::Minimize(const SolverContext& context, double tolerance)
+{
+    m_energy = Energy(context);
+    for (int32 round = 0; round < kMostRounds; ++round)
+    {
+        if (!Improve(context) && !Release(context, tolerance))
+        {
+            break;
+        }
+    }
+}
+
+/// Lets go of rows that are at a bound and should not be: their speed shows that less would do.
+/// Whether there were any.
+bool BoundedSystem::Release(const SolverContext& context, double tolerance)
+{
+    bool any = false;
+    for (std::size_t i = 0; i < m_items.size(); ++i)
+    {
+        Item& item = m_items[i];
+        const JointRows& rows = m_system.Rows(i);
+        const Vector3 speed = SpeedOf(context, rows);
+        for (int32 row = 0; row < rows.rows; ++row)
+        {
+            const double soft = double(rows.laws[row].softness) * item.impulse.at[row];
+            const double off = speed.at[row] + soft - item.speeds.at[row];
+            const bool wantsMore = off < -tolerance && item.impulse.at[row] < item.most.at[row];
+            const bool wantsLess = off > tolerance && item.impulse.at[row] > item.least.at[row];
+            if ((item.active >> row & 1) == 0 && (wantsMore || wantsLess))
+            {
+                item.active = uint8(item.active | 1 << row);
+                any = true;
+            }
+        }
+    }
+    return any;
+}
+
+bool BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32 row, double most)
+{
+    Item& item = m_items[index];
+    const double before = item.most.at[row];
+    item.least.at[row] = -most;
+    item.most.at[row] = most;
+    double& impulse = item.impulse.at[row];
+    const bool held = (item.active >> row & 1) != 0;
+    // What is held at a bound goes along with it.
+    const double inside = held ? Limited(impulse, -most, most) : (impulse < 0.0 ? -most : most);
+    if (inside == impulse)
+    {
+        return false;
+    }
+    Vector3 change{};
+    change.at[row] = inside - impulse;
+    impulse = inside;
+    item.active = uint8(item.active & ~(1u << row));
+    Push(context, m_system.Rows(index), change);
+    return held || std::abs(most - before) > kSameLimit * before;
+}
+
+void BoundedSystem::Mark(const SolverContext& context)
+{
+    Save(context);
+    m_marked = m_itemsBefore;
+    m_markedBodies = m_before;
+    m_markedEnergy = Energy(context);
+}
+
+void BoundedSystem::KeepIfBetter(const SolverContext& context)
+{
+    if (!(Energy(context) <= m_markedEnergy))
+    {
+        m_itemsBefore = m_marked;
+        m_before = m_markedBodies;
+        Restore(context);
+    }
+}
+
+/// False when no bound was met: that is the solution.
+bool BoundedSystem::Improve(const SolverContext& context)
+{
+    for (std::size_t i = 0; i < m_items.size(); ++i)
+    {
+        m_system.SetActive(i, m_items[i].active);
+        const Vector3 speed = SpeedOf(context, m_system.Rows(i));
+        for (int32 row = 0; row < JointRows::kMostRows; ++row)
+        {
+            const double soft = double(m_system.Rows(i).laws[row].softness);
+            m_system.Lack(i).at[row] =
+                m_items[i].speeds.at[row] - soft * m_items[i].impulse.at[row] - speed.at[row];
+        }
+    }
+    m_system.Factor();
+    m_system.Solve();
+    Save(context);
+    bool met = Move(context, 1.0);
+    double energy = Energy(context);
+    if (met && energy > m_energy)
+    {
+        // Straight on to the first bound it can only fall.
+        Restore(context);
+        (void)Move(context, ShareWithin());
+        energy = Energy(context);
+        met = true;
+    }
+    m_energy = energy;
+    return met;
+}
+
+/// Changes all impulses by a share of what was found, as far as their bounds let them; what meets
+/// one is not active any more. Whether anything has.
+bool BoundedSystem::Move(const SolverContext& context, double share)
+{
+    bool met = false;
+    for (std::size_t i = 0; i < m_items.size(); ++i)
+    {
+        Vector3 change{};
+        met = MoveItem(i, share, change) || met;
+        Push(context, m_system.Rows(i), change);
+    }
+    return met;
+}
+
+bool BoundedSystem::MoveItem(std::size_t index, double share, Vector3& change)
+{
+    Item& item = m_items[index];
+    const Vector3& found = m_system.Found(index);
+    bool met = false;
+    for (int32 row = 0; row < JointRows::kMostRows; ++row)
+    {
+        if ((item.active >> row & 1) == 0)
+        {
+            continue;
+        }
+        const double least = item.least.at[row];
+        const double most = item.most.at[row];
+        const double total = item.impulse.at[row] + share * found.at[row];
+        const double inside = Limited(total, least, most);
+        change.at[row] = inside - item.impulse.at[row];
+        item.impulse.at[row] = inside;
+        const double step = found.at[row];
+        const bool meets = (step < 0.0 && inside <= least) || (step > 0.0 && inside >= most);
+        if (inside != total || (share < 1.0 && meets))
+        {
+            item.active = uint8(item.active & ~(1u << row));
+            met = true;
+        }
+    }
+    return met;
+}
+
+/// The largest share of what was found that takes no impulse beyond a bound.
+double BoundedSystem::ShareWithin() const
+{
+    double share = 1.0;
+    for (std::size_t i = 0; i < m_items.size(); ++i)
+    {
+        const Item& item = m_items[i];
+        for (int32 row = 0; row < JointRows::kMostRows; ++row)
+        {
+            const double step = m_system.Found(i).at[row];
+            const double impulse = item.impulse.at[row];
+            const double inside = Limited(impulse + step, item.least.at[row], item.most.at[row]);
+            if ((item.active >> row & 1) != 0 && inside != impulse + step)
+            {
+                share = std::min(share, (inside - impulse) / step);
+            }
+        }
+    }
+    return share;
+}
+
+/// What the right impulses make least: the bodies' energy, less what belts and platforms put in.
+double BoundedSystem::Energy(const SolverContext& context) const
+{
+    double sum = 0.0;
+    for (const BodyData* body : m_system.Bodies())
+    {
+        const SolverBody& s = context.bodies[body->SolverIndex()];
+        const double x = s.v.x;
+        const double y = s.v.y;
+        const double w = s.w;
+        sum += 0.5 * (x * x + y * y) / double(body->SolverInvMass());
+        if (body->SolverInvInertia() > 0.0f)
+        {
+            sum += 0.5 * w * w / double(body->SolverInvInertia());
+        }
+    }
+    for (std::size_t i = 0; i < m_items.size(); ++i)
+    {
+        const JointRows& rows = m_system.Rows(i);
+        for (int32 row = 0; row < rows.rows; ++row)
+        {
+            const double impulse = m_items[i].impulse.at[row];
+            sum += impulse * (GivenSpeed(rows, row, context) - m_items[i].speeds.at[row] +
+                              0.5 * double(rows.laws[row].softness) * impulse);
+        }
+    }
+    return sum;
+}
+
+void BoundedSystem::Save(const SolverContext& context)
+{
+    m_itemsBefore = m_items;
+    m_before.clear();
+    for (const BodyData* body : m_system.Bodies())
+    {
+        m_before.push_back(context.bodies[body->SolverIndex()]);
+    }
+}
+
+void BoundedSystem::Restore(const SolverContext& context)
+{
+    m_items = m_itemsBefore;
+    for (std::size_t i = 0; i < m_before.size(); ++i)
+    {
+        context.bodies[m_system.Bodies()[i]->SolverIndex()] = m_before[i];
+    }
+}
+
+} // namespace box2d

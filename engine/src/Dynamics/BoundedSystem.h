@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "RowSystem.h"
+
+/// Constraints that can give only so much: contacts do not pull, friction drags no more than it
+/// can. The impulses that hold where they may and are at a bound where they may not make an energy
+/// least (Moreau, 1966; Lotstedt, "Mechanical Systems of Rigid Bodies Subject to Unilateral
+/// Constraints", 1982). From a start that sweeps have found, the rows that are inside their bounds
+/// are solved as if they had none; what then meets a bound stays there, and the rest is solved
+/// again (subspace minimisation after projected Gauss-Seidel: Silcowitz, Niebe, Erleben, "A
+/// Nonsmooth Newton Method and Subspace Minimization for Interactive Rigid Body Dynamics", 2010).
+/// The energy never rises, so that however soon it is broken off, the result is better than the
+/// start.
+namespace box2d
+{
+
+class BoundedSystem
+{
+public:
+    struct Item
+    {
+        Vector3 speeds{};  ///< wanted, of each row
+        Vector3 impulse{}; ///< that has been given
+        Vector3 least{}, most{};
+        uint8 active = 0; ///< rows that are not held at a bound
+    };
+
+    void Build(const Array<RowSides>& sides, int32 mostUpdates);
+    bool IsExact() const { return m_system.IsExact(); }
+    std::size_t Count() const { return m_items.size(); }
+    JointRows& Rows(std::size_t item) { return m_system.Rows(item); }
+    Item& At(std::size_t item) { return m_items[item]; }
+    const Array<const BodyData*>& Bodies() const { return m_system.Bodies(); }
+
+    /// After rows and items have been filled, and again when bounds have been changed. Changes the
+    /// velocities, the items' impulses and what is active. A row that is held at a bound may be off
+    /// by `tolerance` [m/s] the wrong way.
+    void Minimize(const SolverContext& context, double tolerance);
+    /// Gives a row other bounds, from -most to most, and takes its impulse into them. Whether that
+    /// changed something worth solving for again.
+    bool Limit(const SolverContext& context, std::size_t item, int32 row, double most);
+    /// Remembers velocities and impulses, and goes back to them if the energy is higher.
+    void Mark(const SolverContext& context);
+    void KeepIfBetter(const SolverContext& context);
+
+private:
+    bool Improve(const SolverContext& context);
+    bool Release(const SolverContext& context, double tolerance);
+    bool Move(const SolverContext& context, double share);
+    bool MoveItem(std::size_t index, double share, Vector3& change);
+    double ShareWithin() const;
+    double Energy(const SolverContext& context) const;
+    void Save(const SolverContext& context);
+    void Restore(const SolverContext& context);
+
+    RowSystem m_system;
+    Array<Item> m_items, m_itemsBefore;
+    Array<SolverBody> m_before; // of the bodies
+    Array<Item> m_marked;
+    Array<SolverBody> m_markedBodies;
+    double m_energy = 0.0, m_markedEnergy = 0.0;
+};
+
+} // namespace box2d

@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: MIT
+#include "ContactSystem.h"
+
+#include "SolverArrays.h"
+#include "World.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+namespace box2d
+{
+
+namespace
+{
+
+constexpr int32 kMostContacts = 128; ///< of a pile
+constexpr int32 kMostUpdates = 16;   ///< a body of it, see RowPattern
+/// Below this share of what friction can hold a contact sticks.
+constexpr double kSticks = 0.9999;
+constexpr int32 kMostRounds = 2;  ///< of finding what friction can hold
+constexpr double kEndless = 1e30; ///< [Ns]
+/// Overlaps that sweeps leave above the one are brought to the other [m]: under any load less than
+/// a slop is left.
+constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
+constexpr float32 kOverlap = 0.8f * b2_linearSlop;
+
+/// A contact of a block as an item: a row for each normal, and one for the tangent.
+class ContactItem
+{
+public:
+    ContactItem(ContactBlock& block, int32 lane) : m_block(block), m_lane(lane) {}
+
+    void FillRows(JointRows& rows) const
+    {
+        const ContactData& contact = Data(*m_block.contact[m_lane]);
+        rows = JointRows();
+        rows.rows = 3;
+        JointRows::Column& a = rows.Of(Data(*contact.bodyA));
+        JointRows::Column& b = rows.Of(Data(*contact.bodyB));
+        const b2Vec2 normal(m_block.normalX[m_lane], m_block.normalY[m_lane]);
+        const b2Vec2 tangent = b2Cross(normal, 1.0f);
+        const float32 share = 1.0f / float32(m_block.pointCount);
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            const PointLanes& p = m_block.points[i];
+            a.AddTo(i, -normal, -p.normalLeverA[m_lane]);
+            b.AddTo(i, normal, p.normalLeverB[m_lane]);
+            a.AddTo(2, -share * tangent, -share * p.tangentLeverA[m_lane]);
+            b.AddTo(2, share * tangent, share * p.tangentLeverB[m_lane]);
+        }
+    }
+
+    void Fill(BoundedSystem::Item& item, const Vector3& speed, double tolerance)
+    {
+        item = BoundedSystem::Item();
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            item.impulse.at[i] = double(Normal(i));
+            item.most.at[i] = kEndless;
+            const bool pushes = Normal(i) > 0.0f || speed.at[i] < -tolerance;
+            item.active = uint8(item.active | int(pushes) << i);
+            item.impulse.at[2] += double(Tangent(i));
+        }
+        item.speeds.at[2] = double(m_block.tangentSpeed[m_lane]);
+        const double limit = Holds(item);
+        item.least.at[2] = -limit;
+        item.most.at[2] = limit;
+        if (b2Abs(item.impulse.at[2]) < kSticks * limit)
+        {
+            item.active |= 4;
+        }
+    }
+
+    double Holds(const BoundedSystem::Item& item) const
+    {
+        return double(m_block.friction[m_lane]) * (item.impulse.at[0] + item.impulse.at[1]);
+    }
+
+    /// Friction in shares of what each point can hold.
+    void Take(const BoundedSystem::Item& item)
+    {
+        double load = 0.0;
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            load += item.impulse.at[i];
+        }
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            const double share = load > 0.0 ? item.impulse.at[i] / load : 0.0;
+            Normal(i) = float32(item.impulse.at[i]);
+            Tangent(i) = float32(share * item.impulse.at[2]);
+        }
+    }
+
+    /// How far a speed is from what it should be: across as long as friction can do more.
+    float32 Off(const SolverBody* bodies)
+    {
+        const SolverBody& a = bodies[m_block.bodyA[m_lane]];
+        const SolverBody& b = bodies[m_block.bodyB[m_lane]];
+        const b2Vec2 normal(m_block.normalX[m_lane], m_block.normalY[m_lane]);
+        const b2Vec2 apart = b.v - a.v;
+        const float32 along = b2Dot(apart, normal);
+        const float32 across = b2Dot(apart, b2Cross(normal, 1.0f)) - m_block.tangentSpeed[m_lane];
+        float32 most = 0.0f;
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            const PointLanes& p = m_block.points[i];
+            const float32 speed =
+                along + b.w * p.normalLeverB[m_lane] - a.w * p.normalLeverA[m_lane];
+            most = b2Max(most, Normal(i) > 0.0f ? b2Abs(speed) : -speed);
+            if (b2Abs(Tangent(i)) < float32(kSticks) * m_block.friction[m_lane] * Normal(i))
+            {
+                most = b2Max(most, b2Abs(across + b.w * p.tangentLeverB[m_lane] -
+                                         a.w * p.tangentLeverA[m_lane]));
+            }
+        }
+        return most;
+    }
+
+private:
+    float32& Normal(int32 i) { return m_block.points[i].normalImpulse[m_lane]; }
+    float32& Tangent(int32 i) { return m_block.points[i].tangentImpulse[m_lane]; }
+
+    ContactBlock& m_block;
+    int32 m_lane;
+};
+
+/// An overlap as an item: rows for its points, which are to move apart by a share of what exceeds
+/// the slop, and may come as near as that.
+void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
+                 float32 rate, JointRows& rows, BoundedSystem::Item& item)
+{
+    rows = JointRows();
+    item = BoundedSystem::Item();
+    rows.rows = 3;
+    const float32 share = 1.0f / float32(o.pointCount);
+    JointRows::Column& a = rows.Of(Data(*contact.bodyA));
+    JointRows::Column& b = rows.Of(Data(*contact.bodyB));
+    for (int32 i = 0; i < o.pointCount; ++i)
+    {
+        const Overlap overlap = MeasureOverlap(o, i, bodies[o.bodyA], bodies[o.bodyB]);
+        a.AddTo(i, -overlap.normal, -b2Cross(overlap.armA, overlap.normal));
+        b.AddTo(i, overlap.normal, b2Cross(overlap.armB, overlap.normal));
+        const b2Vec2 tangent = share * b2Cross(overlap.normal, 1.0f);
+        a.AddTo(2, -tangent, -b2Cross(overlap.armA, tangent));
+        b.AddTo(2, tangent, b2Cross(overlap.armB, tangent));
+        const float32 out = -rate * (overlap.separation + kOverlap);
+        item.speeds.at[i] = double(b2Min(out, b2_maxLinearCorrection));
+        item.most.at[i] = kEndless;
+        item.active = uint8(item.active | int(out > 0.0f) << i);
+    }
+}
+
+} // namespace
+
+template <class Function>
+void ContactSystem::ForContacts(SolverArrays& arrays, Function&& function) const
+{
+    for (int32 i = 0; i < arrays.colorCount; ++i)
+    {
+        const int32 color = arrays.colors[i];
+        ContactBlocks& blocks = arrays.contacts[color];
+        for (int32 k = 0; k < blocks.Count(); ++k)
+        {
+            const ContactBlock& block = blocks.Contacts(k);
+            for (int32 lane = 0; lane < block.count; ++lane)
+            {
+                const int32 island = m_islandOf[std::size_t(block.bodyA[lane])];
+                function(island != -1 ? island : m_islandOf[std::size_t(block.bodyB[lane])],
+                         Place{color, k, lane});
+            }
+        }
+    }
+}
+
+void ContactSystem::Begin(World& world)
+{
+    m_islandOf.assign(world.awakeBodies.size() + 1, -1);
+    for (const b2Body* body : world.awakeBodies)
+    {
+        m_islandOf[std::size_t(Data(*body).SolverIndex())] = Data(*body).island;
+    }
+    m_contacts.assign(std::size_t(world.islands.Size()), 0);
+    CountContacts(*world.solver);
+    ChoosePiles();
+    if (m_pileCount > 0)
+    {
+        Gather(*world.solver);
+    }
+}
+
+void ContactSystem::CountContacts(SolverArrays& arrays)
+{
+    ForContacts(arrays, [this](int32 island, const Place&) {
+        if (island != -1)
+        {
+            ++m_contacts[std::size_t(island)];
+        }
+    });
+}
+
+void ContactSystem::ChoosePiles()
+{
+    m_pileCount = 0;
+    m_pileOf.assign(m_contacts.size(), -1);
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
+    {
+        if (m_contacts[i] > 0 && m_contacts[i] <= kMostContacts)
+        {
+            m_pileOf[i] = m_pileCount++;
+        }
+    }
+    m_piles.resize(b2Max(m_piles.size(), std::size_t(m_pileCount)));
+    for (Pile& pile : m_piles)
+    {
+        pile.contacts.clear();
+        pile.joints.clear();
+        pile.followed = false;
+    }
+}
+
+void ContactSystem::Gather(SolverArrays& arrays)
+{
+    ForContacts(arrays, [this](int32 island, const Place& place) {
+        const int32 pile = island != -1 ? m_pileOf[std::size_t(island)] : -1;
+        if (pile != -1)
+        {
+            m_piles[std::size_t(pile)].contacts.push_back(place);
+        }
+    });
+    for (std::size_t i = 0; i < arrays.jointSystem.Count(); ++i)
+    {
+        const RowSides& sides = arrays.jointSystem.Sides(i);
+        for (const BodyData* body : sides.sides)
+        {
+            const int32 pile =
+                body != nullptr && body->island != -1 ? m_pileOf[std::size_t(body->island)] : -1;
+            if (pile != -1)
+            {
+                m_piles[std::size_t(pile)].joints.push_back(int32(i));
+                break;
+            }
+        }
+    }
+}
+
+/// Builds the system anew if it was for others. Whether there is one.
+bool ContactSystem::Follow(Pile& pile, SolverArrays& arrays)
+{
+    if (!pile.followed)
+    {
+        pile.followed = true;
+        Array<RowSides> sides;
+        for (const Place& place : pile.contacts)
+        {
+            const ContactBlock& block = arrays.contacts[place.color].Contacts(place.block);
+            const ContactData& contact = Data(*block.contact[place.lane]);
+            RowSides& s = sides.emplace_back();
+            s.Add(Data(*contact.bodyA));
+            s.Add(Data(*contact.bodyB));
+        }
+        for (const int32 joint : pile.joints)
+        {
+            sides.push_back(arrays.jointSystem.Sides(std::size_t(joint)));
+        }
+        if (sides != pile.sides)
+        {
+            pile.sides = sides;
+            pile.system.Build(sides, kMostUpdates);
+        }
+    }
+    return pile.system.IsExact();
+}
+
+void ContactSystem::SolveVelocities(SolverArrays& arrays, const SolverContext& context,
+                                    float32 tolerance)
+{
+    for (int32 i = 0; i < m_pileCount; ++i)
+    {
+        Pile& pile = m_piles[std::size_t(i)];
+        float32 off = 0.0f;
+        for (const Place& place : pile.contacts)
+        {
+            ContactBlock& block = arrays.contacts[place.color].Contacts(place.block);
+            off = b2Max(off, ContactItem(block, place.lane).Off(context.bodies));
+        }
+        if (off > tolerance && Follow(pile, arrays))
+        {
+            SolveVelocities(pile, arrays, context, tolerance);
+        }
+    }
+}
+
+void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const SolverContext& context,
+                                    float32 tolerance)
+{
+    const auto contact = [&](std::size_t i) {
+        const Place& place = pile.contacts[i];
+        return ContactItem(arrays.contacts[place.color].Contacts(place.block), place.lane);
+    };
+    BoundedSystem& system = pile.system;
+    const std::size_t count = pile.contacts.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        ContactItem item = contact(i);
+        item.FillRows(system.Rows(i));
+        item.Fill(system.At(i), SpeedOf(context, system.Rows(i)), double(tolerance));
+    }
+    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    {
+        arrays.jointSystem.FillItem(std::size_t(pile.joints[i]), system.Rows(count + i),
+                                    system.At(count + i));
+    }
+    system.Mark(context);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        (void)system.Limit(context, i, 2, contact(i).Holds(system.At(i)));
+    }
+    for (int32 round = 0; round < kMostRounds; ++round)
+    {
+        system.Minimize(context, double(tolerance));
+        bool changed = false;
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            changed = system.Limit(context, i, 2, contact(i).Holds(system.At(i))) || changed;
+        }
+        if (!changed)
+        {
+            break;
+        }
+    }
+    system.KeepIfBetter(context);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        contact(i).Take(system.At(i));
+    }
+    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    {
+        arrays.jointSystem.TakeItem(std::size_t(pile.joints[i]), system.At(count + i));
+    }
+}
+
+void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& context, float32 rate)
+{
+    m_moves.resize(b2Max(m_moves.size(), m_islandOf.size()));
+    for (int32 i = 0; i < m_pileCount; ++i)
+    {
+        Pile& pile = m_piles[std::size_t(i)];
+        float32 smallest = 0.0f;
+        for (const Place& place : pile.contacts)
+        {
+            const OverlapConstraint o =
+                OverlapOf(arrays.contacts[place.color].Overlaps(place.block), place.lane);
+            for (int32 k = 0; k < o.pointCount; ++k)
+            {
+                smallest = b2Min(
+                    smallest, MeasureOverlap(o, k, context.bodies[o.bodyA], context.bodies[o.bodyB])
+                                  .separation);
+            }
+        }
+        if (smallest < -kMostOverlap && Follow(pile, arrays))
+        {
+            SolveOverlaps(pile, arrays, context, rate);
+        }
+    }
+}
+
+/// What is a velocity for velocities is a way here.
+void ContactSystem::SolveOverlaps(Pile& pile, SolverArrays& arrays, const SolverContext& context,
+                                  float32 rate)
+{
+    SolverContext ways = context;
+    ways.bodies = m_moves.data();
+    BoundedSystem& system = pile.system;
+    const std::size_t count = pile.contacts.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Place& place = pile.contacts[i];
+        ContactBlocks& blocks = arrays.contacts[place.color];
+        FillOverlap(OverlapOf(blocks.Overlaps(place.block), place.lane),
+                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, rate,
+                    system.Rows(i), system.At(i));
+    }
+    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    {
+        arrays.jointSystem.FillItem(std::size_t(pile.joints[i]), system.Rows(count + i),
+                                    system.At(count + i));
+        system.At(count + i).impulse = Vector3{};
+    }
+    system.Minimize(ways, double(0.01f * b2_linearSlop));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Place& place = pile.contacts[i];
+        BoundedSystem::Item& item = system.At(i);
+        const double load = item.impulse.at[0] + item.impulse.at[1];
+        item.most.at[2] =
+            double(arrays.contacts[place.color].Contacts(place.block).friction[place.lane]) * load;
+        item.least.at[2] = -item.most.at[2];
+        if (load > 0.0)
+        {
+            item.active |= 4;
+        }
+    }
+    system.Minimize(ways, double(0.01f * b2_linearSlop));
+    for (const BodyData* body : system.Bodies())
+    {
+        SolverBody& way = m_moves[std::size_t(body->SolverIndex())];
+        SolverBody& s = context.bodies[body->SolverIndex()];
+        s.d += way.v;
+        if (body->SolverInvInertia() > 0.0f)
+        {
+            s.Rotate(way.w);
+        }
+        way = SolverBody();
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "BoundedSystem.h"
+#include "ContactBlocks.h"
+
+/// Piles that sweeps do not bring to rest, solved exactly, in small steps: where a body lies on
+/// another that lies on another, a sweep carries a load one contact further, and half of a heavy
+/// one. For islands of so few contacts and joints, and of so few loops, that this costs little more
+/// than sweeps do, and only where these have left something to do.
+namespace box2d
+{
+
+class JointSystem;
+struct SolverArrays;
+class World;
+
+class ContactSystem
+{
+public:
+    /// Once a step, when the blocks are prepared: which islands are small enough.
+    void Begin(World& world);
+    /// After sweeps over all contacts: the velocities of the islands in which a contact's normal
+    /// speed is off by more than `tolerance` [m/s].
+    void SolveVelocities(SolverArrays& arrays, const SolverContext& context, float32 tolerance);
+    /// The same of overlaps: the share `rate` of what exceeds the slop.
+    void SolveOverlaps(SolverArrays& arrays, const SolverContext& context, float32 rate);
+
+private:
+    struct Place // of a contact
+    {
+        int32 color, block, lane;
+    };
+    struct Pile
+    {
+        Array<Place> contacts;
+        Array<int32> joints;   // of the JointSystem
+        Array<RowSides> sides; // for which the system was built
+        BoundedSystem system;
+        bool followed = false; // in this step
+    };
+
+    void CountContacts(SolverArrays& arrays);
+    void ChoosePiles();
+    void Gather(SolverArrays& arrays);
+    bool Follow(Pile& pile, SolverArrays& arrays);
+    void SolveVelocities(Pile& pile, SolverArrays& arrays, const SolverContext& context,
+                         float32 tolerance);
+    void SolveOverlaps(Pile& pile, SolverArrays& arrays, const SolverContext& context,
+                       float32 rate);
+    int32 PileOf(int32 bodyA, int32 bodyB) const;
+    template <class Function>
+    void ForContacts(SolverArrays& arrays, Function&& function) const;
+
+    Array<int32> m_islandOf; // by solver index
+    Array<int32> m_contacts; // number by island
+    Array<int32> m_pileOf;   // by island, -1: none, or too large
+    Array<Pile> m_piles;
+    int32 m_pileCount = 0;
+    Array<SolverBody> m_moves; // by solver index: in place of velocities when overlaps are solved
+};
+
+} // namespace box2d

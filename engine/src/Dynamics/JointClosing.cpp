@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "Access.h"
+#include "JointSystem.h"
+
+#include <algorithm>
+
+/// How the JointSystem closes joints after a drift.
+namespace box2d
+{
+
+namespace
+{
+
+/// The compliance, see the header, where closing with the usual one fails (Levenberg, "A Method for
+/// the Solution of Certain Non-Linear Problems in Least Squares", 1944): joints then stay open a
+/// little.
+constexpr double kDamped = 1e-2;
+/// In loops, where joints that hold the same twice share the load: with less, rounding throws them
+/// about. In a tree more than RowSystem's own would let a heavy load sag.
+constexpr double kLoopCompliance = 1e-5;
+
+/// A joint that a drift opens by less than this [m], [rad] is closed well enough at once: the rows,
+/// being those of before the drift, leave some hundredths of it.
+constexpr float32 kNearlyClosed = 1e-4f;
+constexpr int32 kMostCloses = 3;
+constexpr int32 kMostCycles = 16; ///< parts of a drift
+/// Forces within a step are larger than on average.
+constexpr double kCycleMargin = 2.0;
+
+/// What may be left after a drift of what was open before it. A small gap is closed at once. A
+/// large one, of joints that are only swept over or were made open, would give velocities that
+/// stay.
+float32 Left(float32 before)
+{
+    return b2Abs(before) <= kNearlyClosed ? 0.0f : 0.8f * before;
+}
+
+} // namespace
+
+void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
+                                 const Kick& kick)
+{
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        std::copy_n(m_system.Rows(i).impulse, JointRows::kMostRows, m_kicks[i].at);
+    }
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        const int32 cycles = Cycles(i, timeStep);
+        cycles > 1 ? DriftInCycles(i, cycles, context, timeStep, kick)
+                   : ClosePart(i, context, timeStep);
+    }
+    CloseSwept(context, timeStep, sweeps);
+    AddTotals();
+}
+
+double JointSystem::ComplianceOf(int32 part) const
+{
+    return m_system.HasLoops(part) ? kLoopCompliance : RowSystem::kCompliance;
+}
+
+void JointSystem::NotePoses(const SolverContext& context)
+{
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        m_system.ForBodies(i, [&](const BodyData& body, std::size_t place) {
+            m_poses[place] = context.bodies[body.SolverIndex()];
+        });
+    }
+}
+
+/// How many a drift has to be split into. A body that joints pull straight with forces F at arms r
+/// turns back and forth with the frequency sqrt(sum F.r / I), and a leapfrog is thrown about by
+/// what it sees less than three times in a swing. The same number for all of a step: to change it
+/// throws about as well.
+int32 JointSystem::Cycles(int32 part, float32 timeStep) const
+{
+    const Part& p = m_parts[std::size_t(part)];
+    if (p.touched || p.gives)
+    {
+        return 1;
+    }
+    const double square = kCycleMargin * p.squaredFrequency * double(timeStep) * double(timeStep);
+    int32 count = 1;
+    while (double(count * count) < square && count < kMostCycles)
+    {
+        ++count;
+    }
+    return count;
+}
+
+/// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
+/// after are those of half a drift later and earlier.
+void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
+                                float32 timeStep, const Kick& kick)
+{
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        SolverBody& s = context.bodies[body.SolverIndex()];
+        s.d = m_poses[place].d;
+        s.q = m_poses[place].q;
+        s.angle = m_poses[place].angle;
+    });
+    const float32 time = timeStep / float32(count);
+    KickPart(part, context, 0.5f * (time - timeStep), kick);
+    for (int32 i = 0; i < count; ++i)
+    {
+        m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
+            MoveByVelocity(context.bodies[body.SolverIndex()], time, kMostSmallWay);
+        });
+        ClosePart(part, context, time);
+        KickPart(part, context, i + 1 < count ? time : 0.5f * (time - timeStep), kick);
+    }
+}
+
+/// At the present poses.
+void JointSystem::KickPart(int32 part, const SolverContext& context, float32 time, const Kick& kick)
+{
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t) { kick(body, time); });
+    m_system.ForItems(part, [&](std::size_t joint) {
+        JointRows& rows = m_system.Rows(joint);
+        Impulses kept;
+        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+        rows = JointRows();
+        JointAccess::FillRows(*m_joints[joint], context, rows);
+        rows.SetImpulse(kept.at);
+    });
+    m_parts[std::size_t(part)].factored = false;
+    SolvePart(part, context);
+}
+
+void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)
+{
+    if (!m_parts[std::size_t(part)].factored)
+    {
+        m_system.ForItems(part, [&](std::size_t joint) { SetActive(joint); });
+        m_system.Factor(part, ComplianceOf(part));
+    }
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        m_opened[place] = context.bodies[body.SolverIndex()];
+    });
+    if (Close(part, context, timeStep))
+    {
+        return;
+    }
+    const auto giveBack = [&] {
+        m_system.ForItems(
+            part, [&](std::size_t joint) { m_system.Rows(joint).SetImpulse(m_kicks[joint].at); });
+    };
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        context.bodies[body.SolverIndex()] = m_opened[place];
+    });
+    giveBack();
+    m_parts[std::size_t(part)].damped = true;
+    m_system.Factor(part, kDamped);
+    (void)Close(part, context, timeStep);
+    m_parts[std::size_t(part)].damped = false;
+    giveBack();
+}
+
+/// False when that has opened them further: near a pose where they contradict each other, the rows
+/// of before the drift point elsewhere. Damped, only the poses are changed: velocities that do not
+/// really close the joints would throw them about for long.
+bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeStep)
+{
+    float32 first = 0.0f;
+    for (int32 i = 0; i < kMostCloses; ++i)
+    {
+        float32 widest = 0.0f;
+        m_system.ForItems(part, [&](std::size_t joint) {
+            widest = b2Max(widest, WantClosed(joint, context, timeStep));
+        });
+        if (i > 0 && widest > first)
+        {
+            return false;
+        }
+        first = i == 0 ? widest : first;
+        m_system.Solve(part);
+        m_system.Apply(part, context, timeStep, !m_parts[std::size_t(part)].damped);
+        if (widest < kNearlyClosed)
+        {
+            break;
+        }
+    }
+    return true;
+}
+
+/// By sweeps, only the poses are changed too.
+void JointSystem::CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps)
+{
+    if (m_system.Swept().empty())
+    {
+        return;
+    }
+    for (int32 i = 0; i < kMostCloses && SweepClosed(context, timeStep, sweeps) >= kNearlyClosed;
+         ++i)
+    {}
+    for (const int32 joint : m_system.Swept())
+    {
+        m_system.Rows(std::size_t(joint)).SetImpulse(m_kicks[std::size_t(joint)].at);
+    }
+}
+
+/// Once. Returns how far a joint was open.
+float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps)
+{
+    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    {
+        m_before[i] = context.bodies[m_sweptBodies[i]->SolverIndex()];
+    }
+    float32 widest = 0.0f;
+    for (const int32 joint : m_system.Swept())
+    {
+        const auto i = std::size_t(joint);
+        const Vector3 speed = SpeedOf(context, m_system.Rows(i));
+        widest = b2Max(widest, WantClosed(i, context, timeStep));
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            m_speeds[i].at[k] = speed.at[k] + m_system.Lack(i).at[k];
+        }
+    }
+    for (int32 sweep = 0; sweep < sweeps; ++sweep)
+    {
+        for (const int32 joint : m_system.Swept())
+        {
+            const auto i = std::size_t(joint);
+            Lack(i, context, m_speeds[i]);
+            m_system.SolveSwept(i);
+            Push(context, m_system.Rows(i), m_system.Found(i));
+        }
+    }
+    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    {
+        SolverBody& body = context.bodies[m_sweptBodies[i]->SolverIndex()];
+        body.d += timeStep * (body.v - m_before[i].v);
+        const float32 turn = timeStep * (body.w - m_before[i].w);
+        body.angle += turn;
+        body.q = b2Mul(body.q, b2Rot(turn));
+        body.v = m_before[i].v;
+        body.w = m_before[i].w;
+    }
+    return widest;
+}
+
+/// The change of speed that closes a joint in the time. Returns how far it is open.
+float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep)
+{
+    JointRows now;
+    JointAccess::FillRows(*m_joints[joint], context, now);
+    const float32(&before)[3] = m_system.Rows(joint).error;
+    Vector3 error = now.giving > 0 ? Beyond(joint, now, timeStep) : Vector3{};
+    for (int32 k = 0; k < now.Rigid(); ++k)
+    {
+        error.at[k] = double(now.error[k]) - double(Left(before[k]));
+    }
+    float32 widest = 0.0f;
+    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    {
+        m_system.Lack(joint).at[k] = -error.at[k] / double(timeStep);
+        widest = b2Max(widest, b2Abs(float32(error.at[k])));
+    }
+    return widest;
+}
+
+} // namespace box2d

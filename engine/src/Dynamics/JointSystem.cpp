@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "JointSystem.h"
+
+#include "Access.h"
+#include "ConstraintGraph.h"
+
+#include <algorithm>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// Updates a body that a system may cost on average: a tree has one, a ladder two.
+constexpr int32 kMostUpdates = 16;
+/// Of finding what gives way: one is the rule.
+constexpr int32 kMostTries = 12;
+constexpr double kEndless = 1e30; ///< [Ns]
+
+} // namespace
+
+void JointSystem::Update(const ConstraintGraph& graph)
+{
+    if (m_version == graph.JointVersion())
+    {
+        return;
+    }
+    m_version = graph.JointVersion();
+    m_joints = graph.Joints();
+    m_sides.clear();
+    for (b2Joint* joint : m_joints)
+    {
+        m_sides.push_back(SidesOf(*joint));
+    }
+    m_system.Build(m_sides, kMostUpdates);
+    m_parts.assign(std::size_t(m_system.Components()), Part());
+    m_gives.assign(m_joints.size(), 0);
+    m_yields.assign(m_joints.size(), Yields());
+    m_totals.resize(m_joints.size());
+    m_kicks.resize(m_joints.size());
+    m_speeds.resize(m_joints.size());
+    m_poses.resize(m_system.Bodies().size());
+    m_opened.resize(m_system.Bodies().size());
+    m_before.resize(m_system.Bodies().size());
+    m_sweptBodies.clear();
+    for (const int32 joint : m_system.Swept())
+    {
+        for (const BodyData* body : m_sides[std::size_t(joint)].sides)
+        {
+            if (body != nullptr)
+            {
+                m_sweptBodies.push_back(body);
+            }
+        }
+    }
+    std::sort(m_sweptBodies.begin(), m_sweptBodies.end(),
+              [](const BodyData* a, const BodyData* b) { return a->number < b->number; });
+    m_sweptBodies.erase(std::unique(m_sweptBodies.begin(), m_sweptBodies.end()),
+                        m_sweptBodies.end());
+}
+
+void JointSystem::Begin(float32 share, float32 lastInverseStep)
+{
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        JointRows& rows = m_system.Rows(i);
+        m_totals[i] = Totals();
+        JointAccess::GetRowImpulses(*m_joints[i], rows.impulse);
+        for (float32& impulse : rows.impulse)
+        {
+            impulse = b2IsValid(impulse) ? impulse : 0.0f;
+        }
+    }
+    NoteParts(lastInverseStep);
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        for (float32& impulse : m_system.Rows(i).impulse)
+        {
+            impulse *= share;
+        }
+    }
+}
+
+/// What is moved by contacts goes at their pace.
+void JointSystem::NoteParts(float32 lastInverseStep)
+{
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+    {
+        Part& part = m_parts[i];
+        part = Part();
+        part.squaredFrequency = double(lastInverseStep) * m_system.SquaredFrequency(int32(i));
+        m_system.ForBodies(int32(i), [&](const BodyData& body, std::size_t) {
+            part.touched = part.touched || body.colorMask != 0;
+        });
+    }
+}
+
+void JointSystem::End()
+{
+    AddTotals();
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        JointAccess::SetRowImpulses(*m_joints[i], m_totals[i].within, m_totals[i].beyond);
+    }
+}
+
+void JointSystem::Prepare(const SolverContext& context)
+{
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        JointRows& rows = m_system.Rows(i);
+        Impulses kept;
+        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+        rows = JointRows();
+        JointAccess::FillRows(*m_joints[i], context, rows);
+        std::copy_n(kept.at, rows.rows, rows.impulse);
+        m_gives[i] = rows.giving > 0;
+        if (rows.giving > 0)
+        {
+            Validate(rows, m_yields[i]);
+        }
+    }
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+    {
+        Part& part = m_parts[i];
+        part.gives = part.factored = false;
+        m_system.ForItems(int32(i),
+                          [&](std::size_t item) { part.gives = part.gives || m_gives[item] != 0; });
+    }
+}
+
+void JointSystem::WarmStart(const SolverContext& context, float32 share)
+{
+    const auto start = [&](std::size_t joint) {
+        JointRows& rows = m_system.Rows(joint);
+        Vector3 impulse{};
+        bool any = false;
+        for (int32 k = 0; k < rows.rows; ++k)
+        {
+            const float32 carried = CarriedOver(joint, k, share);
+            rows.impulse[k] = 0.0f;
+            impulse.at[k] = double(carried);
+            any = any || carried != 0.0f;
+        }
+        if (any)
+        {
+            Push(context, rows, impulse);
+        }
+    };
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        start(i);
+    }
+}
+
+/// What is missing of the wanted speeds.
+void JointSystem::Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted)
+{
+    const Vector3 speed = SpeedOf(context, m_system.Rows(joint));
+    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    {
+        m_system.Lack(joint).at[k] = wanted.at[k] - speed.at[k];
+    }
+}
+
+void JointSystem::SolvePart(int32 part, const SolverContext& context)
+{
+    Part& p = m_parts[std::size_t(part)];
+    for (int32 tries = 0; tries < kMostTries; ++tries)
+    {
+        if (!p.factored)
+        {
+            m_system.ForItems(part, [&](std::size_t joint) { SetActive(joint); });
+            m_system.Factor(part, ComplianceOf(part));
+            p.factored = true;
+        }
+        m_system.ForItems(part, [&](std::size_t joint) { WantSpeeds(joint, context); });
+        m_system.Solve(part);
+        m_system.Apply(part, context);
+        bool changed = false;
+        if (p.gives)
+        {
+            // All by the same solution.
+            m_system.ForItems(part, [&](std::size_t joint) {
+                m_speeds[joint] = SpeedOf(context, m_system.Rows(joint));
+            });
+            m_system.ForItems(part, [&](std::size_t joint) {
+                changed = (m_gives[joint] != 0 && Reconsider(joint, context)) || changed;
+            });
+        }
+        p.factored = !changed;
+        if (!changed)
+        {
+            break;
+        }
+    }
+}
+
+void JointSystem::SolveVelocities(const SolverContext& context)
+{
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        SolvePart(i, context);
+    }
+    for (const int32 joint : m_system.Swept())
+    {
+        const auto i = std::size_t(joint);
+        for (int32 tries = 0; tries < kMostTries; ++tries)
+        {
+            SetActive(i);
+            m_system.FactorSwept(i);
+            WantSpeeds(i, context);
+            m_system.SolveSwept(i);
+            Push(context, m_system.Rows(i), m_system.Found(i));
+            m_speeds[i] = SpeedOf(context, m_system.Rows(i));
+            if (m_gives[i] == 0 || !Reconsider(i, context))
+            {
+                break;
+            }
+        }
+    }
+}
+
+void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const
+{
+    rows = m_system.Rows(joint);
+    item = BoundedSystem::Item();
+    for (int32 i = 0; i < rows.rows; ++i)
+    {
+        const Yield yield = i < rows.Rigid() ? Yield::Holds : m_yields[joint].of[i];
+        const JointRows::Law& law = rows.laws[i];
+        const bool bounded = i >= rows.Rigid() && law.most < b2_maxFloat;
+        item.impulse.at[i] = double(rows.impulse[i]);
+        item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, yield, i, 0.0);
+        item.least.at[i] = bounded && yield != Yield::Fastest ? -double(law.most) : -kEndless;
+        item.most.at[i] = bounded && yield != Yield::Slowest ? double(law.most) : kEndless;
+        const bool held = yield != Yield::Most && yield != Yield::Least;
+        item.active = uint8(item.active | int(held) << i);
+    }
+}
+
+void JointSystem::TakeItem(std::size_t joint, const BoundedSystem::Item& item)
+{
+    JointRows& rows = m_system.Rows(joint);
+    for (int32 i = 0; i < rows.rows; ++i)
+    {
+        rows.impulse[i] = float32(item.impulse.at[i]);
+    }
+}
+
+} // namespace box2d

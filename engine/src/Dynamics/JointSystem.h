@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "BoundedSystem.h"
+
+#include <functional>
+
+/// All that joints do, in small steps. What they hold rigidly is a RowSystem. Motors and limits
+/// take part in it as long as their forces do what they should; which do is found by trying (block
+/// pivoting: Judice and Pires, "A block principal pivoting algorithm for large-scale strictly
+/// monotone linear complementarity problems", 1994). What hangs together in too many loops is swept
+/// over.
+namespace box2d
+{
+
+class ConstraintGraph;
+
+class JointSystem
+{
+public:
+    using Kick = std::function<void(const BodyData& body, float32 time)>;
+
+    /// Follows the graph's list of joints; costs nothing while that stays the same.
+    void Update(const ConstraintGraph& graph);
+    bool IsEmpty() const { return m_joints.empty(); }
+    /// One call of SolveVelocities is enough.
+    bool IsExact() const { return m_system.IsExact(); }
+    std::size_t Count() const { return m_joints.size(); }
+    const RowSides& Sides(std::size_t joint) const { return m_sides[joint]; }
+
+    /// At the start of a step: takes up the impulses that the joints were left with, times `share`.
+    /// `lastInverseStep`: one over its length.
+    void Begin(float32 share, float32 lastInverseStep);
+    /// At the present poses and the velocities before a kick: the rows. The context's step is the
+    /// kick's, its inverse that of the drift that follows.
+    void Prepare(const SolverContext& context);
+    /// After the bodies have been kicked: applies the last impulses, times `share`.
+    void WarmStart(const SolverContext& context, float32 share);
+    /// Makes the speeds of all rows what they should be.
+    void SolveVelocities(const SolverContext& context);
+    /// Before a drift.
+    void NotePoses(const SolverContext& context);
+    /// After the bodies have moved for `timeStep`: impulses along the rows of Prepare, which change
+    /// velocities and with them the way, close the joints. (RATTLE: Andersen, "Rattle: a
+    /// 'velocity' version of the Shake algorithm", 1983.)
+    /// `kick` gives a body what all other forces give it in a time.
+    void SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
+                        const Kick& kick);
+    /// Leaves the sums of the step's impulses in the joints.
+    void End();
+
+    /// A joint as part of a larger system: after SolveVelocities its rows, and when that is solved
+    /// the impulses that it took.
+    void FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
+    void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
+
+private:
+    struct Impulses
+    {
+        float32 at[JointRows::kMostRows];
+    };
+    /// What a row that gives way does.
+    enum class Yield : uint8
+    {
+        Holds,   ///< its speed is as wanted
+        Most,    ///< its impulse is as large as it can be, or
+        Least,   ///< as small
+        Slowest, ///< its speed is at a bound, whatever impulse that takes
+        Fastest,
+    };
+    struct Yields
+    {
+        Yield of[JointRows::kMostRows] = {};
+    };
+    /// Of the kicks of a step.
+    struct Totals
+    {
+        float32 within[JointRows::kMostRows] = {};
+        float32 beyond[JointRows::kMostRows] = {};
+    };
+    /// What hangs together.
+    struct Part
+    {
+        bool touched = false; ///< by contacts
+        bool gives = false;   ///< some row of it
+        bool damped = false;
+        bool factored = false;
+        double squaredFrequency = 0.0; ///< see RowSystem, of the last step's mean forces
+    };
+
+    // JointYield.cpp
+    static void Validate(const JointRows& rows, Yields& yields);
+    float32 CarriedOver(std::size_t joint, int32 row, float32 share) const;
+    static double WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse);
+    void SetActive(std::size_t joint);
+    void WantSpeeds(std::size_t joint, const SolverContext& context);
+    bool Reconsider(std::size_t joint, const SolverContext& context);
+    bool Reconsider(const SolverContext& context, std::size_t joint, int32 row, float32 speed);
+    bool ReconsiderDisc(const SolverContext& context, std::size_t joint, const Vector3& speed);
+    static Yield After(const JointRows::Law& law, Yield yield, float32 impulse, float32 speed);
+    Vector3 Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const;
+    void AddTotals();
+
+    // JointClosing.cpp
+    int32 Cycles(int32 part, float32 timeStep) const;
+    void DriftInCycles(int32 part, int32 count, const SolverContext& context, float32 timeStep,
+                       const Kick& kick);
+    void KickPart(int32 part, const SolverContext& context, float32 time, const Kick& kick);
+    void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
+    bool Close(int32 part, const SolverContext& context, float32 timeStep);
+    void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
+    float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
+    float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
+
+    void NoteParts(float32 lastInverseStep);
+    double ComplianceOf(int32 part) const;
+    void SolvePart(int32 part, const SolverContext& context);
+    void Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted);
+
+    Array<b2Joint*> m_joints;
+    Array<RowSides> m_sides;
+    RowSystem m_system;
+    Array<Part> m_parts;        // the system's components
+    Array<uint8> m_gives;       // of each joint
+    Array<Yields> m_yields;     // of each joint
+    Array<Totals> m_totals;     // of each joint
+    Array<Impulses> m_kicks;    // each joint's impulses before it was closed
+    Array<SolverBody> m_poses;  // by place: before the drift
+    Array<SolverBody> m_opened; // by place: before joints were closed
+    Array<SolverBody> m_before; // of swept joints' bodies: the same
+    Array<Vector3> m_speeds;    // scratch: of each joint's rows
+    Array<const BodyData*> m_sweptBodies;
+    int32 m_version = -1;
+};
+
+} // namespace box2d

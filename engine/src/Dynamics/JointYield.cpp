@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "JointSystem.h"
+
+#include "Joints/JointFrame.h"
+
+#include <algorithm>
+
+/// Motors, limits and friction in the JointSystem: each row that gives way either takes part in it,
+/// held at a speed, or has an impulse at its bound. From an exact solution it follows which of the
+/// two is wrong, for all rows at once; then it is solved again.
+namespace box2d
+{
+
+namespace
+{
+
+/// Impulses that are bounded as a vector count as the same within this share of the bound.
+constexpr float32 kSameImpulse = 1e-4f;
+
+float32 WantedOf(const JointRows::Law& law)
+{
+    return b2Clamp(law.wanted, law.slowest, law.fastest);
+}
+
+b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
+{
+    return b2Vec2(impulse[0], impulse[1]);
+}
+
+} // namespace
+
+/// What a joint was told since the last kick may have made impossible.
+void JointSystem::Validate(const JointRows& rows, Yields& yields)
+{
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const JointRows::Law& law = rows.laws[i];
+        Yield& yield = yields.of[i];
+        const bool unbounded = (yield == Yield::Slowest && law.slowest == -b2_maxFloat) ||
+                               (yield == Yield::Fastest && law.fastest == b2_maxFloat);
+        if (unbounded || law.most == b2_maxFloat)
+        {
+            yield = Yield::Holds;
+        }
+        if (yield == Yield::Holds && (law.most == 0.0f || law.DrivesAbove()))
+        {
+            yield = Yield::Most;
+        }
+        if (yield == Yield::Holds && law.DrivesBelow())
+        {
+            yield = Yield::Least;
+        }
+    }
+}
+
+/// The impulse that a row starts a kick with. What is solved exactly starts from none: it comes out
+/// the same, and joints that contradict each other do not wind up.
+float32 JointSystem::CarriedOver(std::size_t joint, int32 row, float32 share) const
+{
+    const JointRows& rows = m_system.Rows(joint);
+    const Yields& yields = m_yields[joint];
+    const bool alone = row >= rows.Rigid() && !(rows.disc && row < 2);
+    if (alone && yields.of[row] == Yield::Most)
+    {
+        return rows.laws[row].most;
+    }
+    if (alone && yields.of[row] == Yield::Least)
+    {
+        return -rows.laws[row].most;
+    }
+    const bool slips = rows.disc && row < 2 && yields.of[row] == Yield::Most;
+    return m_system.IsExact(joint) && !slips ? 0.0f : share * rows.impulse[row];
+}
+
+/// Rows whose impulses are at their bounds take no part in the system.
+void JointSystem::SetActive(std::size_t joint)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    uint8 active = 7;
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const Yield yield = m_yields[joint].of[i];
+        if (yield == Yield::Most || yield == Yield::Least)
+        {
+            active = uint8(active & ~(1u << i));
+        }
+    }
+    m_system.SetActive(joint, active);
+}
+
+void JointSystem::WantSpeeds(std::size_t joint, const SolverContext& context)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    Vector3 wanted{};
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        wanted.at[i] = WantedSpeed(rows, m_yields[joint].of[i], i, double(rows.impulse[i]));
+    }
+    Lack(joint, context, wanted);
+}
+
+double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse)
+{
+    const JointRows::Law& law = rows.laws[row];
+    switch (yield)
+    {
+    case Yield::Holds:
+        return double(WantedOf(law)) - double(law.softness) * impulse;
+    case Yield::Slowest:
+        return double(law.slowest);
+    case Yield::Fastest:
+        return double(law.fastest);
+    case Yield::Most:
+    case Yield::Least:
+        break;
+    }
+    return 0.0;
+}
+
+/// Whether anything has changed, so that all has to be solved again.
+bool JointSystem::Reconsider(std::size_t joint, const SolverContext& context)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    const Vector3& speed = m_speeds[joint];
+    bool changed = false;
+    int32 row = rows.Rigid();
+    if (rows.disc)
+    {
+        changed = ReconsiderDisc(context, joint, speed);
+        row = 2;
+    }
+    for (; row < rows.rows; ++row)
+    {
+        changed = Reconsider(context, joint, row, float32(speed.at[row])) || changed;
+    }
+    return changed;
+}
+
+bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, int32 row,
+                             float32 speed)
+{
+    JointRows& rows = m_system.Rows(joint);
+    const JointRows::Law& law = rows.laws[row];
+    Yield& yield = m_yields[joint].of[row];
+    const float32 impulse = rows.impulse[row];
+    const Yield next = After(law, yield, impulse, speed);
+    // The bounds change with every kick.
+    const float32 bound = next == Yield::Most ? law.most : -law.most;
+    const bool moves = (next == Yield::Most || next == Yield::Least) && impulse != bound;
+    if (moves)
+    {
+        Vector3 difference{};
+        difference.at[row] = double(bound) - double(impulse);
+        Push(context, rows, difference);
+        rows.impulse[row] = bound;
+    }
+    const bool changed = moves || next != yield;
+    yield = next;
+    return changed;
+}
+
+/// What follows from an impulse and a speed of a row. The law's graph, impulse over speed, falls in
+/// steps: beyond the most at the slowest, the most, from there to the least at the speed wanted,
+/// the least, beyond it at the fastest. Where the speed wanted is below the slowest, all speeds
+/// have the least and its most is not met, and the other way round.
+JointSystem::Yield JointSystem::After(const JointRows::Law& law, Yield yield, float32 impulse,
+                                      float32 speed)
+{
+    const float32 same = JointRows::kSameSpeed * (1.0f + b2Abs(speed));
+    const float32 wanted = WantedOf(law);
+    switch (yield)
+    {
+    case Yield::Holds:
+        return impulse > law.most ? Yield::Most : impulse < -law.most ? Yield::Least : yield;
+    case Yield::Slowest:
+        return impulse >= law.Within(law.most) ? yield
+               : law.DrivesBelow()             ? Yield::Least
+                                               : Yield::Most;
+    case Yield::Fastest:
+        return impulse <= law.Within(-law.most) ? yield
+               : law.DrivesAbove()              ? Yield::Most
+                                                : Yield::Least;
+    case Yield::Most:
+    case Yield::Least:
+        break;
+    }
+    if (speed < law.slowest - same)
+    {
+        return Yield::Slowest;
+    }
+    if (speed > law.fastest + same)
+    {
+        return Yield::Fastest;
+    }
+    const bool tooMuch = yield == Yield::Most && speed > wanted + same;
+    const bool tooLittle = yield == Yield::Least && speed < wanted - same;
+    if (law.most == 0.0f || !(tooMuch || tooLittle))
+    {
+        return yield;
+    }
+    return law.DrivesBelow() ? Yield::Least : law.DrivesAbove() ? Yield::Most : Yield::Holds;
+}
+
+/// How far a drift has gone beyond what a bound on the speed allowed, by row; what holds joints
+/// together when they close holds them at their limits too.
+Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const
+{
+    Vector3 beyond{};
+    const JointRows& rows = m_system.Rows(joint);
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const Yield yield = m_yields[joint].of[i];
+        const double way = double(now.laws[i].place) - double(rows.laws[i].place) -
+                           double(timeStep) * WantedSpeed(rows, yield, i, double(rows.impulse[i]));
+        if ((yield == Yield::Slowest && way < 0.0) || (yield == Yield::Fastest && way > 0.0))
+        {
+            beyond.at[i] = way;
+        }
+    }
+    return beyond;
+}
+
+/// Two rows whose impulses are bounded as a vector: when they slip, the vector turns until it is
+/// against the slip.
+bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint,
+                                 const Vector3& speed)
+{
+    Yields& yields = m_yields[joint];
+    JointRows& rows = m_system.Rows(joint);
+    const float32 most = rows.laws[0].most;
+    const b2Vec2 impulse = PairOf(rows.impulse);
+    b2Vec2 wanted = impulse;
+    if (yields.of[0] != Yield::Holds)
+    {
+        double k[3] = {double(rows.laws[0].softness), 0.0, double(rows.laws[1].softness)};
+        for (int32 side = 0; side < rows.bodies; ++side)
+        {
+            const JointRows::Column& c = rows.columns[side];
+            const double m = c.invMass;
+            const double i = c.invInertia;
+            k[0] += m * double(c.x[0] * c.x[0] + c.y[0] * c.y[0]) + i * double(c.w[0] * c.w[0]);
+            k[1] += m * double(c.x[0] * c.x[1] + c.y[0] * c.y[1]) + i * double(c.w[0] * c.w[1]);
+            k[2] += m * double(c.x[1] * c.x[1] + c.y[1] * c.y[1]) + i * double(c.w[1] * c.w[1]);
+        }
+        const b2Vec2 lacking(
+            rows.laws[0].wanted - rows.laws[0].softness * impulse.x - float32(speed.at[0]),
+            rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
+        wanted +=
+            b2Mat22(float32(k[0]), float32(k[1]), float32(k[1]), float32(k[2])).Solve(lacking);
+    }
+    const bool slips = wanted.LengthSquared() > most * most;
+    const Yield next = slips ? Yield::Most : Yield::Holds;
+    const bool changed = yields.of[0] != next;
+    yields.of[0] = yields.of[1] = next;
+    if (!slips)
+    {
+        return changed;
+    }
+    const b2Vec2 difference = ClampLength(wanted, most) - impulse;
+    if (!changed && difference.Length() <= kSameImpulse * most)
+    {
+        return false;
+    }
+    Push(context, rows, Vector3{{double(difference.x), double(difference.y), 0.0}});
+    return true;
+}
+
+/// Of the kick that has been solved.
+void JointSystem::AddTotals()
+{
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        const JointRows& rows = m_system.Rows(i);
+        Totals& totals = m_totals[i];
+        for (int32 k = 0; k < rows.rows; ++k)
+        {
+            const float32 within =
+                rows.disc && k < 2 ? rows.impulse[k] : rows.laws[k].Within(rows.impulse[k]);
+            totals.within[k] += within;
+            totals.beyond[k] += rows.impulse[k] - within;
+        }
+    }
+}
+
+} // namespace box2d

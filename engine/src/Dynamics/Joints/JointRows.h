@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "JointFrame.h"
+
+/// What a joint does to its bodies in small steps, as rows of a linear system: for each row its
+/// derivative J by the velocities of the bodies. What holds rigidly comes first, with an error C at
+/// the present pose whose rate is J v. Motors, limits, springs and friction follow: they give way,
+/// each to its own law. The impulses change the velocities by M^-1 J^T lambda.
+namespace box2d
+{
+
+struct JointRows
+{
+    static constexpr int32 kMostRows = 3;
+    static constexpr int32 kMostBodies = 4; ///< a gear holds four
+
+    /// Of one body: how each row depends on the velocity of its centre and on its turning.
+    struct Column
+    {
+        const BodyData* data = nullptr;
+        int32 body = 0; ///< solver index
+        float32 invMass = 0.0f, invInertia = 0.0f;
+        float32 x[kMostRows] = {}, y[kMostRows] = {}, w[kMostRows] = {};
+
+        void AddTo(int32 row, const b2Vec2& direction, float32 lever)
+        {
+            x[row] += direction.x;
+            y[row] += direction.y;
+            w[row] += lever;
+        }
+    };
+
+    /// The column of a body; a body that takes part twice has one.
+    Column& Of(const BodyData& body)
+    {
+        for (int32 i = 0; i < bodies; ++i)
+        {
+            if (columns[i].data == &body)
+            {
+                return columns[i];
+            }
+        }
+        Column& column = columns[bodies++];
+        column.data = &body;
+        column.body = body.SolverIndex();
+        column.invMass = body.SolverInvMass();
+        column.invInertia = body.SolverInvInertia();
+        return column;
+    }
+
+    /// How a row gives way: its speed is to be `wanted` - softness * impulse, as far as an impulse
+    /// of `most` does it, but at any cost not below `slowest` and not above `fastest`.
+    struct Law
+    {
+        float32 wanted = 0.0f;   ///< [m/s] or [rad/s]
+        float32 softness = 0.0f; ///< [1/kg] or [1/(kg m^2)]
+        float32 most = b2_maxFloat;
+        float32 slowest = -b2_maxFloat, fastest = b2_maxFloat;
+        float32 place = 0.0f; ///< where it is, of one that has a slowest or fastest [m] or [rad]
+
+        /// A motor that is against a limit all it can.
+        bool DrivesBelow() const { return wanted < slowest - kSameSpeed; }
+        bool DrivesAbove() const { return wanted > fastest + kSameSpeed; }
+        /// The motor's share of an impulse, which is its own and the limit's.
+        float32 Within(float32 all) const
+        {
+            return DrivesBelow() ? -most : DrivesAbove() ? most : b2Clamp(all, -most, most);
+        }
+    };
+    /// Speeds count as the same within this [m/s], [rad/s]: rounding must not let go of a limit.
+    static constexpr float32 kSameSpeed = 1e-5f;
+
+    int32 Rigid() const { return rows - giving; }
+    void SetImpulse(const float32 (&value)[kMostRows]) { std::copy_n(value, kMostRows, impulse); }
+
+    int32 rows = 0;     ///< 0 to 3; the rest of the arrays is zero
+    int32 giving = 0;   ///< the last of them
+    bool point = false; ///< the first two hold a point
+    /// The first two give way together: `most` is for the length of both impulses.
+    bool disc = false;
+    int32 bodies = 0; ///< columns
+    Column columns[kMostBodies];
+    Law laws[kMostRows];
+    float32 error[kMostRows] = {};   ///< [m] or [rad], of what holds rigidly
+    float32 impulse[kMostRows] = {}; ///< [Ns] or [Nms]
+};
+
+/// A joint's frame together with its rows.
+struct RowFiller
+{
+    RowFiller(const b2Body& bodyA, const b2Body& bodyB, const SolverContext& stepContext,
+              JointRows& into)
+        : f(bodyA, bodyB, stepContext), context(stepContext), rows(into), a(rows.Of(f.dataA)),
+          b(rows.Of(f.dataB))
+    {}
+
+    // As JointFrame has them, but after what has moved so far in the step.
+
+    b2Vec2 ArmA(const b2Vec2& local) const { return b2Mul(f.a.q, f.ArmA(local)); }
+    b2Vec2 ArmB(const b2Vec2& local) const { return b2Mul(f.b.q, f.ArmB(local)); }
+    b2Vec2 Offset() const { return f.Offset() + f.b.d - f.a.d; }
+    /// Of B against A [rad].
+    double Angle() const
+    {
+        return f.dataB.pose.angle - f.dataA.pose.angle + double(f.b.angle) - double(f.a.angle);
+    }
+
+    /// A row that holds two points along a direction, a unit vector. `reachA` goes from the centre
+    /// of mass A to the point of B when the direction turns with A, to A's own point when not.
+    void AddAlong(const b2Vec2& direction, const b2Vec2& reachA, const b2Vec2& armB, float32 error)
+    {
+        a.AddTo(rows.rows, -direction, -b2Cross(reachA, direction));
+        b.AddTo(rows.rows, direction, b2Cross(armB, direction));
+        rows.error[rows.rows++] = error;
+    }
+    /// A row that does nothing, and keeps the place of one that does.
+    void AddNothing() { ++rows.rows; }
+    /// Two rows that hold two points together.
+    void AddPoint(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& error)
+    {
+        rows.point = rows.rows == 0;
+        AddAlong(b2Vec2(1.0f, 0.0f), armA, armB, error.x);
+        AddAlong(b2Vec2(0.0f, 1.0f), armA, armB, error.y);
+    }
+    /// A row that holds the angle between the bodies.
+    void AddAngle(float32 error)
+    {
+        a.AddTo(rows.rows, b2Vec2(0.0f, 0.0f), -1.0f);
+        b.AddTo(rows.rows, b2Vec2(0.0f, 0.0f), 1.0f);
+        rows.error[rows.rows++] = error;
+    }
+
+    // The last row gives way.
+
+    JointRows::Law& Give()
+    {
+        ++rows.giving;
+        return rows.laws[rows.rows - 1];
+    }
+    void GiveToMotor(float32 speed, float32 mostForce)
+    {
+        JointRows::Law& law = Give();
+        law.wanted = speed;
+        law.most = context.timeStep * mostForce;
+    }
+    /// After a motor, which may have no force.
+    void GiveToLimit(float32 place, float32 lower, float32 upper)
+    {
+        JointRows::Law& law = rows.laws[rows.rows - 1];
+        law.slowest = -SpeedTowards(place - lower);
+        law.fastest = SpeedTowards(upper - place);
+        law.place = place;
+    }
+    /// Adds a row for the angle to the two for the point.
+    void GiveToFriction(float32 mostForce, float32 mostTorque)
+    {
+        AddAngle(0.0f);
+        rows.giving = rows.rows;
+        rows.disc = true;
+        rows.laws[0].most = rows.laws[1].most = context.timeStep * mostForce;
+        rows.laws[2].most = context.timeStep * mostTorque;
+    }
+    /// Of the oscillator that moves 1 / `inverseMass`, or as much as the row does.
+    void GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio)
+    {
+        GiveToSpring(error, frequencyHz, dampingRatio, InverseMassOf(rows.rows - 1));
+    }
+    void GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio,
+                      float32 inverseMass);
+    /// The speed with which a limit at a distance, negative beyond it, may be approached: as it
+    /// would be reached in the drift. What is beyond comes back slower.
+    float32 SpeedTowards(float32 distance) const
+    {
+        return distance >= 0.0f ? distance * context.inverseStep
+                                : b2Max(kReturn * distance * context.inverseStep, -kFastestReturn);
+    }
+
+    /// How an impulse along a row changes its speed.
+    float32 InverseMassOf(int32 row) const
+    {
+        const auto of = [row](const JointRows::Column& c) {
+            return c.invMass * (c.x[row] * c.x[row] + c.y[row] * c.y[row]) +
+                   c.invInertia * c.w[row] * c.w[row];
+        };
+        return of(a) + of(b);
+    }
+    float32 SpeedOf(int32 row) const
+    {
+        const auto of = [row](const JointRows::Column& c, const SolverBody& body) {
+            return c.x[row] * body.v.x + c.y[row] * body.v.y + c.w[row] * body.w;
+        };
+        return of(a, f.a) + of(b, f.b);
+    }
+
+    /// Share of what is beyond a limit that a small step takes back: more would throw it off the
+    /// limit, less leaves it there for long.
+    static constexpr float32 kReturn = 0.2f;
+    static constexpr float32 kFastestReturn = 2.0f; ///< [m/s], [rad/s]
+
+    JointFrame f;
+    const SolverContext& context;
+    JointRows& rows;
+    JointRows::Column& a;
+    JointRows::Column& b;
+};
+
+/// A spring k and a damper c, at the kick of duration t before a drift of h (half of it at either
+/// end of a step), with the speeds u before and v after the kick:
+///   impulse = -t k C - h^2 k / 4 (v - u) - t c (p v + (1 - p) u)
+/// The first two terms are Newmark's method with beta = 1/4 (1959; Hairer, Lubich, Wanner,
+/// "Geometric Numerical Integration", 2006, XIII.8): of second order, it keeps a spring's energy
+/// and is stable whatever its frequency f, which comes out too low by the share (2 pi f h)^2 / 12.
+/// With p = (1 + z) / (2 + z), z = t c / m, a damper by itself slows down by 1 / (1 + z + z^2 / 2),
+/// the Pade approximant (0, 2) of exp(-z). Where h no longer resolves the spring, c grows with
+/// sqrt(1 + (h omega / 4)^2), or else stiff springs would ring; and what would swing in less than
+/// two drifts counts as if it swung in two.
+inline void RowFiller::GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio,
+                                    float32 inverseMass)
+{
+    JointRows::Law& law = Give();
+    if (inverseMass <= 0.0f || frequencyHz <= 0.0f)
+    {
+        law.most = 0.0f;
+        return;
+    }
+    const float32 t = context.timeStep;
+    const float32 omega = b2_pi * b2Min(2.0f * frequencyHz, context.inverseStep);
+    const float32 turn = omega / context.inverseStep;
+    const float32 mass = 1.0f / inverseMass;
+    const float32 z = 2.0f * dampingRatio * omega * t * b2Sqrt(1.0f + turn * turn / 16.0f);
+    const float32 p = (1.0f + z) / (2.0f + z);
+    const float32 inertia = 0.25f * turn * turn * mass; // h^2 k / 4
+    const float32 sum = inertia + p * z * mass;
+    const float32 before = SpeedOf(rows.rows - 1);
+    law.softness = 1.0f / sum;
+    law.wanted =
+        ((inertia - (1.0f - p) * z * mass) * before - t * mass * omega * omega * error) / sum;
+}
+
+} // namespace box2d

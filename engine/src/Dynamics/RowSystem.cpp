@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: MIT
+#include "RowSystem.h"
+
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <algorithm>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// The factors of a symmetric positive definite matrix, in its own place: L below the diagonal,
+/// the inverse of D on it. No inverse is made of the whole, which would lose the stiff directions
+/// among the soft ones.
+void FactorInPlace(Block3& m)
+{
+    auto& a = m.at;
+    a[0][0] = 1.0 / a[0][0];
+    const double u10 = a[1][0];
+    const double u20 = a[2][0];
+    a[1][0] = u10 * a[0][0];
+    a[2][0] = u20 * a[0][0];
+    a[1][1] = 1.0 / (a[1][1] - a[1][0] * u10);
+    const double u21 = a[2][1] - a[2][0] * u10;
+    a[2][1] = u21 * a[1][1];
+    a[2][2] = 1.0 / (a[2][2] - a[2][0] * u20 - a[2][1] * u21);
+}
+
+/// m = m L^-T
+void DivideByTransposed(Block3& m, const Block3& factors)
+{
+    const auto& l = factors.at;
+    for (auto& row : m.at)
+    {
+        row[1] -= row[0] * l[1][0];
+        row[2] -= row[0] * l[2][0] + row[1] * l[2][1];
+    }
+}
+
+/// v = L^-1 v
+void DivideByLower(Vector3& v, const Block3& factors)
+{
+    const auto& l = factors.at;
+    v.at[1] -= l[1][0] * v.at[0];
+    v.at[2] -= l[2][0] * v.at[0] + l[2][1] * v.at[1];
+}
+
+/// v = L^-T v
+void DivideByUpper(Vector3& v, const Block3& factors)
+{
+    const auto& l = factors.at;
+    v.at[1] -= l[2][1] * v.at[2];
+    v.at[0] -= l[1][0] * v.at[1] + l[2][0] * v.at[2];
+}
+
+Vector3 DividedByDiagonal(const Vector3& v, const Block3& factors)
+{
+    return Vector3{
+        {v.at[0] * factors.at[0][0], v.at[1] * factors.at[1][1], v.at[2] * factors.at[2][2]}};
+}
+
+/// m -= a D^-1 b^T
+void SubtractProduct(Block3& m, const Block3& a, const Block3& factors, const Block3& b)
+{
+    for (int32 i = 0; i < 3; ++i)
+    {
+        const double r0 = a.at[i][0] * factors.at[0][0];
+        const double r1 = a.at[i][1] * factors.at[1][1];
+        const double r2 = a.at[i][2] * factors.at[2][2];
+        for (int32 k = 0; k < 3; ++k)
+        {
+            m.at[i][k] -= r0 * b.at[k][0] + r1 * b.at[k][1] + r2 * b.at[k][2];
+        }
+    }
+}
+
+/// r -= m v
+void SubtractProduct(Vector3& r, const Block3& m, const Vector3& v)
+{
+    for (int32 i = 0; i < 3; ++i)
+    {
+        r.at[i] -= m.at[i][0] * v.at[0] + m.at[i][1] * v.at[1] + m.at[i][2] * v.at[2];
+    }
+}
+
+/// r -= m^T v
+void SubtractTransposed(Vector3& r, const Block3& m, const Vector3& v)
+{
+    for (int32 i = 0; i < 3; ++i)
+    {
+        r.at[i] -= m.at[0][i] * v.at[0] + m.at[1][i] * v.at[1] + m.at[2][i] * v.at[2];
+    }
+}
+
+/// m += u^T W v, over three rows.
+void AddProduct(Block3& m, const double (&u)[3][3], const Vector3& weights, const double (&v)[3][3])
+{
+    for (int32 row = 0; row < 3; ++row)
+    {
+        for (int32 i = 0; i < 3; ++i)
+        {
+            const double wu = weights.at[row] * u[row][i];
+            for (int32 k = 0; k < 3; ++k)
+            {
+                m.at[i][k] += wu * v[row][k];
+            }
+        }
+    }
+}
+
+/// J M^-1 J^T of a row with itself.
+double OwnOf(const JointRows& rows, int32 row)
+{
+    double sum = 0.0;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        const double x = c.x[row];
+        const double y = c.y[row];
+        const double w = c.w[row];
+        sum += double(c.invMass) * (x * x + y * y) + double(c.invInertia) * w * w;
+    }
+    return sum;
+}
+
+/// The factors of J M^-1 J^T, of one item's active rows.
+Block3 FactorsOfOwn(const JointRows& rows, uint8 active)
+{
+    const auto holds = [&](int32 row) { return row < rows.rows && (active >> row & 1) != 0; };
+    Block3 m{};
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        for (int32 i = 0; i < rows.rows; ++i)
+        {
+            const Vector3 u{{double(c.invMass) * double(c.x[i]), double(c.invMass) * double(c.y[i]),
+                             double(c.invInertia) * double(c.w[i])}};
+            for (int32 k = 0; k < rows.rows && holds(i); ++k)
+            {
+                m.at[i][k] += holds(k) ? u.at[0] * double(c.x[k]) + u.at[1] * double(c.y[k]) +
+                                             u.at[2] * double(c.w[k])
+                                       : 0.0;
+            }
+        }
+    }
+    for (int32 i = 0; i < 3; ++i)
+    {
+        double& own = m.at[i][i];
+        own =
+            own > 0.0 ? (1.0 + RowSystem::kCompliance) * own + double(rows.laws[i].softness) : 1.0;
+    }
+    FactorInPlace(m);
+    return m;
+}
+
+} // namespace
+
+void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates)
+{
+    m_pattern.Build(sides, mostUpdates);
+    m_rows.resize(sides.size());
+    m_active.assign(sides.size(), 7);
+    m_weights.assign(sides.size(), Vector3{});
+    m_lack.resize(sides.size());
+    m_found.assign(sides.size(), Vector3{});
+    m_own.resize(sides.size());
+    m_sides.assign(m_pattern.sides.size(), Side{});
+    m_diagonal.resize(m_pattern.columns.size() - 1);
+    m_x.resize(m_diagonal.size());
+    m_exact.assign(sides.size(), 1);
+    for (const int32 item : m_pattern.swept)
+    {
+        m_exact[std::size_t(item)] = 0;
+    }
+    m_stiffness.resize(m_diagonal.size());
+    m_entries.resize(m_pattern.rows.size());
+}
+
+void RowSystem::Factor()
+{
+    for (int32 i = 0; i < Components(); ++i)
+    {
+        Factor(i);
+    }
+}
+
+double RowSystem::SquaredFrequency(int32 component) const
+{
+    double highest = 0.0;
+    const RowPattern::Component* c = m_pattern.components.data() + component;
+    ForBodies(component, [&](const BodyData&, std::size_t place) { m_stiffness[place] = 0.0; });
+    for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
+    {
+        const RowPattern::Item* item = m_pattern.items.data() + i;
+        const JointRows& rows = m_rows[std::size_t(item->item)];
+        for (int32 k = item[0].firstSide; k < item[1].firstSide && rows.point; ++k)
+        {
+            // A force F at an arm r turns the body back by F.r for each radian.
+            const RowPattern::Side& side = m_pattern.sides[std::size_t(k)];
+            const JointRows::Column& column = rows.columns[side.side];
+            double& stiffness = m_stiffness[std::size_t(side.place)];
+            stiffness += double(rows.impulse[0]) * double(column.w[1]) -
+                         double(rows.impulse[1]) * double(column.w[0]);
+            highest = std::max(highest, stiffness * double(column.invInertia));
+        }
+    }
+    return highest;
+}
+
+void RowSystem::FactorSwept(std::size_t item)
+{
+    m_own[item] = FactorsOfOwn(m_rows[item], m_active[item]);
+}
+
+void RowSystem::Factor(int32 component, double compliance)
+{
+    const RowPattern::Component* c = m_pattern.components.data() + component;
+    FillDiagonal(c);
+    for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
+    {
+        Fill(std::size_t(i), compliance);
+    }
+    for (int32 i = c[0].firstColumn; i < c[1].firstColumn; ++i)
+    {
+        Eliminate(std::size_t(i));
+    }
+}
+
+/// With the masses, and the entries with nothing.
+void RowSystem::FillDiagonal(const RowPattern::Component* component)
+{
+    for (int32 i = component[0].firstColumn; i < component[1].firstColumn; ++i)
+    {
+        const BodyData& body = *m_pattern.columns[std::size_t(i)].body;
+        Block3& m = m_diagonal[std::size_t(i)];
+        m = Block3{};
+        m.at[0][0] = m.at[1][1] = 1.0 / double(body.SolverInvMass());
+        m.at[2][2] = body.SolverInvInertia() > 0.0f ? 1.0 / double(body.SolverInvInertia()) : 1.0;
+    }
+    const int32 first = m_pattern.columns[std::size_t(component[0].firstColumn)].firstEntry;
+    const int32 last = m_pattern.columns[std::size_t(component[1].firstColumn)].firstEntry;
+    std::fill(m_entries.begin() + first, m_entries.begin() + last, Block3{});
+}
+
+/// Adds an item, given by its place.
+void RowSystem::Fill(std::size_t place, double compliance)
+{
+    const RowPattern::Item* item = m_pattern.items.data() + place;
+    const auto index = std::size_t(item->item);
+    const JointRows& rows = m_rows[index];
+    Vector3& weights = m_weights[index];
+    weights = Vector3{};
+    for (int32 row = 0; row < rows.rows; ++row)
+    {
+        const double own = OwnOf(rows, row);
+        const bool holds = own > 0.0 && (m_active[index] >> row & 1) != 0;
+        weights.at[row] = holds ? 1.0 / (compliance * own + double(rows.laws[row].softness)) : 0.0;
+    }
+    for (int32 i = item[0].firstSide; i < item[1].firstSide; ++i)
+    {
+        const RowPattern::Side& side = m_pattern.sides[std::size_t(i)];
+        const JointRows::Column& column = rows.columns[side.side];
+        Side& to = m_sides[std::size_t(i)];
+        for (int32 row = 0; row < 3; ++row)
+        {
+            to.rows[row][0] = double(column.x[row]);
+            to.rows[row][1] = double(column.y[row]);
+            to.rows[row][2] = column.invInertia > 0.0f ? double(column.w[row]) : 0.0;
+        }
+        AddProduct(m_diagonal[std::size_t(side.place)], to.rows, weights, to.rows);
+    }
+    for (int32 i = item[0].firstMeeting; i < item[1].firstMeeting; ++i)
+    {
+        const RowPattern::Meeting& meeting = m_pattern.meetings[std::size_t(i)];
+        AddProduct(m_entries[std::size_t(meeting.entry)], m_sides[std::size_t(meeting.side1)].rows,
+                   weights, m_sides[std::size_t(meeting.side2)].rows);
+    }
+}
+
+void RowSystem::Eliminate(std::size_t place)
+{
+    const RowPattern::Column& column = m_pattern.columns[place];
+    const int32 end = m_pattern.columns[place + 1].firstEntry;
+    FactorInPlace(m_diagonal[place]);
+    const int32* target = m_pattern.targets.data() + column.firstTarget;
+    for (int32 i = column.firstEntry; i < end; ++i)
+    {
+        DivideByTransposed(m_entries[std::size_t(i)], m_diagonal[place]);
+        for (int32 k = column.firstEntry; k <= i; ++k, ++target)
+        {
+            Block3& m = *target >= 0 ? m_entries[std::size_t(*target)]
+                                     : m_diagonal[std::size_t(-1 - *target)];
+            SubtractProduct(m, m_entries[std::size_t(i)], m_diagonal[place],
+                            m_entries[std::size_t(k)]);
+        }
+    }
+}
+
+void RowSystem::Substitute(const RowPattern::Component* component)
+{
+    const auto first = std::size_t(component[0].firstColumn);
+    const auto last = std::size_t(component[1].firstColumn);
+    for (std::size_t place = first; place < last; ++place)
+    {
+        const int32 end = m_pattern.columns[place + 1].firstEntry;
+        DivideByLower(m_x[place], m_diagonal[place]);
+        const Vector3 v = DividedByDiagonal(m_x[place], m_diagonal[place]);
+        for (int32 i = m_pattern.columns[place].firstEntry; i < end; ++i)
+        {
+            SubtractProduct(m_x[std::size_t(m_pattern.rows[std::size_t(i)])],
+                            m_entries[std::size_t(i)], v);
+        }
+    }
+    for (std::size_t place = last; place-- > first;)
+    {
+        // D^-1 (x - Y^T of the rows below), then L^-T.
+        const int32 end = m_pattern.columns[place + 1].firstEntry;
+        Vector3& x = m_x[place];
+        for (int32 i = m_pattern.columns[place].firstEntry; i < end; ++i)
+        {
+            SubtractTransposed(x, m_entries[std::size_t(i)],
+                               m_x[std::size_t(m_pattern.rows[std::size_t(i)])]);
+        }
+        x = DividedByDiagonal(x, m_diagonal[place]);
+        DivideByUpper(x, m_diagonal[place]);
+    }
+}
+
+void RowSystem::Solve()
+{
+    for (int32 i = 0; i < Components(); ++i)
+    {
+        Solve(i);
+    }
+}
+
+void RowSystem::Solve(int32 component)
+{
+    const RowPattern::Component* c = m_pattern.components.data() + component;
+    std::fill(m_x.begin() + c[0].firstColumn, m_x.begin() + c[1].firstColumn, Vector3{});
+    for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
+    {
+        const RowPattern::Item* item = m_pattern.items.data() + i;
+        const Vector3& weights = m_weights[std::size_t(item->item)];
+        const Vector3& lack = m_lack[std::size_t(item->item)];
+        for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
+        {
+            const Side& side = m_sides[std::size_t(k)];
+            Vector3& x = m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)];
+            for (int32 row = 0; row < 3; ++row)
+            {
+                const double push = weights.at[row] * lack.at[row];
+                x.at[0] += push * side.rows[row][0];
+                x.at[1] += push * side.rows[row][1];
+                x.at[2] += push * side.rows[row][2];
+            }
+        }
+    }
+    Substitute(c);
+    for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
+    {
+        const RowPattern::Item* item = m_pattern.items.data() + i;
+        Vector3 left = m_lack[std::size_t(item->item)];
+        for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
+        {
+            const Side& side = m_sides[std::size_t(k)];
+            const Vector3& x = m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)];
+            for (int32 row = 0; row < 3; ++row)
+            {
+                left.at[row] -= side.rows[row][0] * x.at[0] + side.rows[row][1] * x.at[1] +
+                                side.rows[row][2] * x.at[2];
+            }
+        }
+        const Vector3& weights = m_weights[std::size_t(item->item)];
+        for (int32 row = 0; row < 3; ++row)
+        {
+            m_found[std::size_t(item->item)].at[row] = weights.at[row] * left.at[row];
+        }
+    }
+}
+
+void RowSystem::Apply(int32 component, const SolverContext& context)
+{
+    const RowPattern::Component* c = m_pattern.components.data() + component;
+    for (int32 i = c[0].firstColumn; i < c[1].firstColumn; ++i)
+    {
+        const BodyData& data = *m_pattern.columns[std::size_t(i)].body;
+        const Vector3& x = m_x[std::size_t(i)];
+        SolverBody& body = context.bodies[data.SolverIndex()];
+        body.v.x = float32(double(body.v.x) + x.at[0]);
+        body.v.y = float32(double(body.v.y) + x.at[1]);
+        body.w = data.SolverInvInertia() > 0.0f ? float32(double(body.w) + x.at[2]) : body.w;
+    }
+    ForItems(component, [this](std::size_t item) {
+        for (int32 row = 0; row < JointRows::kMostRows; ++row)
+        {
+            m_rows[item].impulse[row] += float32(m_found[item].at[row]);
+        }
+    });
+}
+
+void RowSystem::Apply(int32 component, const SolverContext& context, float32 timeStep, bool keep)
+{
+    ForBodies(component, [&](const BodyData& data, std::size_t place) {
+        SolverBody& body = context.bodies[data.SolverIndex()];
+        const Vector3& x = m_x[place];
+        body.d += timeStep * b2Vec2(float32(x.at[0]), float32(x.at[1]));
+        if (data.SolverInvInertia() > 0.0f)
+        {
+            const float32 turn = timeStep * float32(x.at[2]);
+            body.angle += turn;
+            body.q = b2Mul(body.q, b2Rot(turn));
+        }
+    });
+    if (keep)
+    {
+        Apply(component, context);
+    }
+}
+
+void RowSystem::SolveSwept(std::size_t item)
+{
+    Vector3& found = m_found[item];
+    for (int32 row = 0; row < 3; ++row)
+    {
+        const bool holds = row < m_rows[item].rows && (m_active[item] >> row & 1) != 0;
+        found.at[row] = holds ? m_lack[item].at[row] : 0.0;
+    }
+    DivideByLower(found, m_own[item]);
+    found = DividedByDiagonal(found, m_own[item]);
+    DivideByUpper(found, m_own[item]);
+}
+
+Vector3 SpeedOf(const SolverContext& context, const JointRows& rows)
+{
+    Vector3 speed{};
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& column = rows.columns[side];
+        const SolverBody& body = context.bodies[column.body];
+        for (int32 i = 0; i < rows.rows; ++i)
+        {
+            speed.at[i] += double(column.x[i]) * double(body.v.x) +
+                           double(column.y[i]) * double(body.v.y) +
+                           double(column.w[i]) * double(body.w);
+        }
+    }
+    return speed;
+}
+
+void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse)
+{
+    for (int32 i = 0; i < rows.rows; ++i)
+    {
+        rows.impulse[i] += float32(impulse.at[i]);
+    }
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& column = rows.columns[side];
+        if (!Moves(column.invMass, column.invInertia))
+        {
+            continue;
+        }
+        double x = 0.0;
+        double y = 0.0;
+        double w = 0.0;
+        for (int32 i = 0; i < rows.rows; ++i)
+        {
+            x += double(column.x[i]) * impulse.at[i];
+            y += double(column.y[i]) * impulse.at[i];
+            w += double(column.w[i]) * impulse.at[i];
+        }
+        SolverBody& body = context.bodies[column.body];
+        body.v.x = float32(double(body.v.x) + double(column.invMass) * x);
+        body.v.y = float32(double(body.v.y) + double(column.invMass) * y);
+        body.w = float32(double(body.w) + double(column.invInertia) * w);
+    }
+}
+
+} // namespace box2d

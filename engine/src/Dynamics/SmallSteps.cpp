@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: MIT
+#include "StepSolver.h"
+
+#include "Access.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+/// A step in n small ones (Macklin et al., "Small Steps in Physics Simulation", 2019): contacts are
+/// found once, and then velocities and positions take turns. They are staggered by half a small
+/// step, as in the leapfrog scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration",
+/// 2006, I.1.4): half a kick, a drift, whole kicks between drifts, half a kick at the end.
+///   v += a h/2;  n times { x += v h;  v += a h, the last time a h/2 }
+/// It is of second order, free flight comes out exactly, and what rests gets no speed at all, for
+/// each kick is met by the constraints at once. Joints close by impulses along their directions
+/// before the drift, which is what keeps their energy (SHAKE: Ryckaert, Ciccotti, Berendsen, 1977;
+/// RATTLE: Andersen, 1983).
+namespace box2d
+{
+
+namespace
+{
+
+/// What damping c leaves of a velocity after a time t, and the time for which an acceleration
+/// counts: exp(-c t) and (1 - exp(-c t)) / c, with the Pade approximant (0, 2) for exp(-z), which
+/// is of second order and stable for any z.
+struct Decay
+{
+    Decay(float32 t, float32 c) : left(1.0f), time(t)
+    {
+        if (c > 0.0f)
+        {
+            const float32 z = c * t;
+            left = 1.0f / (1.0f + z + 0.5f * z * z);
+            time = t * (1.0f + 0.5f * z) * left; // (1 - left) / c without the difference
+        }
+    }
+    float32 left;
+    float32 time; ///< [s]
+};
+
+/// Sweeps have done enough for a pile when its contacts come together by less than this share of
+/// what weight does in a kick.
+constexpr float32 kRestTolerance = 0.01f;
+constexpr int32 kMostBounces = 64; ///< sweeps over what bounces in a row
+
+/// One contact of a block, as it bounces.
+class Bouncer
+{
+public:
+    Bouncer(ContactBlock& block, BlockTotals& totals, int32 lane, SolverBody* bodies)
+        : m_block(block), m_totals(totals), m_lane(lane), m_a(bodies[block.bodyA[lane]]),
+          m_b(bodies[block.bodyB[lane]]), m_normal(block.normalX[lane], block.normalY[lane])
+    {}
+
+    /// False when it does not come near fast enough.
+    bool Bounce(float32 restitution)
+    {
+        const int32 count = m_block.pointCount;
+        float32 speeds[2] = {};
+        bool bounces = false;
+        for (int32 i = 0; i < count; ++i)
+        {
+            speeds[i] = NormalSpeed(i);
+            bounces = bounces || speeds[i] < -b2_velocityThreshold;
+        }
+        if (!bounces)
+        {
+            return false;
+        }
+        if (count == 2 && m_block.coupled[m_lane] != 0.0f)
+        {
+            float32 x[2] = {};
+            if (EnumerateImpulses(m_block.k11[m_lane], m_block.k12[m_lane], m_block.k22[m_lane],
+                                  Wanting(speeds[0], restitution), Wanting(speeds[1], restitution),
+                                  x[0], x[1]))
+            {
+                Push(0, x[0]);
+                Push(1, x[1]);
+            }
+        }
+        else
+        {
+            for (int32 i = 0; i < count; ++i)
+            {
+                const float32 wanting = Wanting(NormalSpeed(i), restitution);
+                Push(i, b2Max(-wanting * m_block.points[i].normalMass[m_lane], 0.0f));
+            }
+        }
+        return true;
+    }
+
+private:
+    static float32 Wanting(float32 speed, float32 restitution)
+    {
+        return speed < 0.0f ? (1.0f + restitution) * speed : speed;
+    }
+    float32 NormalSpeed(int32 i) const
+    {
+        const PointLanes& p = m_block.points[i];
+        return b2Dot(m_b.v - m_a.v, m_normal) + m_b.w * p.normalLeverB[m_lane] -
+               m_a.w * p.normalLeverA[m_lane];
+    }
+    float32 TangentSpeed(int32 i) const
+    {
+        const PointLanes& p = m_block.points[i];
+        return b2Dot(m_b.v - m_a.v, b2Cross(m_normal, 1.0f)) + m_b.w * p.tangentLeverB[m_lane] -
+               m_a.w * p.tangentLeverA[m_lane] - m_block.tangentSpeed[m_lane];
+    }
+    void Push(int32 i, float32 impulse)
+    {
+        const PointLanes& p = m_block.points[i];
+        Apply(impulse, m_normal, p.normalLeverA[m_lane], p.normalLeverB[m_lane]);
+        m_totals.normal[i][m_lane] += impulse;
+        const float32 limit = m_block.friction[m_lane] * impulse;
+        const float32 drag = b2Clamp(-TangentSpeed(i) * p.tangentMass[m_lane], -limit, limit);
+        Apply(drag, b2Cross(m_normal, 1.0f), p.tangentLeverA[m_lane], p.tangentLeverB[m_lane]);
+        m_totals.tangent[i][m_lane] += drag;
+    }
+    void Apply(float32 impulse, const b2Vec2& direction, float32 leverA, float32 leverB)
+    {
+        if ((m_block.movesA >> m_lane & 1) != 0)
+        {
+            m_a.v -= (m_block.invMassA[m_lane] * impulse) * direction;
+            m_a.w -= m_block.invInertiaA[m_lane] * leverA * impulse;
+        }
+        if ((m_block.movesB >> m_lane & 1) != 0)
+        {
+            m_b.v += (m_block.invMassB[m_lane] * impulse) * direction;
+            m_b.w += m_block.invInertiaB[m_lane] * leverB * impulse;
+        }
+    }
+
+    ContactBlock& m_block;
+    BlockTotals& m_totals;
+    int32 m_lane;
+    SolverBody& m_a;
+    SolverBody& m_b;
+    b2Vec2 m_normal;
+};
+
+/// Whether a contact of the block is to bounce. It is then for Bounce: nothing does any more.
+bool TakeBias(ContactBlock& block)
+{
+    bool any = false;
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        for (float32& bias : block.points[i].bias)
+        {
+            any = any || bias > 0.0f;
+            bias = 0.0f;
+        }
+    }
+    return any;
+}
+
+/// Keeps the share of each contact's impulses that was still given at the end of the last step:
+/// an impact is over.
+void KeepLasting(ContactBlock& block)
+{
+    for (int32 lane = 0; lane < block.count; ++lane)
+    {
+        const float32 lasting = Data(*block.contact[lane]).lasting;
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            block.points[i].normalImpulse[lane] *= lasting;
+            block.points[i].tangentImpulse[lane] *= lasting;
+        }
+    }
+}
+
+void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
+{
+    for (int32 lane = 0; lane < block.count; ++lane)
+    {
+        float32 last = 0.0f;
+        float32 all = 0.0f;
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            last += block.points[i].normalImpulse[lane];
+            all += totals.normal[i][lane];
+        }
+        Data(*block.contact[lane]).lasting = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
+    }
+}
+
+void ScaleImpulses(ContactBlock& block, float32 share)
+{
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        for (int32 lane = 0; lane < kBlockLanes; ++lane)
+        {
+            block.points[i].normalImpulse[lane] *= share;
+            block.points[i].tangentImpulse[lane] *= share;
+        }
+    }
+}
+
+void AddImpulses(const ContactBlock& block, BlockTotals& totals)
+{
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        for (int32 lane = 0; lane < kBlockLanes; ++lane)
+        {
+            totals.normal[i][lane] += block.points[i].normalImpulse[lane];
+            totals.tangent[i][lane] += block.points[i].tangentImpulse[lane];
+        }
+    }
+}
+
+void TakeTotals(ContactBlock& block, const BlockTotals& totals)
+{
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        for (int32 lane = 0; lane < kBlockLanes; ++lane)
+        {
+            block.points[i].normalImpulse[lane] = totals.normal[i][lane];
+            block.points[i].tangentImpulse[lane] = totals.tangent[i][lane];
+        }
+    }
+}
+
+} // namespace
+
+void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
+    const int32 count = subStepCount;
+    const float32 h = timeStep / float32(count);
+    const int32 velocitySweeps = b2Max(1, velocityIterations / count);
+    const int32 positionSweeps = b2Max(1, positionIterations / count);
+    // Overlaps go at the same pace whatever the number of small steps: faster throws things about.
+    const float32 rate =
+        b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
+    StepSolver solve(*this, timeStep);
+    solve.WakeJointNeighbours();
+    solve.BeginSmallSteps(count);
+    solve.Kick(0.5f * h, 1.0f, velocitySweeps);
+    for (int32 i = 1; i <= count; ++i)
+    {
+        solve.Drift(h, velocitySweeps);
+        solve.MoveApart(positionSweeps, rate);
+        const bool last = i == count;
+        // From half a kick to a whole one, and back.
+        const float32 share = (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f);
+        solve.Kick(last ? 0.5f * h : h, share, velocitySweeps);
+    }
+    solve.EndSmallSteps();
+    solve.NoteImpulses();
+    solve.WriteBack();
+    solve.LetRest();
+    solve.ReportImpulses();
+}
+
+void StepSolver::BeginSmallSteps(int32 count)
+{
+    const float32 toHalfKick = 0.5f / float32(count);
+    const bool wereSmall = m_world.lastSubSteps > 1;
+    const float32 wholeRatio = m_context.stepRatio;
+    // From the last half a kick to the first.
+    m_context.stepRatio *= wereSmall ? float32(m_world.lastSubSteps) / float32(count) : toHalfKick;
+    m_world.lastSubSteps = count;
+    m_arrays.bodies.resize(m_world.awakeBodies.size() + 1);
+    m_arrays.bodies[0] = SolverBody();
+    m_context.bodies = m_arrays.bodies.data();
+    ForBodies([this](std::size_t i) {
+        const BodyData& body = Data(*m_world.awakeBodies[i]);
+        SolverBody& s = m_arrays.bodies[i + 1];
+        s = SolverBody();
+        s.v = body.linearVelocity;
+        s.w = body.angularVelocity;
+    });
+    PrepareContacts();
+    for (int32 i = 0; i < m_arrays.colorCount; ++i)
+    {
+        m_arrays.contacts[m_arrays.colors[i]].ClearTotals();
+    }
+    if (wereSmall)
+    {
+        ForEachBlock(Direction::Forward, m_threads,
+                     [](ContactBlocks& blocks, int32 i) { KeepLasting(blocks.Contacts(i)); });
+    }
+    Bounce();
+    FindFlying();
+    m_context.inverseStep *= float32(count);
+    m_arrays.jointSystem.Update(m_world.graph);
+    m_arrays.contactSystem.Begin(m_world);
+    m_arrays.jointSystem.Begin(m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
+                               m_world.inverseStep);
+}
+
+/// What comes near fast is thrown back, pair by pair, until nothing does any more: a row of balls
+/// passes it on (Chatterjee and Ruina, "A New Algebraic Rigid-Body Collision Law", 1998, call this
+/// sequential impacts).
+void StepSolver::Bounce()
+{
+    bool any = false;
+    ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
+        any = TakeBias(blocks.Contacts(i)) || any;
+    });
+    for (int32 sweep = 0; sweep < kMostBounces && any; ++sweep)
+    {
+        any = false;
+        ForEachBlock(DirectionOf(sweep), nullptr, [&](ContactBlocks& blocks, int32 i) {
+            ContactBlock& block = blocks.Contacts(i);
+            for (int32 lane = 0; lane < block.count; ++lane)
+            {
+                const float32 restitution = Data(*block.contact[lane]).restitution;
+                any =
+                    (restitution > 0.0f && Bouncer(block, blocks.Totals(i), lane, m_context.bodies)
+                                               .Bounce(restitution)) ||
+                    any;
+            }
+        });
+    }
+}
+
+void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
+{
+    JointSystem& joints = m_arrays.jointSystem;
+    SolverContext kick = m_context;
+    kick.timeStep = duration;
+    joints.Prepare(kick); // before the kick: springs compare the velocities
+    ForBodies([&](std::size_t i) {
+        if (m_arrays.flies[i] == 0)
+        {
+            AddKick(i, duration);
+        }
+    });
+    joints.WarmStart(kick, share);
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        ScaleImpulses(blocks.Contacts(i), share);
+        WarmStartBlock(blocks.Contacts(i), m_context.bodies);
+    });
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        joints.SolveVelocities(m_context);
+        const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
+        if (!changed && joints.IsExact())
+        {
+            break;
+        }
+    }
+    m_world.sweepsTurned = !m_world.sweepsTurned;
+    m_arrays.contactSystem.SolveVelocities(
+        m_arrays, m_context, kRestTolerance * duration * m_world.gravity.Length() + 1e-6f);
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        AddImpulses(blocks.Contacts(i), blocks.Totals(i));
+    });
+}
+
+void StepSolver::AddKick(std::size_t index, float32 duration)
+{
+    const BodyData& body = Data(*m_world.awakeBodies[index]);
+    if (body.IsDynamic())
+    {
+        SolverBody& s = m_arrays.bodies[index + 1];
+        const b2Vec2 a = body.gravityScale * m_world.gravity + body.invMass * body.force;
+        const float32 alpha = body.invInertia * body.torque;
+        const Decay linear(duration, body.linearDamping);
+        const Decay angular(duration, body.angularDamping);
+        s.v = Bounded(linear.left * s.v + linear.time * a);
+        s.w = Bounded(angular.left * s.w + angular.time * alpha);
+    }
+}
+
+/// What nothing holds or touches flies through the step at once, which costs less and rounds less.
+void StepSolver::FindFlying()
+{
+    const std::size_t count = m_world.awakeBodies.size();
+    m_arrays.flies.resize(count);
+    m_arrays.accelerations.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const BodyData& body = Data(*m_world.awakeBodies[i]);
+        const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
+                           body.linearDamping == 0.0f && body.angularDamping == 0.0f;
+        m_arrays.flies[i] = flies;
+        m_arrays.accelerations[i] =
+            flies ? body.gravityScale * m_world.gravity + body.invMass * body.force
+                  : b2Vec2(0.0f, 0.0f);
+    }
+    // What is solved one by one is in no colour.
+    for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
+    {
+        for (const b2Body* body : {Data(*contact).bodyA, Data(*contact).bodyB})
+        {
+            if (Data(*body).awakeIndex != -1)
+            {
+                m_arrays.flies[std::size_t(Data(*body).awakeIndex)] = 0;
+                m_arrays.accelerations[std::size_t(Data(*body).awakeIndex)].SetZero();
+            }
+        }
+    }
+}
+
+/// x += v h + a h^2 / 2
+void StepSolver::Fly(std::size_t index)
+{
+    const BodyData& body = Data(*m_world.awakeBodies[index]);
+    SolverBody& s = m_arrays.bodies[index + 1];
+    const float32 h = m_context.timeStep;
+    const b2Vec2 a = m_arrays.accelerations[index];
+    const float32 alpha = body.invInertia * body.torque;
+    const b2Vec2 after = Bounded(s.v + h * a);
+    s.v += (0.5f * h) * a;
+    s.w += (0.5f * h) * alpha;
+    const SolverBody middle = s;
+    for (int32 i = 0; i < m_world.subStepCount; ++i)
+    {
+        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallWay);
+    }
+    s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been slowed down
+    s.w = Bounded(s.w + (0.5f * h) * alpha);
+}
+
+void StepSolver::Drift(float32 timeStep, int32 sweeps)
+{
+    m_arrays.jointSystem.NotePoses(m_context);
+    ForBodies([&](std::size_t i) {
+        if (m_arrays.flies[i] == 0)
+        {
+            MoveByVelocity(m_arrays.bodies[i + 1], timeStep, kMostSmallWay);
+        }
+    });
+    m_arrays.jointSystem.SolvePositions(m_context, timeStep, sweeps,
+                                        [this](const BodyData& body, float32 time) {
+                                            AddKick(std::size_t(body.awakeIndex), time);
+                                        });
+}
+
+void StepSolver::MoveApart(int32 sweeps, float32 rate)
+{
+    for (int32 i = 0; i < sweeps; ++i)
+    {
+        if (SolveOverlaps(DirectionOf(i), rate) >= -b2_linearSlop)
+        {
+            break;
+        }
+    }
+    m_arrays.contactSystem.SolveOverlaps(m_arrays, m_context,
+                                         b2_baumgarte / float32(m_world.subStepCount));
+}
+
+void StepSolver::EndSmallSteps()
+{
+    ForBodies([this](std::size_t i) {
+        if (m_arrays.flies[i] != 0)
+        {
+            Fly(i);
+        }
+    });
+    m_arrays.jointSystem.End();
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        NoteLasting(blocks.Contacts(i), blocks.Totals(i));
+        TakeTotals(blocks.Contacts(i), blocks.Totals(i));
+        StoreImpulses(blocks.Contacts(i));
+    });
+}
+
+} // namespace box2d

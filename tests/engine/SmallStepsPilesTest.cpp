@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsInvariants.h"
+#include "DynamicsScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+/// What lies on each other in steps that are made of small ones.
+namespace
+{
+
+using namespace dynamics;
+
+/// Unit boxes on each other, touching, by turns to the right and to the left.
+std::vector<b2Body*> Leaning(Scene& scene, int height, float32 by)
+{
+    std::vector<b2Body*> boxes;
+    for (int i = 0; i < height; ++i)
+    {
+        boxes.push_back(scene.Box(i % 2 == 0 ? by : -by, 0.5f + float32(i)));
+    }
+    return boxes;
+}
+
+TEST(SmallStepsPiles, StandHoweverTall)
+{
+    for (const int32 count : {2, 4})
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(count);
+        scene.Ground();
+        const std::vector<b2Body*> boxes = Leaning(scene, 50, 0.01f);
+        scene.Step(1200);
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+        {
+            EXPECT_GT(boxes[i]->GetPosition().y, 0.45f + float32(i)) << i << " of " << count;
+            EXPECT_LT(b2Abs(boxes[i]->GetPosition().x), 0.5f) << i << " of " << count;
+        }
+    }
+}
+
+float32 DeepestOverlap(b2World& world)
+{
+    float32 deepest = 0.0f;
+    for (b2Contact* c = world.GetContactList(); c; c = c->GetNext())
+    {
+        b2WorldManifold points;
+        c->GetWorldManifold(&points);
+        for (int32 i = 0; i < c->GetManifold()->pointCount; ++i)
+        {
+            deepest = b2Max(deepest, -points.separations[i]);
+        }
+    }
+    return deepest;
+}
+
+TEST(SmallStepsPiles, BearWhatIsAThousandTimesAsHeavy)
+{
+    for (const float32 ratio : {100.0f, 1000.0f})
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(4);
+        scene.world.SetAllowSleeping(false);
+        scene.Ground();
+        const std::vector<b2Body*> boxes = Leaning(scene, 10, 0.0f);
+        boxes.back()->GetFixtureList()->SetDensity(ratio);
+        boxes.back()->ResetMassData();
+        scene.Step(600);
+        EXPECT_LT(DeepestOverlap(scene.world), 0.005f) << ratio;
+        EXPECT_NEAR(boxes.back()->GetPosition().y, 9.5f + 9.0f * kRestingGap, 0.1f) << ratio;
+    }
+}
+
+TEST(SmallStepsPiles, PressWithTheirWeight)
+{
+    struct Scales : public b2ContactListener
+    {
+        void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override
+        {
+            if (contact->GetFixtureA()->GetBody() == ground ||
+                contact->GetFixtureB()->GetBody() == ground)
+            {
+                for (int32 i = 0; i < impulse->count; ++i)
+                {
+                    sum += impulse->normalImpulses[i];
+                }
+            }
+        }
+        const b2Body* ground = nullptr;
+        float32 sum = 0.0f;
+    };
+    for (const int32 count : {2, 4, 16})
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(count);
+        scene.world.SetAllowSleeping(false);
+        Scales scales;
+        scales.ground = scene.Ground();
+        Stack(scene, 0.0f, 5);
+        scene.Step(60);
+        scene.world.SetContactListener(&scales);
+        scene.Step(60);
+        EXPECT_NEAR(scales.sum, 50.0f, 0.05f) << count; // 5 boxes of 1 kg for a second
+    }
+}
+
+TEST(SmallStepsPiles, StandOnAConveyorBeltAsOnTheGround)
+{
+    struct Belt : public b2ContactListener
+    {
+        void PreSolve(b2Contact* contact, const b2Manifold*) override
+        {
+            if (contact->GetFixtureA()->GetBody() == ground ||
+                contact->GetFixtureB()->GetBody() == ground)
+            {
+                contact->SetTangentSpeed(2.0f);
+            }
+        }
+        const b2Body* ground = nullptr;
+    };
+    Scene scene;
+    scene.world.SetSubStepCount(4);
+    Belt belt;
+    belt.ground = scene.Ground();
+    scene.world.SetContactListener(&belt);
+    const std::vector<b2Body*> boxes = Stack(scene, 0.0f, 3);
+    scene.Step(180);
+    for (const b2Body* box : boxes)
+    {
+        EXPECT_NEAR(b2Abs(box->GetLinearVelocity().x), 2.0f, 0.01f);
+        EXPECT_NEAR(box->GetLinearVelocity().y, 0.0f, 0.01f);
+        EXPECT_NEAR(box->GetAngle(), 0.0f, 0.01f);
+    }
+}
+
+TEST(SmallStepsPiles, HangTogetherWithJointsThatHoldThem)
+{
+    // A box on a rope of two welded bars, which stands on a pile; all that is exact at once.
+    Scene scene;
+    scene.world.SetSubStepCount(4);
+    scene.Ground();
+    const std::vector<b2Body*> boxes = Stack(scene, 0.0f, 4);
+    b2Body* bar = scene.Box(0.0f, 6.0f, 2.0f, 0.1f);
+    b2RevoluteJointDef hinge;
+    hinge.Initialize(boxes[3], bar, b2Vec2(0.0f, 6.0f));
+    scene.world.CreateJoint(&hinge);
+    for (const float32 side : {-1.0f, 1.0f})
+    {
+        b2Body* weight = scene.Box(2.0f * side, 5.0f, 0.2f, 0.2f);
+        weight->GetFixtureList()->SetDensity(100.0f);
+        weight->ResetMassData();
+        hinge.Initialize(bar, weight, b2Vec2(2.0f * side, 6.0f));
+        scene.world.CreateJoint(&hinge);
+    }
+    scene.Step(300);
+    for (b2Joint* joint = scene.world.GetJointList(); joint; joint = joint->GetNext())
+    {
+        EXPECT_LT(b2Distance(joint->GetAnchorA(), joint->GetAnchorB()), 1e-4f);
+    }
+    EXPECT_NEAR(boxes[3]->GetPosition().x, 0.0f, 0.01f);
+    EXPECT_LT(DeepestOverlap(scene.world), 0.0055f);
+}
+
+TEST(SmallStepsPiles, ComeApartFromADeepOverlapWithoutAJump)
+{
+    Scene scene;
+    scene.world.SetSubStepCount(4);
+    scene.Ground();
+    std::vector<b2Body*> boxes;
+    for (int i = 0; i < 4; ++i)
+    {
+        boxes.push_back(scene.Box(0.01f * float32(i), 0.4f + 0.6f * float32(i)));
+    }
+    for (int i = 0; i < 240; ++i)
+    {
+        scene.Step();
+        for (const b2Body* box : boxes)
+        {
+            EXPECT_LT(box->GetLinearVelocity().Length(), 0.5f) << i;
+        }
+        EXPECT_EQ(WhyBroken(scene.world, true), "");
+    }
+    EXPECT_LT(DeepestOverlap(scene.world), 0.0055f);
+}
+
+TEST(SmallStepsPiles, FallAsleep)
+{
+    Scene scene;
+    scene.world.SetSubStepCount(4);
+    scene.Ground();
+    const std::vector<b2Body*> boxes = Leaning(scene, 10, 0.01f);
+    scene.Step(300);
+    EXPECT_TRUE(AllAwake(boxes, false));
+}
+
+} // namespace
