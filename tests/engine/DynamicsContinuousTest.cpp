@@ -400,4 +400,35 @@ TEST(DynamicsContinuous, APlatformThatAListenerSendsOffAtTheImpactIsFoundWhereIt
     EXPECT_TRUE(fixture->GetAABB(0).Contains(tight));
 }
 
+// The parts of a step that stops at each impact may be of different lengths.
+TEST(DynamicsContinuous, ATurningPlatformIsWhereItsBoxSaysBetweenThePartsOfAStep)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    scene.world.SetSubStepping(true);
+    b2Body* bar = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
+    Scene::AddBox(bar, 20.0f, 0.2f);
+    bar->SetAngularVelocity(-8.0f);
+    // One for each arm, hit one right after the other.
+    for (int i = 0; i < 24; ++i)
+    {
+        const float32 angle =
+            -0.25f - 0.26f * float32(i / 2) + (i % 2 == 0 ? 0.0f : b2_pi - 0.004f);
+        scene.Ball(12.0f * std::cos(angle), 12.0f * std::sin(angle), 0.1f);
+    }
+    struct Listener : public b2ContactListener
+    {
+        void BeginContact(b2Contact*) override { hit = true; }
+        bool hit = false;
+    };
+    Listener listener;
+    scene.world.SetContactListener(&listener);
+    for (int i = 0; i < 480; ++i)
+    {
+        const bool wasHit = listener.hit;
+        listener.hit = false;
+        scene.world.Step(wasHit ? 1.0f / 30.0f : 1.0f / 240.0f, 8, 3);
+        ASSERT_EQ(WhyBroken(scene.world, false), "") << i;
+    }
+}
+
 } // namespace

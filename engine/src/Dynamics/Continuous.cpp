@@ -227,15 +227,17 @@ ImpactBackup ImpactSolver::Save(b2Body& body) const
 }
 
 /// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
-/// changed its velocity, or its type was changed between the parts of a step.
+/// changed its velocity, or its type, or the step's length, was changed between the parts of a
+/// step.
 bool ImpactSolver::HasNewWay(std::size_t index) const
 {
     const BodyData& data = Data(*m_bodies[index]);
     const ImpactBackup& before = m_before[index];
     const b2Vec2 apart(float32(data.pose.x - before.pose.x), float32(data.pose.y - before.pose.y));
+    const float32 turned = b2Abs(float32(data.pose.angle - before.pose.angle));
     return data.IsDynamic() || data.linearVelocity != before.v ||
            data.angularVelocity != before.w ||
-           apart.LengthSquared() > b2_linearSlop * b2_linearSlop;
+           apart.Length() + turned * data.maxExtent > b2_linearSlop;
 }
 
 void ImpactSolver::Restore(const ImpactBackup& backup)
