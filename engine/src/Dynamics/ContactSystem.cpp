@@ -33,7 +33,7 @@ public:
     void FillRows(JointRows& rows) const
     {
         const ContactData& contact = Data(*m_block.contact[m_lane]);
-        rows = JointRows();
+        rows.Clear();
         rows.rows = 3;
         JointRows::Column& a = rows.Of(Data(*contact.bodyA));
         JointRows::Column& b = rows.Of(Data(*contact.bodyB));
@@ -130,7 +130,7 @@ private:
 void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
                  float32 rate, JointRows& rows, BoundedSystem::Item& item)
 {
-    rows = JointRows();
+    rows.Clear();
     item = BoundedSystem::Item();
     rows.rows = 3;
     const float32 share = 1.0f / float32(o.pointCount);

@@ -120,7 +120,7 @@ void JointSystem::KickPart(int32 part, const SolverContext& context, float32 tim
         JointRows& rows = m_system.Rows(joint);
         Impulses kept;
         std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
-        rows = JointRows();
+        rows.Clear();
         JointAccess::FillRows(*m_joints[joint], context, rows);
         rows.SetImpulse(kept.at);
     });
@@ -244,7 +244,8 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
 /// The change of speed that closes a joint in the time. Returns how far it is open.
 float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep)
 {
-    JointRows now;
+    JointRows& now = m_now;
+    now.Clear();
     JointAccess::FillRows(*m_joints[joint], context, now);
     const float32(&before)[3] = m_system.Rows(joint).error;
     Vector3 error = now.giving > 0 ? Beyond(joint, now, timeStep) : Vector3{};

@@ -112,7 +112,7 @@ void JointSystem::Prepare(const SolverContext& context)
         JointRows& rows = m_system.Rows(i);
         Impulses kept;
         std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
-        rows = JointRows();
+        rows.Clear();
         JointAccess::FillRows(*m_joints[i], context, rows);
         std::copy_n(kept.at, rows.rows, rows.impulse);
         m_gives[i] = rows.giving > 0;

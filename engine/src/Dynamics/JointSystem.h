@@ -130,6 +130,7 @@ private:
     Array<SolverBody> m_before; // of swept joints' bodies: the same
     Array<Vector3> m_speeds;    // scratch: of each joint's rows
     Array<const BodyData*> m_sweptBodies;
+    JointRows m_now; // scratch
     int32 m_version = -1;
 };
 

@@ -94,10 +94,11 @@ void SubtractTransposed(Vector3& r, const Block3& m, const Vector3& v)
     }
 }
 
-/// m += u^T W v, over three rows.
-void AddProduct(Block3& m, const double (&u)[3][3], const Vector3& weights, const double (&v)[3][3])
+/// m += u^T W v
+void AddProduct(Block3& m, const double (&u)[3][3], const Vector3& weights, const double (&v)[3][3],
+                int32 rows)
 {
-    for (int32 row = 0; row < 3; ++row)
+    for (int32 row = 0; row < rows; ++row)
     {
         for (int32 i = 0; i < 3; ++i)
         {
@@ -107,6 +108,23 @@ void AddProduct(Block3& m, const double (&u)[3][3], const Vector3& weights, cons
                 m.at[i][k] += wu * v[row][k];
             }
         }
+    }
+}
+
+/// m += u^T W u, on the diagonal and below it, where the factors are made from.
+void AddSquare(Block3& m, const double (&u)[3][3], const Vector3& weights, int32 rows)
+{
+    for (int32 row = 0; row < rows; ++row)
+    {
+        const double x = weights.at[row] * u[row][0];
+        const double y = weights.at[row] * u[row][1];
+        const double w = weights.at[row] * u[row][2];
+        m.at[0][0] += x * u[row][0];
+        m.at[1][0] += y * u[row][0];
+        m.at[1][1] += y * u[row][1];
+        m.at[2][0] += w * u[row][0];
+        m.at[2][1] += w * u[row][1];
+        m.at[2][2] += w * u[row][2];
     }
 }
 
@@ -263,19 +281,19 @@ void RowSystem::Fill(std::size_t place, double compliance)
         const RowPattern::Side& side = m_pattern.sides[std::size_t(i)];
         const JointRows::Column& column = rows.columns[side.side];
         Side& to = m_sides[std::size_t(i)];
-        for (int32 row = 0; row < 3; ++row)
+        for (int32 row = 0; row < rows.rows; ++row)
         {
             to.rows[row][0] = double(column.x[row]);
             to.rows[row][1] = double(column.y[row]);
             to.rows[row][2] = column.invInertia > 0.0f ? double(column.w[row]) : 0.0;
         }
-        AddProduct(m_diagonal[std::size_t(side.place)], to.rows, weights, to.rows);
+        AddSquare(m_diagonal[std::size_t(side.place)], to.rows, weights, rows.rows);
     }
     for (int32 i = item[0].firstMeeting; i < item[1].firstMeeting; ++i)
     {
         const RowPattern::Meeting& meeting = m_pattern.meetings[std::size_t(i)];
         AddProduct(m_entries[std::size_t(meeting.entry)], m_sides[std::size_t(meeting.side1)].rows,
-                   weights, m_sides[std::size_t(meeting.side2)].rows);
+                   weights, m_sides[std::size_t(meeting.side2)].rows, rows.rows);
     }
 }
 
@@ -345,11 +363,12 @@ void RowSystem::Solve(int32 component)
         const RowPattern::Item* item = m_pattern.items.data() + i;
         const Vector3& weights = m_weights[std::size_t(item->item)];
         const Vector3& lack = m_lack[std::size_t(item->item)];
+        const int32 rows = m_rows[std::size_t(item->item)].rows;
         for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
         {
             const Side& side = m_sides[std::size_t(k)];
             Vector3& x = m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)];
-            for (int32 row = 0; row < 3; ++row)
+            for (int32 row = 0; row < rows; ++row)
             {
                 const double push = weights.at[row] * lack.at[row];
                 x.at[0] += push * side.rows[row][0];
@@ -363,11 +382,12 @@ void RowSystem::Solve(int32 component)
     {
         const RowPattern::Item* item = m_pattern.items.data() + i;
         Vector3 left = m_lack[std::size_t(item->item)];
+        const int32 rows = m_rows[std::size_t(item->item)].rows;
         for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
         {
             const Side& side = m_sides[std::size_t(k)];
             const Vector3& x = m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)];
-            for (int32 row = 0; row < 3; ++row)
+            for (int32 row = 0; row < rows; ++row)
             {
                 left.at[row] -= side.rows[row][0] * x.at[0] + side.rows[row][1] * x.at[1] +
                                 side.rows[row][2] * x.at[2];

@@ -42,6 +42,7 @@ struct JointRows
             }
         }
         Column& column = columns[bodies++];
+        column = Column();
         column.data = &body;
         column.body = body.SolverIndex();
         column.invMass = body.SolverInvMass();
@@ -72,6 +73,19 @@ struct JointRows
     static constexpr float32 kSameSpeed = 1e-5f;
 
     int32 Rigid() const { return rows - giving; }
+
+    /// As if it were new, at less than the cost: columns are cleared when they are added.
+    void Clear()
+    {
+        if (giving > 0)
+        {
+            std::fill_n(laws, kMostRows, Law());
+        }
+        rows = giving = bodies = 0;
+        point = disc = false;
+        std::fill_n(error, kMostRows, 0.0f);
+        std::fill_n(impulse, kMostRows, 0.0f);
+    }
     void SetImpulse(const float32 (&value)[kMostRows]) { std::copy_n(value, kMostRows, impulse); }
 
     int32 rows = 0;     ///< 0 to 3; the rest of the arrays is zero
