@@ -120,6 +120,46 @@ struct RowFiller
         return f.dataB.pose.angle - f.dataA.pose.angle + double(f.b.angle) - double(f.a.angle);
     }
 
+    /// From the joint's point of A to that of B.
+    struct Line
+    {
+        b2Vec2 armA, armB;
+        b2Vec2 axis; ///< a unit vector, or zero where there is no direction to push in
+        float32 length;
+    };
+    Line Between(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB) const
+    {
+        Line line{ArmA(localAnchorA), ArmB(localAnchorB), {}, 0.0f};
+        line.axis = Offset() + line.armB - line.armA;
+        line.length = line.axis.Normalize();
+        if (line.length == 0.0f)
+        {
+            line.axis.SetZero();
+        }
+        return line;
+    }
+
+    /// An axis that turns with A, and where the point of B is along it.
+    struct Slide
+    {
+        b2Vec2 axis;
+        b2Vec2 reachA, armB; ///< from the centres of mass to the point of B
+        float32 translation;
+    };
+    /// A row that holds the points together across the axis.
+    Slide AddSlide(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB, const b2Vec2& localAxisA)
+    {
+        Slide slide;
+        slide.armB = ArmB(localAnchorB);
+        slide.reachA = Offset() + slide.armB;
+        slide.axis = b2Mul(f.a.q, b2Mul(f.dataA.rotation, localAxisA));
+        const b2Vec2 apart = slide.reachA - ArmA(localAnchorA);
+        const b2Vec2 across = b2Cross(1.0f, slide.axis);
+        AddAlong(across, slide.reachA, slide.armB, b2Dot(across, apart));
+        slide.translation = b2Dot(slide.axis, apart);
+        return slide;
+    }
+
     /// A row that holds two points along a direction, a unit vector. `reachA` goes from the centre
     /// of mass A to the point of B when the direction turns with A, to A's own point when not.
     void AddAlong(const b2Vec2& direction, const b2Vec2& reachA, const b2Vec2& armB, float32 error)

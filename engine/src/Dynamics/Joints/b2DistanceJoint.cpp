@@ -80,18 +80,12 @@ bool b2DistanceJoint::SolvePosition(const box2d::SolverContext& context)
 void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
-    m_axis = row.Offset() + armB - armA;
-    const float32 length = m_axis.Normalize();
-    if (length == 0.0f)
-    {
-        m_axis.SetZero(); // no direction to push in
-    }
-    row.AddAlong(m_axis, armA, armB, length - m_length);
+    const auto line = row.Between(m_localAnchorA, m_localAnchorB);
+    m_axis = line.axis;
+    row.AddAlong(line.axis, line.armA, line.armB, line.length - m_length);
     if (m_frequencyHz > 0.0f)
     {
-        row.GiveToSpring(length - m_length, m_frequencyHz, m_dampingRatio);
+        row.GiveToSpring(line.length - m_length, m_frequencyHz, m_dampingRatio);
     }
 }
 

@@ -175,21 +175,16 @@ bool b2PrismaticJoint::SolvePosition(const box2d::SolverContext& context)
 void b2PrismaticJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
-    const b2Vec2 reachA = row.Offset() + armB;
-    const b2Vec2 d = reachA - row.ArmA(m_localAnchorA);
-    m_axis = b2Mul(row.f.a.q, b2Mul(row.f.dataA.rotation, m_localAxisA));
-    const b2Vec2 across = b2Cross(1.0f, m_axis);
-    row.AddAlong(across, reachA, armB, b2Dot(across, d));
+    const auto slide = row.AddSlide(m_localAnchorA, m_localAnchorB, m_localAxisA);
+    m_axis = slide.axis;
     row.AddAngle(float32(row.Angle() - double(m_referenceAngle)));
     if (m_enableMotor || m_enableLimit)
     {
-        const float32 translation = b2Dot(m_axis, d);
-        row.AddAlong(m_axis, reachA, armB, 0.0f);
+        row.AddAlong(slide.axis, slide.reachA, slide.armB, 0.0f);
         row.GiveToMotor(m_motorSpeed, m_enableMotor ? m_maxMotorForce : 0.0f);
         if (m_enableLimit)
         {
-            row.GiveToLimit(translation, m_lowerTranslation, m_upperTranslation);
+            row.GiveToLimit(slide.translation, m_lowerTranslation, m_upperTranslation);
         }
     }
 }

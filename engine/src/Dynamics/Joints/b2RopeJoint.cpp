@@ -57,17 +57,11 @@ bool b2RopeJoint::SolvePosition(const box2d::SolverContext& context)
 void b2RopeJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
-    m_axis = row.Offset() + armB - armA;
-    const float32 length = m_axis.Normalize();
-    if (length == 0.0f)
-    {
-        m_axis.SetZero();
-    }
-    row.AddAlong(m_axis, armA, armB, 0.0f);
+    const auto line = row.Between(m_localAnchorA, m_localAnchorB);
+    m_axis = line.axis;
+    row.AddAlong(line.axis, line.armA, line.armB, 0.0f);
     row.GiveToMotor(0.0f, 0.0f);
-    row.GiveToLimit(length, -b2_maxFloat, m_maxLength);
+    row.GiveToLimit(line.length, -b2_maxFloat, m_maxLength);
 }
 
 void b2RopeJoint::GetRowImpulses(float32 (&impulse)[3]) const

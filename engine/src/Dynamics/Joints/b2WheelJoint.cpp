@@ -129,14 +129,10 @@ bool b2WheelJoint::SolvePosition(const box2d::SolverContext& context)
 void b2WheelJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
-    const b2Vec2 reachA = row.Offset() + armB;
-    const b2Vec2 d = reachA - row.ArmA(m_localAnchorA);
-    m_axis = b2Mul(row.f.a.q, b2Mul(row.f.dataA.rotation, m_localAxisA));
-    const b2Vec2 across = b2Cross(1.0f, m_axis);
-    row.AddAlong(across, reachA, armB, b2Dot(across, d));
-    row.AddAlong(m_axis, reachA, armB, 0.0f);
-    row.GiveToSpring(b2Dot(m_axis, d), m_frequencyHz, m_dampingRatio);
+    const auto slide = row.AddSlide(m_localAnchorA, m_localAnchorB, m_localAxisA);
+    m_axis = slide.axis;
+    row.AddAlong(slide.axis, slide.reachA, slide.armB, 0.0f);
+    row.GiveToSpring(slide.translation, m_frequencyHz, m_dampingRatio);
     row.AddAngle(0.0f);
     row.GiveToMotor(m_motorSpeed, m_enableMotor ? m_maxMotorTorque : 0.0f);
 }
