@@ -383,9 +383,8 @@ void ContactSystem::SolveOverlaps(Pile& pile, SolverArrays& arrays, const Solver
     }
     for (std::size_t i = 0; i < pile.joints.size(); ++i)
     {
-        arrays.jointSystem.FillItem(std::size_t(pile.joints[i]), system.Rows(count + i),
+        arrays.jointSystem.FillWays(std::size_t(pile.joints[i]), system.Rows(count + i),
                                     system.At(count + i));
-        system.At(count + i).impulse = Vector3{};
     }
     system.Minimize(ways, double(0.01f * b2_linearSlop));
     for (std::size_t i = 0; i < count; ++i)

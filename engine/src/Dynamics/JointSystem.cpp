@@ -240,6 +240,20 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
     }
 }
 
+void JointSystem::FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const
+{
+    rows = m_system.Rows(joint);
+    item = BoundedSystem::Item();
+    for (int32 i = 0; i < rows.rows; ++i)
+    {
+        const bool rigid = i < rows.Rigid();
+        const Yield yield = m_yields[joint].of[i];
+        item.least.at[i] = rigid || yield == Yield::Fastest ? -kEndless : 0.0;
+        item.most.at[i] = rigid || yield == Yield::Slowest ? kEndless : 0.0;
+        item.active = uint8(item.active | int(item.least.at[i] < item.most.at[i]) << i);
+    }
+}
+
 void JointSystem::TakeItem(std::size_t joint, const BoundedSystem::Item& item)
 {
     JointRows& rows = m_system.Rows(joint);

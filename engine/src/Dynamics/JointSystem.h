@@ -53,6 +53,9 @@ public:
     /// the impulses that it took.
     void FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
     void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
+    /// The same where ways take the place of velocities: what is rigid and what is at a limit stays
+    /// where it is, but motors and springs ask for velocities, not for ways.
+    void FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
 
 private:
     struct Impulses

@@ -36,6 +36,7 @@ void StepSolver::WakeJointNeighbours()
     {
         b2Joint* joint = m_world.graph.Joints()[i];
         m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
+        World::KeepDrivenAwake(*joint);
     }
     // A joint between a platform and something asleep is in no list.
     for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
@@ -238,6 +239,18 @@ void StepSolver::IntegratePositions()
     });
 }
 
+// A pendulum where it turns, or what is thrown up below a weak gravity, is slow for long, but its
+// speed changes all the time. What touches something is not asked, for piles tremble.
+bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep)
+{
+    constexpr float32 kMostGain = 0.25f / b2_timeToSleep; // of the tolerance, in a second
+    const float32 linear = timeStep * kMostGain * b2_linearSleepTolerance;
+    const float32 angular = timeStep * kMostGain * b2_angularSleepTolerance;
+    return body.colorMask == 0 &&
+           ((moved.v - body.linearVelocity).LengthSquared() > linear * linear ||
+            b2Abs(moved.w - body.angularVelocity) > angular);
+}
+
 // Slow means slow in both velocity and what position correction did: something that is still being
 // pushed out of an overlap does not sleep. A platform is told how to move: it stays awake however
 // slow it is.
@@ -255,7 +268,12 @@ float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved
         moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
         b2Abs(moved.w) <= b2_angularSleepTolerance && moved.d.LengthSquared() <= linear * linear &&
         b2Abs(moved.angle) <= angular;
-    return slow && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
+    if (!slow || (body.flags & kBodyAutoSleep) == 0)
+    {
+        return 0.0f;
+    }
+    const float32 time = body.sleepTime + h;
+    return time >= b2_timeToSleep && IsTurning(body, moved, h) ? body.sleepTime : time;
 }
 
 void StepSolver::WriteBack()
@@ -287,9 +305,9 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     {
         s = SolverBody(); // it stops rather than vanish
     }
+    body.sleepTime = SleepTimeAfter(body, s);
     body.linearVelocity = s.v;
     body.angularVelocity = s.w;
-    body.sleepTime = SleepTimeAfter(body, s);
     body.previous = body.pose;
     body.sweepStart = 0.0f;
     ++body.sweepVersion;

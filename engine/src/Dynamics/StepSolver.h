@@ -54,6 +54,7 @@ private:
     void Fly(std::size_t index);
     void AddKick(std::size_t index, float32 duration);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
+    static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
 
     // What one thread takes at a time.
     static constexpr int32 kBlockGrain = 8;

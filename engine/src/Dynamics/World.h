@@ -114,7 +114,9 @@ public:
     void UpdateActivity(b2Joint& joint);
     /// Wakes what is held by a contact or joint with something that moves.
     void WakeNeighbours(b2Body& bodyA, b2Body& bodyB);
-    /// False when the above would do nothing.
+    /// What a motor turns or moves at the speed that it was told does not rest, however slow.
+    static void KeepDrivenAwake(b2Joint& joint);
+    /// False when WakeNeighbours would do nothing.
     static bool WakesNeighbours(const BodyData& a, const BodyData& b);
     /// After a change by hand: wakes the body with everything it has contacts or joints with, for
     /// contacts between sleeping bodies are not looked at. One that has none sleeps on.

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "Trial.h"
+
+/// What is heavy on what is light, and what is heavy at the end of what is light.
+namespace
+{
+
+using namespace stability;
+
+STABILITY_SUITE(MassRatios);
+
+constexpr float32 kRatios[] = {1.0f, 10.0f, 100.0f, 1000.0f};
+
+std::string Named(const char* what, float32 ratio)
+{
+    return what + std::string(", ") + std::to_string(int(ratio)) + ":1";
+}
+
+/// Deeper than the slop is an overlap that one sees [m]; deeper than a skin the cores touch.
+constexpr double kOverlap = double(b2_linearSlop);
+
+/// Ten unit boxes, each so dense as `densityOf` says.
+template <class Density>
+void TryStack(int32 subSteps, const std::string& name, const Density& densityOf, bool bound)
+{
+    Trial trial(subSteps);
+    trial.world.SetAllowSleeping(false);
+    trial.Ground();
+    const std::vector<b2Body*> boxes = Stack(trial, 0.0f, 10);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+        Trial::SetDensity(boxes[i], densityOf(i));
+    }
+    const Places places(boxes);
+    const double before = trial.EnergyOfAll();
+    double overlap = 0.0, most = before;
+    trial.Run(20.0, [&](double time) {
+        overlap = time > 10.0 ? Worst(trial.DeepestOverlap(), overlap) : 0.0;
+        most = Worst(trial.EnergyOfAll(), most);
+    });
+    Judge(name + ", overlap", subSteps, 1000.0 * overlap, "mm",
+          bound ? 1000.0 * Bound(subSteps, kOverlap, double(b2_polygonRadius)) : kNoBound);
+    Judge(name + ", way", subSteps, places.Farthest(), "m", bound ? 0.05 : kNoBound);
+    // Standing upright is as high as they can be: a boost would be seen.
+    Judge(name + ", energy won", subSteps, 100.0 * (most / before - 1.0), "%", 0.5);
+}
+
+TEST_P(MassRatios, StackBearsAHeavyTop)
+{
+    for (const float32 ratio : kRatios)
+    {
+        TryStack(
+            GetParam(), Named("stack, top", ratio),
+            [ratio](std::size_t i) { return i == 9 ? ratio : 1.0f; },
+            GetParam() > 1 || ratio < 50.0f);
+    }
+}
+
+TEST_P(MassRatios, StackOfHeavyAndLightByTurnsStands)
+{
+    for (const float32 ratio : kRatios)
+    {
+        TryStack(
+            GetParam(), Named("stack by turns", ratio),
+            [ratio](std::size_t i) { return i % 2 == 1 ? ratio : 1.0f; },
+            GetParam() > 1 || ratio < 5.0f);
+    }
+}
+
+/// 20 links of 1 m x 0.25 m, let go in a direction, and a ball so many times as heavy as a link.
+class Chain
+{
+public:
+    static constexpr int kLinks = 20;
+
+    Chain(int32 subSteps, float32 ratio, const b2Vec2& along) : trial(subSteps)
+    {
+        b2Body* last = trial.Post();
+        for (int i = 0; i < kLinks; ++i)
+        {
+            const b2Vec2 middle = (float32(i) + 0.5f) * along;
+            const bool level = along.y == 0.0f;
+            b2Body* link =
+                trial.Part(middle.x, middle.y, level ? 0.5f : 0.125f, level ? 0.125f : 0.5f);
+            joints.push_back(trial.Hinge(last, link, float32(i) * along.x, float32(i) * along.y));
+            last = link;
+        }
+        const b2Vec2 end = float32(kLinks) * along;
+        ball = trial.Part(end.x, end.y, 0.5f, 0.5f);
+        Trial::SetDensity(ball, 0.25f * ratio);
+        joints.push_back(trial.Hinge(last, ball, end.x, end.y));
+    }
+
+    double WidestGap() const // [m]
+    {
+        double widest = 0.0;
+        for (const b2Joint* joint : joints)
+        {
+            widest = Worst(double(Gap(joint)), widest);
+        }
+        return widest;
+    }
+    double Stretch() const // [%]
+    {
+        return 100.0 * (double(ball->GetPosition().Length()) / kLinks - 1.0);
+    }
+
+    Trial trial;
+    std::vector<b2Joint*> joints;
+    b2Body* ball;
+};
+
+TEST_P(MassRatios, ChainHangs)
+{
+    for (const float32 ratio : kRatios)
+    {
+        Chain chain(GetParam(), ratio, b2Vec2(0.0f, -1.0f));
+        double widest = 0.0, fastest = 0.0;
+        chain.trial.Run(20.0, [&](double time) {
+            widest = Worst(chain.WidestGap(), widest);
+            fastest = time > 10.0 ? Worst(chain.trial.FastestSpeed(), fastest) : 0.0;
+        });
+        const std::string name = Named("chain hangs", ratio);
+        Judge(name + ", gap", GetParam(), 1000.0 * widest, "mm", Bound(GetParam(), 1.0));
+        Judge(name + ", speed after 10 s", GetParam(), fastest, "m/s", Bound(GetParam(), 0.01));
+    }
+}
+
+/// What has happened to a chain so far.
+struct Swing
+{
+    double widest = 0.0, stretch = 0.0, won = 0.0, most = 0.0;
+
+    void Look(const Chain& chain, double before)
+    {
+        widest = Worst(chain.WidestGap(), widest);
+        stretch = Worst(chain.Stretch(), stretch);
+        won = Worst(chain.trial.EnergyOfAll() - before, won);
+        most = Worst(chain.trial.KineticOfAll(), most);
+    }
+    double Won() const { return 100.0 * won / most; } // [%]
+};
+
+/// For 10 s, as in the benchmark, and 20 s, when the ball has gone to and fro twice and the links
+/// are thrown about where it turns.
+TEST_P(MassRatios, ChainSwings)
+{
+    for (const float32 ratio : kRatios)
+    {
+        Chain chain(GetParam(), ratio, b2Vec2(1.0f, 0.0f));
+        const double before = chain.trial.EnergyOfAll();
+        Swing first, all;
+        chain.trial.Run(20.0, [&](double time) {
+            all.Look(chain, before);
+            first = time <= 10.0 ? all : first;
+        });
+        const std::string name = Named("chain swings", ratio);
+        const int32 n = GetParam();
+        Judge(name + ", gap in 10 s", n, 1000.0 * first.widest, "mm", FromRecommended(n, 1.0));
+        Judge(name + ", stretch in 10 s", n, first.stretch, "%", FromRecommended(n, 1.0));
+        Judge(name + ", energy won in 10 s", n, first.Won(), "%", FromRecommended(n, 1.0));
+        Judge(name + ", gap in 20 s", n, 1000.0 * all.widest, "mm", kNoBound);
+        // Nothing explodes: never as much again as there was.
+        Judge(name + ", energy won in 20 s", n, all.Won(), "%", 100.0);
+    }
+}
+
+} // namespace
