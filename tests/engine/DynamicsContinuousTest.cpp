@@ -431,4 +431,31 @@ TEST(DynamicsContinuous, ATurningPlatformIsWhereItsBoxSaysBetweenThePartsOfAStep
     }
 }
 
+// They hit each other and the wall by turns, more often than a step has impacts.
+TEST(DynamicsContinuous, AHeavyBulletDoesNotDriveALightBodyThroughAThinWall)
+{
+    for (int i = 0; i < 100; ++i)
+    {
+        Scene scene(b2Vec2(0.0f, 0.0f));
+        scene.world.SetSubStepCount(i % 2 == 0 ? 1 : 4);
+        b2EdgeShape wall;
+        wall.Set(b2Vec2(0.0f, -20.0f), b2Vec2(0.0f, 20.0f));
+        Scene::Add(scene.Body(b2_staticBody, 0.0f, 0.0f), wall, 0.5f, 0.3f);
+        b2Body* light = scene.Body(b2_dynamicBody, 0.8f, 0.0f, 0.03f * float32(i));
+        Scene::AddBox(light, 0.6f, 0.1f, 0.9f, 0.3f)->SetDensity(1.0f);
+        light->ResetMassData();
+        b2Body* heavy = scene.Body(b2_dynamicBody, 4.0f, 0.01f * float32(i % 7), 0.1f * float32(i));
+        Scene::AddBox(heavy, 0.2f, 0.15f, 0.6f, 0.3f)->SetDensity(50.0f);
+        heavy->ResetMassData();
+        heavy->SetBullet(true);
+        heavy->SetLinearVelocity(b2Vec2(-90.0f, 0.0f));
+        for (int step = 0; step < 30; ++step)
+        {
+            scene.Step();
+            ASSERT_GT(light->GetPosition().x, 0.0f) << "case " << i << ", step " << step;
+            ASSERT_GT(heavy->GetPosition().x, 0.0f) << "case " << i << ", step " << step;
+        }
+    }
+}
+
 } // namespace

@@ -60,6 +60,8 @@ private:
     bool IsValid(const ImpactEvent& event) const;
     bool Resolve(const ImpactEvent& event);
     void AddNeighbours(b2Body& body, float32 time);
+    static bool GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB);
+    static bool IsSpent(b2Body& body);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
     void SolvePositions(b2Body& bodyA, b2Body& bodyB);
     void SolveVelocities(float32 time);
@@ -195,8 +197,43 @@ float32 ImpactSolver::TimeOfImpact(const ContactData& c) const
     input.tMax = 1.0f;
     b2TOIOutput output;
     b2TimeOfImpact(&output, &input);
+    if (output.state == b2TOIOutput::e_overlapped && GoesDeeper(c, input.sweepA, input.sweepB))
+    {
+        return start;
+    }
     return output.state == b2TOIOutput::e_touching ? b2Min(start + (1.0f - start) * output.t, 1.0f)
                                                    : 1.0f;
+}
+
+/// Whether bodies that overlap already go so much deeper on their ways that they could come out on
+/// the other side: sweeps have not held a light body off that something heavy drives. What comes
+/// out of an overlap, or sinks slowly, is for the next step.
+bool ImpactSolver::GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB)
+{
+    if (!c.IsTouching())
+    {
+        return false;
+    }
+    b2Transform fromA, fromB, toA, toB;
+    sweepA.GetTransform(&fromA, 0.0f);
+    sweepB.GetTransform(&fromB, 0.0f);
+    sweepA.GetTransform(&toA, 1.0f);
+    sweepB.GetTransform(&toB, 1.0f);
+    b2WorldManifold manifold;
+    manifold.Initialize(&c.manifold, fromA, c.radiusA, fromB, c.radiusB);
+    const float32 thinnest =
+        b2Min(Data(*c.bodyA).IsDynamic() ? Data(*c.bodyA).minExtent : b2_maxFloat,
+              Data(*c.bodyB).IsDynamic() ? Data(*c.bodyB).minExtent : b2_maxFloat);
+    for (int32 i = 0; i < c.manifold.pointCount; ++i)
+    {
+        const b2Vec2 point = manifold.points[i];
+        const b2Vec2 apart = b2Mul(toB, b2MulT(fromB, point)) - b2Mul(toA, b2MulT(fromA, point));
+        if (b2Dot(apart, manifold.normal) < -kFastShare * thinnest)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 void ImpactSolver::AddEvent(b2Contact& contact, float32 time)
@@ -325,6 +362,22 @@ bool ImpactSolver::Resolve(const ImpactEvent& event)
         }
     }
     return true;
+}
+
+/// Whether a contact of the body has had all the impacts of a step that it may have. The body then
+/// stays where it is for the rest of the step, or else it would go through what it was held off
+/// eight times; it loses time, but no speed.
+bool ImpactSolver::IsSpent(b2Body& body)
+{
+    for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
+    {
+        const ContactData& c = Data(*edge->contact);
+        if (c.toiCount >= b2_maxSubSteps && c.IsEnabled() && c.IsTouching() && !c.IsSensor())
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Whether a body could touch another that was not known to be part of the event.
@@ -554,8 +607,11 @@ void ImpactSolver::SolveVelocities(float32 time)
         }
         SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
         const bool wasStopped = data.sweepStart == time;
-        MoveOn(s, wasStopped ? AccelerationOf(data) : b2Vec2(0.0f, 0.0f),
-               (1.0f - time) * m_timeStep);
+        if (!data.IsDynamic() || !IsSpent(*body))
+        {
+            MoveOn(s, wasStopped ? AccelerationOf(data) : b2Vec2(0.0f, 0.0f),
+                   (1.0f - time) * m_timeStep);
+        }
         if (!IsFinite(s))
         {
             s = SolverBody(); // it stops rather than vanish
