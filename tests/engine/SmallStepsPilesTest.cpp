@@ -40,6 +40,45 @@ TEST(SmallStepsPiles, StandHoweverTall)
     }
 }
 
+/// Unit boxes, each row a box shorter than the one below it.
+std::vector<b2Body*> Pyramid(Scene& scene, int base)
+{
+    std::vector<b2Body*> boxes;
+    for (int row = 0; row < base; ++row)
+    {
+        for (int i = 0; i < base - row; ++i)
+        {
+            const float32 x = float32(i) - 0.5f * float32(base - row - 1);
+            boxes.push_back(scene.Box(x, 0.5f + float32(row)));
+        }
+    }
+    return boxes;
+}
+
+float32 Fastest(const std::vector<b2Body*>& boxes)
+{
+    float32 fastest = 0.0f;
+    for (const b2Body* box : boxes)
+    {
+        fastest = b2Max(fastest, box->GetLinearVelocity().Length());
+    }
+    return fastest;
+}
+
+TEST(SmallStepsPiles, ComeToRestHoweverFewSweepsASmallStepHas)
+{
+    for (const int32 count : {2, 4, 8, 16})
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(count);
+        scene.world.SetAllowSleeping(false);
+        scene.Ground();
+        const std::vector<b2Body*> boxes = Pyramid(scene, 20);
+        scene.Step(180);
+        EXPECT_LT(Fastest(boxes), 0.05f) << count;
+    }
+}
+
 float32 DeepestOverlap(b2World& world)
 {
     float32 deepest = 0.0f;

@@ -58,10 +58,12 @@ struct alignas(kCacheLine) OverlapBlock
     uint8 movesA, movesB; ///< as in ContactBlock
 };
 
-/// What only small steps keep of a block: the impulses of the whole step.
+/// What only small steps keep of a block: the impulses of the whole step, and those that the last
+/// kick began with.
 struct BlockTotals
 {
     float32 normal[2][kBlockLanes], tangent[2][kBlockLanes];
+    float32 firstNormal[2][kBlockLanes], firstTangent[2][kBlockLanes];
 };
 
 /// What a block is computed from, gathered from bodies and contacts. In the case of circles A

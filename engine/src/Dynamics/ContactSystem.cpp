@@ -76,8 +76,9 @@ public:
         return double(m_block.friction[m_lane]) * (item.impulse.at[0] + item.impulse.at[1]);
     }
 
-    /// Friction in shares of what each point can hold.
-    void Take(const BoundedSystem::Item& item)
+    /// Friction in shares of what each point can hold. The impulses are right for a kick of this
+    /// length, and pass on to the next in proportion.
+    void Take(const BoundedSystem::Item& item, BlockTotals& totals)
     {
         double load = 0.0;
         for (int32 i = 0; i < m_block.pointCount; ++i)
@@ -89,6 +90,8 @@ public:
             const double share = load > 0.0 ? item.impulse.at[i] / load : 0.0;
             Normal(i) = float32(item.impulse.at[i]);
             Tangent(i) = float32(share * item.impulse.at[2]);
+            totals.firstNormal[i][m_lane] = Normal(i);
+            totals.firstTangent[i][m_lane] = Tangent(i);
         }
     }
 
@@ -332,7 +335,8 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
     system.KeepIfBetter(context);
     for (std::size_t i = 0; i < count; ++i)
     {
-        contact(i).Take(system.At(i));
+        const Place& place = pile.contacts[i];
+        contact(i).Take(system.At(i), arrays.contacts[place.color].Totals(place.block));
     }
     for (std::size_t i = 0; i < pile.joints.size(); ++i)
     {

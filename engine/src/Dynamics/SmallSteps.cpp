@@ -44,6 +44,17 @@ struct Decay
 constexpr float32 kRestTolerance = 0.01f;
 constexpr int32 kMostBounces = 64; ///< sweeps over what bounces in a row
 
+/// As in a whole step the sweeps of a kick turn once, and the next kick goes on the way that this
+/// one ended. A kick of one sweep turns with every second kick, which is the same.
+Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
+{
+    if (count > 1)
+    {
+        return ColorDirectionOf(iteration, count, turned != (kick % 2 == 1));
+    }
+    return ((kick + 1) / 2 % 2 == 1) == turned ? Direction::Forward : Direction::Backward;
+}
+
 /// One contact of a block, as it bounces.
 class Bouncer
 {
@@ -169,6 +180,7 @@ void KeepLasting(ContactBlock& block)
     }
 }
 
+/// See ScaleImpulses: of what the last kick changed, a half.
 void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
@@ -177,21 +189,30 @@ void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
         float32 all = 0.0f;
         for (int32 i = 0; i < block.pointCount; ++i)
         {
-            last += block.points[i].normalImpulse[lane];
+            last += 0.5f * (block.points[i].normalImpulse[lane] + totals.firstNormal[i][lane]);
             all += totals.normal[i][lane];
         }
         Data(*block.contact[lane]).lasting = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
     }
 }
 
-void ScaleImpulses(ContactBlock& block, float32 share)
+/// From a kick to one that is `share` times as long. What sweeps change stops what came together
+/// before the kick as well as what the kick itself brought, and the former does not grow with its
+/// length. So the change passes on as it is: twice as large after the half kick at the start it
+/// would be over-relaxed by 2, beyond which sweeps diverge, and tall piles did.
+void ScaleImpulses(ContactBlock& block, BlockTotals& totals, float32 share)
 {
+    const auto scale = [share](float32& impulse, float32& first) {
+        impulse = share > 1.0f ? impulse + (share - 1.0f) * first : share * impulse;
+        first = impulse;
+    };
     for (int32 i = 0; i < block.pointCount; ++i)
     {
+        PointLanes& p = block.points[i];
         for (int32 lane = 0; lane < kBlockLanes; ++lane)
         {
-            block.points[i].normalImpulse[lane] *= share;
-            block.points[i].tangentImpulse[lane] *= share;
+            scale(p.normalImpulse[lane], totals.firstNormal[i][lane]);
+            scale(p.tangentImpulse[lane], totals.firstTangent[i][lane]);
         }
     }
 }
@@ -244,6 +265,7 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
         const float32 share = (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f);
         solve.Kick(last ? 0.5f * h : h, share, velocitySweeps);
     }
+    sweepsTurned = velocitySweeps > 1 ? (count % 2 == 0) != sweepsTurned : !sweepsTurned;
     solve.EndSmallSteps();
     solve.NoteImpulses();
     solve.WriteBack();
@@ -328,19 +350,20 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
     });
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        ScaleImpulses(blocks.Contacts(i), share);
+        ScaleImpulses(blocks.Contacts(i), blocks.Totals(i), share);
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
     for (int32 i = 0; i < iterations; ++i)
     {
         joints.SolveVelocities(m_context);
-        const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
+        const bool changed =
+            SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.sweepsTurned));
         if (!changed && joints.IsExact())
         {
             break;
         }
     }
-    m_world.sweepsTurned = !m_world.sweepsTurned;
+    ++m_kick;
     m_arrays.contactSystem.SolveVelocities(
         m_arrays, m_context, kRestTolerance * duration * m_world.gravity.Length() + 1e-6f);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {

@@ -64,6 +64,7 @@ private:
     SolverArrays& m_arrays;
     ThreadPool* m_threads; // may be null
     SolverContext m_context;
+    int32 m_kick = 0; // number of the next, in a step of small ones
 };
 
 /// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
