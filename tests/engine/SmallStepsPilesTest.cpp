@@ -94,6 +94,44 @@ float32 DeepestOverlap(b2World& world)
     return deepest;
 }
 
+bool Sleep(const std::vector<b2Body*>& boxes)
+{
+    for (const b2Body* box : boxes)
+    {
+        if (box->IsAwake())
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+// They were put together without room for their skins, and are pushed apart much longer.
+TEST(SmallStepsPiles, SleepWithSkinsThatOverlap)
+{
+    Scene scene;
+    scene.world.SetSubStepCount(4);
+    scene.Ground();
+    const std::vector<b2Body*> boxes = Pyramid(scene, 20);
+    scene.Step(180);
+    EXPECT_TRUE(Sleep(boxes));
+    EXPECT_GT(DeepestOverlap(scene.world), 0.015f);
+}
+
+TEST(SmallStepsPiles, StayAwakeWhileTheyOverlapDeeper)
+{
+    Scene scene;
+    scene.world.SetSubStepCount(4);
+    scene.Ground();
+    const std::vector<b2Body*> boxes = {scene.Box(0.0f, 0.5f), scene.Box(0.0f, 1.3f)};
+    for (int i = 0; i < 300 && !Sleep(boxes); ++i)
+    {
+        scene.Step(1);
+    }
+    EXPECT_TRUE(Sleep(boxes));
+    EXPECT_LT(DeepestOverlap(scene.world), 0.026f);
+}
+
 TEST(SmallStepsPiles, BearWhatIsAThousandTimesAsHeavy)
 {
     for (const float32 ratio : {100.0f, 1000.0f})

@@ -473,6 +473,10 @@ void StepSolver::EndSmallSteps()
         }
     });
     m_arrays.jointSystem.End();
+    if (m_world.allowSleep)
+    {
+        FindDeep();
+    }
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
         NoteLasting(blocks.Contacts(i), blocks.Totals(i));
         TakeTotals(blocks.Contacts(i), blocks.Totals(i));

@@ -46,6 +46,7 @@ struct SolverArrays
     Array<uint8> left;               ///< by awake body: whether a shape has left its box
     Array<uint8> flies;              ///< by awake body, of small steps: nothing holds or touches it
     Array<b2Vec2> accelerations;     ///< by awake body, of small steps: 0 unless it flies freely
+    Array<uint8> deep;               ///< by solver index, of small steps: see FindDeep
     Array<b2Contact*> reported;      ///< whose impulses the listener wants to know, in order
     Array<float32> impactTimes;      ///< by awake contact
     Array<ImpactEvent> impactEvents; ///< a heap, the earliest first

@@ -18,6 +18,12 @@ namespace
 /// after a very short step this much of them, and no more, is carried over.
 constexpr float32 kMostStepRatio = 10.0f;
 
+/// Of two polygons' skins and a slop [m]: nobody sees such an overlap, nor that it stays.
+constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
+constexpr float32 kLeftOverlap = 3.0f * b2_linearSlop; ///< what pushing may leave of any [m]
+/// What is pushed out of skins faster than so many times what slow means does not rest.
+constexpr float32 kSkinsPace = 10.0f;
+
 } // namespace
 
 StepSolver::StepSolver(World& world, float32 timeStep)
@@ -27,6 +33,7 @@ StepSolver::StepSolver(World& world, float32 timeStep)
     m_context.inverseStep = 1.0f / timeStep;
     m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMostStepRatio);
     m_context.warmStarting = world.warmStarting;
+    m_arrays.deep.clear();
 }
 
 void StepSolver::WakeJointNeighbours()
@@ -251,9 +258,47 @@ bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float3
             b2Abs(moved.w - body.angularVelocity) > angular);
 }
 
+/// Which bodies overlap by more than their skins. What is put together without room for the skins
+/// is pushed apart for minutes where there is much of it, from the outside in, and may rest
+/// meanwhile: the skins are there to be overlapped.
+void StepSolver::FindDeep()
+{
+    Array<uint8>& deep = m_arrays.deep;
+    deep.assign(m_world.awakeBodies.size() + 1, 0);
+    ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
+        const OverlapBlock& block = blocks.Overlaps(i);
+        // At a rate of 0 it is only measured.
+        if (SolveBlock(block, m_context.bodies, 0.0f) >= -kLeftOverlap)
+        {
+            return;
+        }
+        for (int32 lane = 0; lane < block.count; ++lane)
+        {
+            const OverlapConstraint o = OverlapOf(block, lane);
+            const bool skins = o.radius <= 1.01f * 2.0f * b2_polygonRadius;
+            const float32 most = skins ? kUnseenOverlap : kLeftOverlap;
+            for (int32 point = 0; point < o.pointCount; ++point)
+            {
+                const float32 separation =
+                    MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
+                        .separation;
+                if (separation < -most)
+                {
+                    deep[std::size_t(o.bodyA)] = deep[std::size_t(o.bodyB)] = 1;
+                }
+            }
+        }
+    });
+}
+
+bool StepSolver::IsPushedOut(const BodyData& body) const
+{
+    return m_arrays.deep.empty() || m_arrays.deep[std::size_t(body.SolverIndex())] != 0;
+}
+
 // Slow means slow in both velocity and what position correction did: something that is still being
-// pushed out of an overlap does not sleep. A platform is told how to move: it stays awake however
-// slow it is.
+// pushed out of an overlap does not sleep, unless the overlap is only one of skins. A platform is
+// told how to move: it stays awake however slow it is.
 float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
 {
     const float32 h = m_context.timeStep;
@@ -262,8 +307,9 @@ float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved
         const bool still = moved.v == b2Vec2(0.0f, 0.0f) && moved.w == 0.0f;
         return still && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
     }
-    const float32 linear = h * b2_linearSleepTolerance;
-    const float32 angular = h * b2_angularSleepTolerance;
+    const float32 pace = IsPushedOut(body) ? h : kSkinsPace * h;
+    const float32 linear = pace * b2_linearSleepTolerance;
+    const float32 angular = pace * b2_angularSleepTolerance;
     const bool slow =
         moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
         b2Abs(moved.w) <= b2_angularSleepTolerance && moved.d.LengthSquared() <= linear * linear &&

@@ -51,6 +51,8 @@ private:
     float32 SolveOverlaps(Direction direction, float32 rate);
     void Bounce();
     void FindFlying();
+    void FindDeep();
+    bool IsPushedOut(const BodyData& body) const;
     void Fly(std::size_t index);
     void AddKick(std::size_t index, float32 duration);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
