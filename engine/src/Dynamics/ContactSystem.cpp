@@ -76,9 +76,18 @@ public:
         return double(m_block.friction[m_lane]) * (item.impulse.at[0] + item.impulse.at[1]);
     }
 
-    /// Friction in shares of what each point can hold. The impulses are right for a kick of this
-    /// length, and pass on to the next in proportion.
-    void Take(const BoundedSystem::Item& item, BlockTotals& totals)
+    /// The impulses are right for a kick of this length, and grow with it.
+    void PassOnInProportion(BlockTotals& totals)
+    {
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            totals.firstNormal[i][m_lane] = Normal(i);
+            totals.firstTangent[i][m_lane] = Tangent(i);
+        }
+    }
+
+    /// Friction in shares of what each point can hold.
+    void Take(const BoundedSystem::Item& item)
     {
         double load = 0.0;
         for (int32 i = 0; i < m_block.pointCount; ++i)
@@ -90,8 +99,6 @@ public:
             const double share = load > 0.0 ? item.impulse.at[i] / load : 0.0;
             Normal(i) = float32(item.impulse.at[i]);
             Tangent(i) = float32(share * item.impulse.at[2]);
-            totals.firstNormal[i][m_lane] = Normal(i);
-            totals.firstTangent[i][m_lane] = Tangent(i);
         }
     }
 
@@ -291,6 +298,12 @@ void ContactSystem::SolveVelocities(SolverArrays& arrays, const SolverContext& c
         {
             SolveVelocities(pile, arrays, context, tolerance);
         }
+        for (const Place& place : pile.contacts)
+        {
+            ContactBlocks& blocks = arrays.contacts[place.color];
+            ContactItem(blocks.Contacts(place.block), place.lane)
+                .PassOnInProportion(blocks.Totals(place.block));
+        }
     }
 }
 
@@ -335,8 +348,7 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
     system.KeepIfBetter(context);
     for (std::size_t i = 0; i < count; ++i)
     {
-        const Place& place = pile.contacts[i];
-        contact(i).Take(system.At(i), arrays.contacts[place.color].Totals(place.block));
+        contact(i).Take(system.At(i));
     }
     for (std::size_t i = 0; i < pile.joints.size(); ++i)
     {
