@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "AccuracySweep.h"
 #include "Benchmark.h"
-#include "ChartScale.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 
 namespace boxreel
@@ -12,13 +12,97 @@ namespace boxreel
 namespace
 {
 
-/// A smaller gain is no gain: it would end a curve at a price that bought nothing.
-constexpr double kBetter = 0.99;
+std::string Format(const char* format, ...)
+{
+    char text[320];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return text;
+}
 
-bool HasPoint(const AccuracyFigures& run)
+bool HasFigures(const AccuracyFigures& run)
 {
     return run.failure.empty() && run.held && std::isfinite(run.error) && run.cpu > 0.0;
 }
+
+std::string Ending(const AccuracyFigures& run)
+{
+    return !run.failure.empty() ? run.failure : !run.ending.empty() ? run.ending : "not finite";
+}
+
+/// 2/1, or 10 where there is one kind; empty for figures of a program that did not say.
+std::string EachText(const SubStepIterations& each)
+{
+    return each.velocity <= 0 ? ""
+           : each.position <= 0
+               ? std::to_string(each.velocity)
+               : std::to_string(each.velocity) + "/" + std::to_string(each.position);
+}
+
+std::string Row(const AccuracyCase& info, const AccuracyFigures& run)
+{
+    const AccuracySettings& s = run.settings;
+    const std::string iterations =
+        std::to_string(s.velocityIterations) + "/" + std::to_string(s.positionIterations);
+    std::string row = Format("%-17s %-16s %4d %10s %9d %9s ", info.name.c_str(), run.engine.c_str(),
+                             s.hz, iterations.c_str(), s.subSteps, EachText(run.each).c_str());
+    if (!HasFigures(run))
+    {
+        return row + Format("%11s %-6s %9s %9s  %s\n", "-", "", "-", "-", Ending(run).c_str());
+    }
+    const char* verdict = !run.ending.empty()      ? run.ending.c_str()
+                          : run.error <= info.goal ? "goal met"
+                                                   : "";
+    row += Format("%11.4g %-6s %9s %9s  %s", run.error, info.unit.c_str(),
+                  TimeText(run.cpu).c_str(), TimeText(run.CpuOfAFrame()).c_str(), verdict);
+    return row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+}
+
+const AccuracyFigures* UsualRun(const AccuracyResult& result, const std::string& engine)
+{
+    const AccuracySettings usual = UsualSettings(result, engine);
+    for (const AccuracyFigures& run : result.runs)
+    {
+        const AccuracySettings& s = run.settings;
+        if (run.engine == engine && s.hz == usual.hz && s.subSteps == usual.subSteps &&
+            s.velocityIterations == usual.velocityIterations)
+        {
+            return &run;
+        }
+    }
+    return nullptr;
+}
+
+std::string ErrorText(const AccuracyFigures& run)
+{
+    return !run.ending.empty() || !HasFigures(run) ? Ending(run) : Format("%.3g", run.error);
+}
+
+std::string SummaryRow(const AccuracyResult& result, const std::vector<std::string>& engines)
+{
+    const AccuracyCase& info = result.info;
+    std::string row = Format("%-17s %6.4g %-6s", info.name.c_str(), info.goal, info.unit.c_str());
+    const AccuracyFigures* ours = UsualRun(result, engines.front());
+    bool isSlower = false;
+    for (const std::string& engine : engines)
+    {
+        const AccuracyFigures* run = UsualRun(result, engine);
+        const bool isTimed = run != nullptr && ours != nullptr && run->cpu > 0.0 && ours->cpu > 0.0;
+        isSlower = isSlower || (isTimed && IsGoalPeer(engine) && run->cpu < ours->cpu);
+        row += Format(" %10s %8s %6s", run != nullptr ? ErrorText(*run).c_str() : "not run",
+                      isTimed ? TimeText(run->CpuOfAFrame()).c_str() : "",
+                      isTimed && run != ours
+                          ? Format("%.2fx", run->CpuOfAFrame() / ours->CpuOfAFrame()).c_str()
+                          : "");
+    }
+    const bool met =
+        ours != nullptr && HasFigures(*ours) && ours->ending.empty() && ours->error <= info.goal;
+    return row + (!met ? "  goal not met\n" : isSlower ? "  goal met, slower\n" : "  goal met\n");
+}
+
+} // namespace
 
 std::vector<std::string> EnginesOf(const AccuracyResult& result)
 {
@@ -33,141 +117,49 @@ std::vector<std::string> EnginesOf(const AccuracyResult& result)
     return engines;
 }
 
-/// 8/3 at 60 Hz, with the sub-steps where there are any.
-std::string SettingsText(const AccuracySettings& s)
+AccuracySettings UsualSettings(const AccuracyResult& result, const std::string& engine)
 {
-    return std::to_string(s.velocityIterations) + "/" + std::to_string(s.positionIterations) +
-           " at " + std::to_string(s.hz) + " Hz" +
-           (s.subSteps > 1 ? " x " + std::to_string(s.subSteps) : "");
-}
-
-std::string Row(const AccuracyResult& result, const AccuracyFigures& run)
-{
-    char text[320];
-    if (!HasPoint(run))
-    {
-        std::snprintf(text, sizeof text, "%-18s %-16s %-20s %s\n", result.info.name.c_str(),
-                      run.engine.c_str(), SettingsText(run.settings).c_str(),
-                      run.failure.empty() ? "not finite" : run.failure.c_str());
-        return text;
-    }
-    std::snprintf(text, sizeof text, "%-18s %-16s %-20s %10.4g %-6s %9s %9s  %s\n",
-                  result.info.name.c_str(), run.engine.c_str(), SettingsText(run.settings).c_str(),
-                  run.error, result.info.unit.c_str(), TimeText(run.cpu).c_str(),
-                  TimeText(run.CpuOfAFrame()).c_str(),
-                  run.error <= result.info.goal ? "goal met" : "");
-    return text;
-}
-
-/// What an error of nothing is drawn as, for a logarithm has no zero.
-double LeastDrawn(const AccuracyCase& info)
-{
-    return info.goal > 0.0 ? info.goal / 1000.0 : 0.1;
-}
-
-void AppendGoal(LineChart& chart, const AccuracyCase& info)
-{
-    double from = chart.lines.front().points.front().x, to = from;
-    for (const ChartLine& line : chart.lines)
-    {
-        for (const ChartPoint& point : line.points)
-        {
-            from = std::min(from, point.x);
-            to = std::max(to, point.x);
-        }
-    }
-    ChartLine goal;
-    goal.series.name = "goal";
-    goal.series.color = 5;
-    goal.series.dashed = true;
-    goal.points = {{from, info.goal, ""}, {to, info.goal, ""}};
-    chart.lines.push_back(goal);
-}
-
-} // namespace
-
-std::vector<AccuracyFigures> BestRuns(const AccuracyResult& result, const std::string& engine)
-{
-    std::vector<AccuracyFigures> runs;
+    AccuracySettings usual;
     for (const AccuracyFigures& run : result.runs)
     {
-        if (run.engine == engine && HasPoint(run))
-        {
-            runs.push_back(run);
-        }
+        usual.subSteps = run.engine == engine && run.settings.subSteps > 1 ? 4 : usual.subSteps;
     }
-    std::sort(runs.begin(), runs.end(), [](const AccuracyFigures& a, const AccuracyFigures& b) {
-        return a.CpuOfAFrame() != b.CpuOfAFrame() ? a.CpuOfAFrame() < b.CpuOfAFrame()
-                                                  : a.error < b.error;
-    });
-    std::vector<AccuracyFigures> best;
-    for (const AccuracyFigures& run : runs)
-    {
-        if (best.empty() || run.error < kBetter * best.back().error)
-        {
-            best.push_back(run);
-        }
-    }
-    return best;
+    return usual;
 }
 
 std::string AccuracyTable(const std::vector<AccuracyResult>& results)
 {
-    char head[320];
-    std::snprintf(head, sizeof head, "%-18s %-16s %-20s %10s %-6s %9s %9s\n", "case", "engine",
-                  "iterations and steps", "error", "", "CPU/step", "CPU/frame");
-    std::string table = head;
+    std::string table =
+        Format("%-17s %-16s %4s %10s %9s %9s %11s %-6s %9s %9s\n", "case", "engine", "Hz",
+               "iterations", "sub-steps", "each gets", "error", "", "CPU/step", "per 1/60 s");
     for (const AccuracyResult& result : results)
     {
         for (const AccuracyFigures& run : result.runs)
         {
-            table += Row(result, run);
+            table += Row(result.info, run);
         }
     }
-    return table;
+    return table + "\n" + AccuracySummary(results);
 }
 
-Result<LineChart> AccuracyChart(const AccuracyResult& result)
+std::string AccuracySummary(const std::vector<AccuracyResult>& results)
 {
-    const AccuracyCase& info = result.info;
-    LineChart chart;
-    for (const std::string& engine : EnginesOf(result))
+    const std::vector<std::string> engines = EnginesOf(results.front());
+    std::string table =
+        "At 60 Hz with 8/3 iterations, and 4 sub-steps where there are any: the error, the CPU "
+        "time of a step, and\nhow many times that of the first engine it is; slower: than "
+        "Box2D.\n" +
+        Format("%-17s %6s %-6s", "case", "goal", "");
+    for (const std::string& engine : engines)
     {
-        const std::vector<AccuracyFigures> best = BestRuns(result, engine);
-        if (best.empty())
-        {
-            continue;
-        }
-        ChartLine line;
-        line.series.name = engine;
-        line.series.color = int(chart.lines.size());
-        for (const AccuracyFigures& run : best)
-        {
-            line.points.push_back(
-                {run.CpuOfAFrame() * 1e6, std::max(run.error, LeastDrawn(info)), ""});
-        }
-        line.points.back().label = SettingsText(best.back().settings);
-        chart.lines.push_back(line);
+        table += Format(" %26s", engine.c_str());
     }
-    if (chart.lines.empty())
+    table += "\n";
+    for (const AccuracyResult& result : results)
     {
-        return Error{ErrorKind::Unusable,
-                     "No run of '" + info.name + "' has held, so there is nothing to draw."};
+        table += SummaryRow(result, engines);
     }
-    if (info.goal > 0.0)
-    {
-        AppendGoal(chart, info);
-    }
-    chart.frame.title = info.name;
-    chart.frame.subtitle = info.what;
-    chart.frame.notes = {
-        "Each line goes through the settings that no other of that engine beats in both, and ends "
-        "with the most accurate, which is named.",
-        "An error below " + ChartNumber(LeastDrawn(info)) + " " + info.unit +
-            " is drawn there. Velocity/position iterations; Chipmunk 10 for 8/3."};
-    chart.x = {"CPU time of 1/60 s [\u00b5s]", true};
-    chart.y = {"error [" + info.unit + "]", true};
-    return chart;
+    return table;
 }
 
 } // namespace boxreel

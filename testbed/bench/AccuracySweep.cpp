@@ -2,44 +2,13 @@
 #include "AccuracySweep.h"
 
 #include "ChildProcess.h"
-#include "JsonFields.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
 namespace boxreel
 {
-namespace
-{
-
-Json RunJson(const AccuracyFigures& run)
-{
-    Json json{{"engine", run.engine},
-              {"velocityIterations", run.settings.velocityIterations},
-              {"positionIterations", run.settings.positionIterations},
-              {"hz", run.settings.hz},
-              {"subSteps", run.settings.subSteps}};
-    if (!run.failure.empty())
-    {
-        json["failure"] = run.failure;
-        return json;
-    }
-    json["error"] = std::isfinite(run.error) ? Json(run.error) : Json(nullptr);
-    json["cpuSecondsOfAStep"] = run.cpu;
-    json["cpuSecondsOfAFrame"] = run.CpuOfAFrame();
-    json["held"] = run.held;
-    Json remarks = Json::object();
-    for (const auto& [name, value] : run.remarks)
-    {
-        remarks[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
-    }
-    json["remarks"] = remarks;
-    return json;
-}
-
-} // namespace
 
 AccuracyCase ParseAccuracyCase(const std::string& line)
 {
@@ -57,34 +26,6 @@ AccuracyCase ParseAccuracyCase(const std::string& line)
         info.mostSubSteps = key == "sub-steps" ? std::atoi(value.c_str()) : info.mostSubSteps;
     }
     return info;
-}
-
-Result<AccuracyFigures> ParseAccuracyFigures(const std::string& output)
-{
-    const std::size_t end = output.find_last_not_of('\n');
-    const std::size_t start = output.rfind('\n', end);
-    const std::string line = output.substr(start == std::string::npos ? 0 : start + 1);
-    const Json json = Json::parse(line, nullptr, false);
-    AccuracyFigures figures;
-    figures.engine = Text(json, "engine");
-    figures.cpu = Number(json, "cpu", 0.0);
-    if (figures.engine.empty() || figures.cpu <= 0.0)
-    {
-        return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
-    }
-    figures.settings = {int(Number(json, "velocityIterations", 0.0)),
-                        int(Number(json, "positionIterations", 0.0)), int(Number(json, "hz", 60.0)),
-                        int(Number(json, "subSteps", 1.0))};
-    figures.error = Number(json, "error", kNoValue); // it prints null for what is no number
-    figures.held = json.contains("held") && json["held"] == true;
-    if (json.contains("remarks") && json["remarks"].is_object())
-    {
-        for (const auto& [name, value] : json["remarks"].items())
-        {
-            figures.remarks.emplace_back(name, value.is_number() ? value.get<double>() : kNoValue);
-        }
-    }
-    return figures;
 }
 
 Result<std::vector<AccuracyCase>> ListAccuracyCases(const std::filesystem::path& program)
@@ -138,25 +79,6 @@ AccuracyFigures RunAccuracyCase(const std::filesystem::path& program, const std:
     failed.settings = settings;
     failed.failure = "failed";
     return failed;
-}
-
-std::string AccuracyJson(const std::vector<AccuracyResult>& results)
-{
-    Json cases = Json::array();
-    for (const AccuracyResult& result : results)
-    {
-        Json runs = Json::array();
-        for (const AccuracyFigures& run : result.runs)
-        {
-            runs.push_back(RunJson(run));
-        }
-        cases.push_back({{"case", result.info.name},
-                         {"what", result.info.what},
-                         {"unit", result.info.unit},
-                         {"goal", result.info.goal},
-                         {"runs", runs}});
-    }
-    return Json{{"cases", cases}}.dump(2) + "\n";
 }
 
 } // namespace boxreel

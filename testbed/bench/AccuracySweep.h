@@ -24,6 +24,13 @@ struct AccuracySettings
     int subSteps = 1;
 };
 
+/// What the engine makes of the iterations of a step for each sub-step, as its program says.
+struct SubStepIterations
+{
+    int velocity = 0; ///< 0: not said
+    int position = 0; ///< 0: none
+};
+
 struct AccuracyCase
 {
     std::string name;
@@ -37,9 +44,11 @@ struct AccuracyFigures
 {
     std::string engine; ///< name and version
     AccuracySettings settings;
-    double error = kNoValue;                             ///< kNoValue: there is none
-    double cpu = 0.0;                                    ///< of a step [s]
-    bool held = false;                                   ///< all numbers stayed finite
+    SubStepIterations each;
+    double error = kNoValue; ///< kNoValue: there is none
+    double cpu = 0.0;        ///< of a step [s]
+    bool held = false;       ///< all numbers stayed finite
+    std::string ending;      ///< "falls", "bursts": what no error tells; empty: as it should
     std::vector<std::pair<std::string, double>> remarks; ///< more numbers, units in their names
     std::string failure; ///< why there are no figures; empty: there are
 
@@ -69,15 +78,22 @@ std::vector<AccuracySettings> AccuracySweep(int mostSubSteps);
 AccuracyFigures RunAccuracyCase(const std::filesystem::path& program, const std::string& name,
                                 const AccuracySettings& settings);
 
-/// The runs of one engine, cheapest first, each more accurate than all cheaper ones by a hundredth
-/// or more of their error.
-std::vector<AccuracyFigures> BestRuns(const AccuracyResult& result, const std::string& engine);
+/// By their names, in the order in which they first come.
+std::vector<std::string> EnginesOf(const AccuracyResult& result);
+/// 8 and 3 iterations at 60 Hz, with 4 sub-steps when the engine was run with any.
+AccuracySettings UsualSettings(const AccuracyResult& result, const std::string& engine);
 
-/// A row a run.
+/// A row a run, and the summary.
 std::string AccuracyTable(const std::vector<AccuracyResult>& results);
+/// A row a case: what every engine reaches with its usual settings. `results` is not empty.
+std::string AccuracySummary(const std::vector<AccuracyResult>& results);
 /// All figures for programs.
 std::string AccuracyJson(const std::vector<AccuracyResult>& results);
-/// A line an engine through its best runs, and the goal. An Error when nothing has held.
+/// What AccuracyJson wrote. `name` is for the error's sentence.
+Result<std::vector<AccuracyResult>> ParseAccuracyJson(const std::string& text,
+                                                      const std::string& name);
+/// A curve for each engine and each thing that varies, in CPU time and error, and the goal. An
+/// Error when nothing has held.
 Result<LineChart> AccuracyChart(const AccuracyResult& result);
 
 } // namespace boxreel

@@ -71,11 +71,11 @@ ChartBar BarOf(const BenchResult& result, const BenchFigures& peer)
         const bool isOurFault = !IsComparable(ours);
         bar.label = "not compared: " + (isOurFault ? "boxreel " + ours.verdict : peer.verdict);
     }
-    if (IsGoalPeer(peer) && result.scene.goalTimesFaster > 0.0)
+    if (IsGoalPeer(peer.engine) && result.scene.goalTimesFaster > 0.0)
     {
         bar.mark = result.scene.goalTimesFaster;
     }
-    else if (IsGoalPeer(peer) && result.scene.goalSeconds > 0.0 && IsComparable(peer))
+    else if (IsGoalPeer(peer.engine) && result.scene.goalSeconds > 0.0 && IsComparable(peer))
     {
         bar.mark = peer.cpu / result.scene.goalSeconds;
     }
@@ -163,7 +163,9 @@ Result<LineChart> CurveChart(const std::vector<BenchResult>& results)
             {
                 const auto color = std::find(engines.begin(), engines.end(), engine.engine);
                 chart.lines.push_back(
-                    {{name, int(color - engines.begin()), result.scene.curve != "static"}, {}});
+                    {{name, int(color - engines.begin()),
+                      result.scene.curve == "static" ? ChartStroke::Solid : ChartStroke::Dashed},
+                     {}});
                 line = chart.lines.end() - 1;
             }
             line->points.push_back({result.scene.count, engine.cpu * 1e6, ""});

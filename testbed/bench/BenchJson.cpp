@@ -29,7 +29,7 @@ Json EngineJson(const BenchFigures& e, const BenchFigures& first)
                  {"cpuSeconds", e.cpu},
                  {"wallRatio", WallRatio(first, e)},
                  {"cpuRatio", CpuRatio(first, e)},
-                 {"contacts", e.contacts},
+                 {"contacts", std::isfinite(e.contacts) ? Json(e.contacts) : Json(nullptr)},
                  {"memoryKilobytes", e.memory},
                  {"finite", e.finite},
                  {"escaped", e.escaped},
@@ -52,7 +52,7 @@ BenchFigures EngineFrom(const Json& json)
     e.median = Number(json, "medianSeconds", 0.0);
     e.p99 = Number(json, "p99Seconds", 0.0);
     e.cpu = Number(json, "cpuSeconds", 0.0);
-    e.contacts = Number(json, "contacts", 0.0);
+    e.contacts = Number(json, "contacts", std::nan(""));
     e.memory = Number(json, "memoryKilobytes", 0.0);
     e.finite = Flag(json, "finite");
     e.escaped = Number(json, "escaped", 0.0);
@@ -108,10 +108,10 @@ Result<BenchFigures> ParseFigures(const std::string& output)
     BenchFigures figures;
     bool complete = true;
     const std::pair<const char*, double BenchFigures::*> numbers[] = {
-        {"mean", &BenchFigures::mean},         {"median", &BenchFigures::median},
-        {"p99", &BenchFigures::p99},           {"cpu", &BenchFigures::cpu},
-        {"contacts", &BenchFigures::contacts}, {"memory", &BenchFigures::memory},
-        {"escaped", &BenchFigures::escaped},   {"awake", &BenchFigures::awake},
+        {"mean", &BenchFigures::mean},     {"median", &BenchFigures::median},
+        {"p99", &BenchFigures::p99},       {"cpu", &BenchFigures::cpu},
+        {"memory", &BenchFigures::memory}, {"escaped", &BenchFigures::escaped},
+        {"awake", &BenchFigures::awake},
     };
     for (const auto& [name, number] : numbers)
     {
@@ -124,6 +124,7 @@ Result<BenchFigures> ParseFigures(const std::string& output)
         return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
     }
     // Of a world that burst these may not be numbers.
+    figures.contacts = Number(json, "contacts", std::nan(""));
     figures.overlap = Number(json, "overlap", 0.0);
     figures.meanHeight = Number(json, "meanHeight", 0.0);
     figures.meanSpeed = Number(json, "meanSpeed", 0.0);

@@ -32,11 +32,16 @@ std::string SpreadText(const BenchFigures& figures)
     return Format("%.2f", spread) + (spread > kGoalOfP99 ? "!" : " ");
 }
 
+std::string ContactsText(const BenchFigures& figures)
+{
+    return std::isfinite(figures.contacts) ? Format("%ld", std::lround(figures.contacts)) : "-";
+}
+
 std::string Head(bool withThreads)
 {
-    return Format("%-15s %-16s %s%9s %9s %9s %8s  %9s %8s %8s %8s %8s %9s  %s\n", "scene", "engine",
+    return Format("%-15s %-16s %s%9s %9s %9s %8s  %9s %9s %8s %8s %8s %9s  %s\n", "scene", "engine",
                   withThreads ? "threads speed-up " : "", "mean", "median", "p99", "/median", "CPU",
-                  "ratio", "CPU", "goal", "contacts", "memory", "verdict");
+                  "wall/ours", "CPU/ours", "goal", "contacts", "memory", "verdict");
 }
 
 std::string GoalText(const BenchScene& scene, const BenchFigures& figures)
@@ -45,7 +50,7 @@ std::string GoalText(const BenchScene& scene, const BenchFigures& figures)
     {
         return TimeText(scene.goalSeconds);
     }
-    return IsGoalPeer(figures) ? RatioText(scene.goalTimesFaster) : "";
+    return IsGoalPeer(figures.engine) ? RatioText(scene.goalTimesFaster) : "";
 }
 
 /// The wall time of one thread over that of these; empty where there is nothing to compare.
@@ -70,13 +75,12 @@ std::string Row(const BenchResult& result, const BenchFigures& figures, bool wit
     }
     const std::string wall = figures.isOurs ? "" : RatioText(WallRatio(first, figures));
     const std::string cpu = figures.isOurs ? "" : RatioText(CpuRatio(first, figures));
-    return Format("%-15s %-16s %s%9s %9s %9s %9s %9s %8s %8s %8s %8ld %6.1f MB  %s\n",
-                  scene.c_str(), figures.engine.c_str(), threads.c_str(),
-                  TimeText(figures.mean).c_str(), TimeText(figures.median).c_str(),
-                  TimeText(figures.p99).c_str(), SpreadText(figures).c_str(),
-                  TimeText(figures.cpu).c_str(), wall.c_str(), cpu.c_str(),
-                  GoalText(result.scene, figures).c_str(), std::lround(figures.contacts),
-                  figures.memory / 1024.0, figures.verdict.c_str());
+    return Format("%-15s %-16s %s%9s %9s %9s %9s %9s %9s %8s %8s %8s %6.1f MB  %s\n", scene.c_str(),
+                  figures.engine.c_str(), threads.c_str(), TimeText(figures.mean).c_str(),
+                  TimeText(figures.median).c_str(), TimeText(figures.p99).c_str(),
+                  SpreadText(figures).c_str(), TimeText(figures.cpu).c_str(), wall.c_str(),
+                  cpu.c_str(), GoalText(result.scene, figures).c_str(),
+                  ContactsText(figures).c_str(), figures.memory / 1024.0, figures.verdict.c_str());
 }
 
 bool HasThreads(const std::vector<BenchResult>& results)

@@ -66,7 +66,7 @@ bool IsDeeper(const std::vector<const BenchFigures*>& peers, const BenchFigures&
 {
     return std::any_of(peers.begin(), peers.end(), [&ours](const BenchFigures* peer) {
         const double more = std::max(kOverlapLeast, kOverlapShare * peer->overlap);
-        return IsGoalPeer(*peer) && ours.overlap > peer->overlap + more;
+        return IsGoalPeer(peer->engine) && ours.overlap > peer->overlap + more;
     });
 }
 
@@ -206,9 +206,12 @@ BenchFigures MedianOf(const std::vector<BenchFigures>& rounds)
         std::vector<double> values;
         for (const BenchFigures& round : rounds)
         {
-            values.push_back(round.*number);
+            if (std::isfinite(round.*number))
+            {
+                values.push_back(round.*number);
+            }
         }
-        result.*number = Median(std::move(values));
+        result.*number = values.empty() ? std::nan("") : Median(std::move(values));
     }
     for (const BenchFigures& round : rounds)
     {
@@ -294,9 +297,9 @@ double WallRatio(const BenchFigures& ours, const BenchFigures& other)
                                                                         : 0.0;
 }
 
-bool IsGoalPeer(const BenchFigures& figures)
+bool IsGoalPeer(const std::string& engine)
 {
-    return figures.engine.rfind("Box2D 2.4", 0) == 0;
+    return engine.rfind("Box2D 2.4", 0) == 0;
 }
 
 } // namespace boxreel

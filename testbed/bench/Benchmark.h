@@ -34,8 +34,8 @@ struct BenchFigures
     int threads = 1;
     double mean = 0.0, median = 0.0, p99 = 0.0; ///< wall time
     double cpu = 0.0;                           ///< of the whole process, on average
-    double contacts = 0.0;
-    double memory = 0.0; ///< growth of the process [kB]
+    double contacts = 0.0;                      ///< NaN: nobody counted, for the world burst before
+    double memory = 0.0;                        ///< growth of the process [kB]
     bool finite = true;
     double escaped = 0.0;    ///< bodies that left the scene's bounds
     double awake = 0.0;      ///< bodies that should sleep and do not
@@ -92,8 +92,8 @@ bool IsComparable(const BenchFigures& figures);
 double CpuRatio(const BenchFigures& ours, const BenchFigures& other);
 double WallRatio(const BenchFigures& ours, const BenchFigures& other);
 
-/// Whether the scene's goal of times faster is against this engine.
-bool IsGoalPeer(const BenchFigures& figures);
+/// Whether goals are against this engine.
+bool IsGoalPeer(const std::string& engine);
 
 /// A table for people, a row an engine.
 std::string BenchTable(const std::vector<BenchResult>& results);

@@ -37,12 +37,20 @@ struct ChartAxis
     bool logarithmic = false;
 };
 
+enum class ChartStroke
+{
+    Solid,
+    Dashed,
+    Dotted,
+    None, ///< points that nothing joins
+};
+
 /// One kind of bar or one line, as the legend shows it.
 struct ChartSeries
 {
     std::string name;
     int color = 0; ///< one of six that can be told apart, also by the colour-blind
-    bool dashed = false;
+    ChartStroke stroke = ChartStroke::Solid;
 };
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
@@ -76,10 +84,22 @@ struct BarChart
     std::vector<ChartGroup> groups;
 };
 
+enum class ChartMark
+{
+    Disc,
+    Ring,  ///< around a disc: to be found at once
+    Cross, ///< instead of a disc: what failed
+    Speck, ///< small and pale: one of many
+};
+
 struct ChartPoint
 {
-    double x = 0.0, y = 0.0;
-    std::string label; ///< to the right of the point
+    double x = 0.0;
+    double y = 0.0;    ///< kNoValue: beyond all numbers, drawn at the upper edge
+    std::string label; ///< beside the point, where there is room
+    ChartMark mark = ChartMark::Disc;
+    /// Left out where it would cover something; else it is put farther away, with a thin line.
+    bool mayLackLabel = false;
 };
 
 struct ChartLine
@@ -88,11 +108,44 @@ struct ChartLine
     std::vector<ChartPoint> points; ///< in the order in which they are joined
 };
 
+/// A straight line all over the plot, such as a goal.
+struct ChartRule
+{
+    double value = 0.0;
+    bool upright = false; ///< at this x, else at this y
+    std::string label;    ///< on the line
+};
+
+enum class LegendKey
+{
+    Box,
+    Line,
+    Tick,   ///< of a mark on bars, whatever the colour of the series
+    Stroke, ///< of a line whatever its colour
+    Disc,
+    Ring,
+    Cross,
+    Speck,
+};
+
+struct LegendEntry
+{
+    ChartSeries series;
+    LegendKey key = LegendKey::Box;
+};
+
 struct LineChart
 {
     ChartFrame frame;
     ChartAxis x, y;
-    std::vector<ChartLine> lines;
+    std::vector<ChartLine> lines; ///< the first in front
+    std::vector<ChartRule> rules;
+    std::vector<LegendEntry> legend; ///< empty: one entry a line
+    bool tintsCorner = false;        ///< below the rule across and left of the upright one
+    /// Points that are no higher are put below the axis, each colour in a row of its own, with
+    /// `floorText` beside them, such as "0"; kNoValue: there are none.
+    double floor = kNoValue;
+    std::string floorText;
     int height = 640; ///< of the whole picture [points]
 };
 

@@ -60,7 +60,7 @@ void PaintBar(ChartCanvas& canvas, const ChartBar& bar, const ChartColor& color,
     const double mark = std::isfinite(bar.mark) ? scale.At(bar.mark) : kNoValue;
     if (std::isfinite(mark))
     {
-        canvas.Lines({{mark, y - 2.5}, {mark, y + kBarHeight + 2.5}}, {2.5, kInk, false});
+        canvas.Lines({{mark, y - 2.5}, {mark, y + kBarHeight + 2.5}}, {2.5, kInk});
     }
     TextStyle style{.size = 11.0, .color = hasBar ? kInk : kSoftInk};
     if (end < start)
@@ -129,7 +129,7 @@ void Paint(ChartCanvas& canvas, const BarChart& chart)
         PaintNames(canvas, chart, group, area.left - 12.0, y + 0.5 * (groupHeight - kGroupGap));
         y += groupHeight;
     }
-    canvas.Lines({{start, area.top}, {start, area.bottom}}, {1.5, kInk, false});
+    canvas.Lines({{start, area.top}, {start, area.bottom}}, {1.5, kInk});
     canvas.Text(start, area.top - 6.0, chart.startLabel, {.size = 10.5, .color = kInk});
     canvas.Text(area.left - 12.0, area.top - 6.0, chart.valueTitle,
                 {.size = 10.5, .color = kSoftInk, .place = TextPlace::LeftOf});

@@ -150,10 +150,11 @@ public:
     void Lines(const std::vector<std::pair<double, double>>& points,
                const LineStyle& style) override
     {
-        const double dashes[] = {5.0, 3.5};
+        const bool dotted = style.stroke == ChartStroke::Dotted;
+        const double dashes[] = {dotted ? 1.5 : 6.0, dotted ? 3.0 : 4.0};
         Use(style.color);
         g_cairo.cairo_set_line_width(m_context, style.width);
-        g_cairo.cairo_set_dash(m_context, dashes, style.dashed ? 2 : 0, 0.0);
+        g_cairo.cairo_set_dash(m_context, dashes, style.stroke == ChartStroke::Solid ? 0 : 2, 0.0);
         for (const auto& [x, y] : points)
         {
             g_cairo.cairo_line_to(m_context, x, y); // the first of a path moves there

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Chart.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +37,7 @@ struct LineStyle
 {
     double width = 1.0; ///< [points]
     ChartColor color{};
-    bool dashed = false;
+    ChartStroke stroke = ChartStroke::Solid;
 };
 
 class ChartCanvas

@@ -25,11 +25,26 @@ void PaintKey(ChartCanvas& canvas, const LegendEntry& entry, double x, double y)
         canvas.Rectangle(x + 6.0, y - 9.0, 14.0, 10.0, color);
         break;
     case LegendKey::Line:
-        canvas.Lines({{x, y - 4.0}, {x + 20.0, y - 4.0}}, {2.0, color, entry.series.dashed});
+        canvas.Lines({{x, y - 4.0}, {x + 20.0, y - 4.0}}, {2.0, color, entry.series.stroke});
         canvas.Disc(x + 10.0, y - 4.0, 3.2, color);
         break;
     case LegendKey::Tick:
-        canvas.Lines({{x + 13.0, y - 10.0}, {x + 13.0, y + 2.0}}, {2.5, kInk, false});
+        canvas.Lines({{x + 13.0, y - 10.0}, {x + 13.0, y + 2.0}}, {2.5, kInk});
+        break;
+    case LegendKey::Stroke:
+        canvas.Lines({{x, y - 4.0}, {x + 21.0, y - 4.0}}, {2.0, kSoftInk, entry.series.stroke});
+        break;
+    case LegendKey::Disc:
+        canvas.Disc(x + 10.0, y - 4.0, 5.0, color);
+        break;
+    case LegendKey::Ring:
+        PaintMark(canvas, ChartMark::Ring, x + 10.0, y - 4.0, kSoftInk);
+        break;
+    case LegendKey::Cross:
+        PaintMark(canvas, ChartMark::Cross, x + 10.0, y - 4.0, kSoftInk);
+        break;
+    case LegendKey::Speck:
+        PaintMark(canvas, ChartMark::Speck, x + 10.0, y - 4.0, kSoftInk);
         break;
     }
 }
@@ -73,6 +88,31 @@ ChartColor SeriesColor(int color)
     return kColors[static_cast<unsigned>(color) % std::size(kColors)];
 }
 
+void PaintMark(ChartCanvas& canvas, ChartMark mark, double x, double y, const ChartColor& color)
+{
+    const auto pale = [](double part) { return part + 0.6 * (1.0 - part); };
+    switch (mark)
+    {
+    case ChartMark::Disc:
+        canvas.Disc(x, y, 3.8, color);
+        break;
+    case ChartMark::Ring:
+        canvas.Disc(x, y, 7.4, color);
+        canvas.Disc(x, y, 5.6, kPaper);
+        canvas.Disc(x, y, 3.8, color);
+        break;
+    case ChartMark::Cross:
+        for (const double side : {-1.0, 1.0})
+        {
+            canvas.Lines({{x - 4.0, y - 4.0 * side}, {x + 4.0, y + 4.0 * side}}, {2.2, color});
+        }
+        break;
+    case ChartMark::Speck:
+        canvas.Disc(x, y, 1.9, {pale(color.red), pale(color.green), pale(color.blue)});
+        break;
+    }
+}
+
 double PaintHead(ChartCanvas& canvas, const ChartFrame& frame,
                  const std::vector<LegendEntry>& legend)
 {
@@ -113,8 +153,7 @@ void PaintAcross(ChartCanvas& canvas, const ChartAxis& axis, const ChartScale& s
                 continue;
             }
             const double x = scale.At(tick.value);
-            canvas.Lines({{x, area.top}, {x, area.bottom}},
-                         {1.0, named ? kGrid : kFineGrid, false});
+            canvas.Lines({{x, area.top}, {x, area.bottom}}, {1.0, named ? kGrid : kFineGrid});
             if (named)
             {
                 canvas.Text(
@@ -139,8 +178,7 @@ void PaintUpward(ChartCanvas& canvas, const ChartAxis& axis, const ChartScale& s
                 continue;
             }
             const double y = scale.At(tick.value);
-            canvas.Lines({{area.left, y}, {area.right, y}},
-                         {1.0, named ? kGrid : kFineGrid, false});
+            canvas.Lines({{area.left, y}, {area.right, y}}, {1.0, named ? kGrid : kFineGrid});
             if (named)
             {
                 canvas.Text(

@@ -26,22 +26,12 @@ struct PlotArea
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
 };
 
-enum class LegendKey
-{
-    Box,
-    Line,
-    Tick, ///< of a mark, whatever the colour of the series
-};
-
-struct LegendEntry
-{
-    ChartSeries series;
-    LegendKey key = LegendKey::Box;
-};
-
 /// Title, subtitle and a legend in as many rows as it needs; returns the height that they take.
 double PaintHead(ChartCanvas& canvas, const ChartFrame& frame,
                  const std::vector<LegendEntry>& legend);
+
+/// One point, at (x, y) [points].
+void PaintMark(ChartCanvas& canvas, ChartMark mark, double x, double y, const ChartColor& color);
 
 /// The notes below the plot's axis; `top` is where they begin.
 void PaintNotes(ChartCanvas& canvas, const ChartFrame& frame, double top);

@@ -93,9 +93,27 @@ void ChartScale::MakeLogarithmic()
             }
             // Few decades have room for more numbers.
             const bool named = digit == 1 || (decades < 3.5 && (digit == 2 || digit == 5));
-            m_ticks.push_back({value, named ? ChartNumber(value) : ""});
+            m_ticks.push_back({value, named ? ChartPower(value) : ""});
         }
     }
+}
+
+std::string ChartPower(double value)
+{
+    const double exponent = value > 0.0 ? std::log10(value) : 0.0;
+    const int power = int(std::lround(exponent));
+    if (std::abs(exponent - power) > 1e-9 || (power > -5 && power < 6))
+    {
+        return ChartNumber(value);
+    }
+    static constexpr const char* kRaised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                              "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    std::string text = power < 0 ? "10\u207b" : "10";
+    for (const char digit : std::to_string(std::abs(power)))
+    {
+        text += kRaised[digit - '0'];
+    }
+    return text;
 }
 
 std::string ChartNumber(double value)

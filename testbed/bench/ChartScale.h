@@ -40,5 +40,7 @@ private:
 
 /// 0.05, 7, 12,500: no more digits than `value` has, thousands apart.
 std::string ChartNumber(double value);
+/// The same, but powers of ten that would need many digits as 10⁻⁷.
+std::string ChartPower(double value);
 
 } // namespace boxreel

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,10 @@ Result<std::vector<Entry>> ChooseByName(const std::vector<Entry>& all,
             return Error{ErrorKind::Unusable, "No " + kind + " is called '" + name + "'; `" + list +
                                                   "` shows them." + hint};
         }
+        if (std::count(names.begin(), names.end(), name) > 1)
+        {
+            return Error{ErrorKind::Unusable, "'" + name + "' is named twice; give it once."};
+        }
         chosen.push_back(all[std::size_t(found - known.begin())]);
     }
     return chosen;
@@ -74,6 +80,19 @@ Result<int> PrintNames(const std::vector<Entry>& entries)
     }
     const Result<void> written = WriteOutput(text);
     return written ? Result<int>(0) : Result<int>(written.GetError());
+}
+
+/// The text of a file; `maker` is the command that makes such files, for the error.
+inline Result<std::string> ReadFigures(const std::filesystem::path& path, const std::string& maker)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf()))
+    {
+        return Error{ErrorKind::Unusable,
+                     "Cannot read '" + path.string() + "'; name a file that `" + maker + "` made."};
+    }
+    return text.str();
 }
 
 /// PNG or SVG, as the file's name says.

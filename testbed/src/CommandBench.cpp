@@ -5,10 +5,6 @@
 
 #include <bench/BenchChart.h>
 
-#include <algorithm>
-#include <fstream>
-#include <sstream>
-
 namespace boxreel
 {
 namespace
@@ -36,16 +32,15 @@ Result<std::vector<BenchScene>> Choose(const std::vector<BenchScene>& all,
 /// Before minutes of work: whether each chart can be drawn and written.
 Result<void> CheckCharts(const BenchOptions& options)
 {
-    for (auto chart = options.charts.begin(); chart != options.charts.end(); ++chart)
+    if (const Result<void> once = CheckNoneTwice(options.charts, "--chart"); !once)
     {
-        if (const Result<void> usable = CheckChartPath(*chart, options.force); !usable)
+        return once;
+    }
+    for (const std::filesystem::path& chart : options.charts)
+    {
+        if (const Result<void> usable = CheckChartPath(chart, options.force); !usable)
         {
             return usable;
-        }
-        if (std::find(options.charts.begin(), chart, *chart) != chart)
-        {
-            return Error{ErrorKind::Unusable,
-                         "--chart names '" + chart->string() + "' twice; give it once."};
         }
     }
     return options.charts.empty() ? Result<void>() : PrepareCharts();
@@ -81,18 +76,6 @@ Result<void> WriteCharts(const BenchOptions& options, const std::vector<BenchRes
         }
     }
     return {};
-}
-
-Result<std::vector<BenchResult>> ReadResults(const std::filesystem::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf()))
-    {
-        return Error{ErrorKind::Unusable, "Cannot read '" + path.string() +
-                                              "'; name a file that `boxreel bench --json` made."};
-    }
-    return ParseBenchJson(text.str(), path.string());
 }
 
 Result<std::vector<BenchResult>> RunScenes(const std::vector<std::filesystem::path>& programs,
@@ -136,7 +119,10 @@ Result<int> RunBench(const BenchOptions& options)
     }
     if (!options.from.empty())
     {
-        const Result<std::vector<BenchResult>> results = ReadResults(options.from);
+        const Result<std::string> text = ReadFigures(options.from, "boxreel bench --json");
+        const Result<std::vector<BenchResult>> results =
+            text ? ParseBenchJson(*text, options.from.string())
+                 : Result<std::vector<BenchResult>>(text.GetError());
         return results ? Show(options, *results) : Result<int>(results.GetError());
     }
     const Result<std::vector<std::filesystem::path>> programs = BenchPrograms();

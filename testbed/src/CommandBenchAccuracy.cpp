@@ -5,6 +5,8 @@
 
 #include <bench/AccuracySweep.h>
 
+#include <algorithm>
+
 namespace boxreel
 {
 namespace
@@ -21,6 +23,10 @@ std::filesystem::path PathFor(const std::filesystem::path& chart, const Accuracy
 /// Before minutes of work: whether each chart can be drawn and written.
 Result<void> CheckCharts(const BenchOptions& options, const std::vector<AccuracyCase>& cases)
 {
+    if (const Result<void> once = CheckNoneTwice(options.charts, "--chart"); !once)
+    {
+        return once;
+    }
     for (const std::filesystem::path& chart : options.charts)
     {
         for (const AccuracyCase& info : cases)
@@ -81,6 +87,21 @@ Result<AccuracyResult> RunCase(const std::vector<std::filesystem::path>& program
     return result;
 }
 
+Result<int> Show(const BenchOptions& options, const std::vector<AccuracyResult>& results)
+{
+    const Result<void> written =
+        WriteOutput(options.json ? AccuracyJson(results) : AccuracyTable(results));
+    return written ? Result<int>(0) : Result<int>(written.GetError());
+}
+
+Result<std::vector<AccuracyCase>> Choose(const std::vector<AccuracyCase>& all,
+                                         const std::vector<std::string>& names,
+                                         const std::string& list)
+{
+    return names.empty() ? all : ChooseByName(all, names, "accuracy case", list);
+}
+
+/// The charts of each case as soon as it is done: all of them take a while.
 Result<int> RunCases(const BenchOptions& options,
                      const std::vector<std::filesystem::path>& programs,
                      const std::vector<AccuracyCase>& cases)
@@ -100,15 +121,61 @@ Result<int> RunCases(const BenchOptions& options,
         }
         results.push_back(*result);
     }
-    const Result<void> written =
-        WriteOutput(options.json ? AccuracyJson(results) : AccuracyTable(results));
-    return written ? Result<int>(0) : Result<int>(written.GetError());
+    return Show(options, results);
+}
+
+/// What --from names, of the chosen cases.
+Result<int> ShowEarlier(const BenchOptions& options)
+{
+    const Result<std::string> text = ReadFigures(options.from, "boxreel bench --accuracy --json");
+    const Result<std::vector<AccuracyResult>> all =
+        text ? ParseAccuracyJson(*text, options.from.string())
+             : Result<std::vector<AccuracyResult>>(text.GetError());
+    if (!all)
+    {
+        return all.GetError();
+    }
+    std::vector<AccuracyCase> known;
+    for (const AccuracyResult& result : *all)
+    {
+        known.push_back(result.info);
+    }
+    if (options.list)
+    {
+        return PrintNames(known);
+    }
+    const Result<std::vector<AccuracyCase>> cases = Choose(
+        known, options.scenes, "boxreel bench --accuracy --list --from " + options.from.string());
+    if (!cases)
+    {
+        return cases.GetError();
+    }
+    if (const Result<void> usable = CheckCharts(options, *cases); !usable)
+    {
+        return usable.GetError();
+    }
+    std::vector<AccuracyResult> results;
+    for (const AccuracyCase& info : *cases)
+    {
+        results.push_back(*std::find_if(all->begin(), all->end(), [&](const auto& result) {
+            return result.info.name == info.name;
+        }));
+        if (const Result<void> written = WriteCharts(options, results.back()); !written)
+        {
+            return written.GetError();
+        }
+    }
+    return Show(options, results);
 }
 
 } // namespace
 
 Result<int> RunBenchAccuracy(const BenchOptions& options)
 {
+    if (!options.from.empty())
+    {
+        return ShowEarlier(options);
+    }
     const Result<std::vector<std::filesystem::path>> programs = BenchPrograms();
     if (!programs)
     {
@@ -124,9 +191,7 @@ Result<int> RunBenchAccuracy(const BenchOptions& options)
         return PrintNames(*all);
     }
     const Result<std::vector<AccuracyCase>> cases =
-        options.scenes.empty() ? all
-                               : ChooseByName(*all, options.scenes, "accuracy case",
-                                              "boxreel bench --accuracy --list");
+        Choose(*all, options.scenes, "boxreel bench --accuracy --list");
     if (!cases)
     {
         return cases.GetError();

@@ -243,19 +243,18 @@ Result<Request> CheckDiff(DiffOptions options)
 
 Result<Request> CheckBench(BenchOptions options)
 {
-    if (options.accuracy &&
-        (options.curve || !options.from.empty() || options.rounds != BenchOptions().rounds ||
-         options.threads != BenchOptions().threads))
+    if (options.accuracy && (options.curve || options.rounds != BenchOptions().rounds ||
+                             options.threads != BenchOptions().threads))
     {
-        return Unusable("--accuracy goes with --list, --json, --chart and --force; leave --curve, "
-                        "--from, --rounds and --threads out.");
+        return Unusable("--accuracy goes with --list, --json, --from, --chart and --force; leave "
+                        "--curve, --rounds and --threads out.");
     }
     if (options.curve && !options.scenes.empty())
     {
         return Unusable("--curve names its scenes itself; leave '" + options.scenes.front() +
                         "' out, or --curve.");
     }
-    if (!options.from.empty() && !options.scenes.empty())
+    if (!options.from.empty() && !options.scenes.empty() && !options.accuracy)
     {
         return Unusable("--from shows all that was run before; leave '" + options.scenes.front() +
                         "' out, or --from.");

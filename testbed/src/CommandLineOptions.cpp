@@ -250,7 +250,10 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "say how many times more the peer takes; only runs that did not burst are compared. p99\n"
         "should be at most twice the median; beyond that stands a sign. Peers are those whose\n"
         "packages were there when the tests were built: libbox2d-dev, libchipmunk-dev. Wall times\n"
-        "mean little while other programs run.\n\n"
+        "mean little while other programs run.\n"
+        "--accuracy runs each case with many settings, for minutes, and charts error against CPU\n"
+        "time. Iterations are those of a step; what each sub-step gets of them is in table and "
+        "JSON.\n\n"
         "Examples:\n"
         "  boxreel bench\n"
         "  boxreel bench large-pyramid tumbler --rounds 7\n"
@@ -259,6 +262,7 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "  boxreel bench --from bench.json --chart bench.png --chart bench.svg\n"
         "  boxreel bench --curve --chart curve.png\n"
         "  boxreel bench --accuracy --json > accuracy.json\n"
+        "  boxreel bench --accuracy --from accuracy.json --chart error.svg   (one chart a case)\n"
         "  boxreel bench --accuracy A-projectile --chart error.svg   (error-A-projectile.svg)");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "OutputPath.h"
 
+#include <debugdraw/AtomicFile.h>
+
 #include <cerrno>
 #include <cstring>
 #include <unistd.h>
@@ -40,7 +42,10 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFor
     {
         return Error{ErrorKind::Unusable, name + " exists; --force overwrites it."};
     }
-    return {};
+    // Permissions are not all: /proc has them and takes no file, as a full disk. What is made here
+    // goes with its owner.
+    const Result<AtomicFile> attempt = AtomicFile::Create(path, force);
+    return attempt ? Result<void>() : Result<void>(attempt.GetError());
 }
 
 } // namespace
@@ -55,6 +60,28 @@ Result<void> CheckChartPath(const std::filesystem::path& path, bool force)
 {
     return CheckPath(path, force, path.extension() == ".png" || path.extension() == ".svg",
                      ".png or .svg, the two formats charts are written in");
+}
+
+Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,
+                            const std::string& option)
+{
+    const auto plain = [](const std::filesystem::path& path) {
+        std::error_code failure;
+        const std::filesystem::path whole = std::filesystem::weakly_canonical(path, failure);
+        return failure ? path : whole;
+    };
+    for (auto later = paths.begin(); later != paths.end(); ++later)
+    {
+        for (auto earlier = paths.begin(); earlier != later; ++earlier)
+        {
+            if (plain(*earlier) == plain(*later))
+            {
+                return Error{ErrorKind::Unusable,
+                             option + " names '" + later->string() + "' twice; give it once."};
+            }
+        }
+    }
+    return {};
 }
 
 } // namespace boxreel

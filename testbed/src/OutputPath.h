@@ -4,16 +4,23 @@
 #include <debugdraw/Result.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 /// Asked before long work is done for a file that could not be written in the end.
 namespace boxreel
 {
 
-/// Whether a picture can be written there: the name ends in .png, its folder exists and may be
-/// written to, and no file is in the way unless `force`. Changes nothing.
+/// Whether a picture can be written there: the name ends in .png, its folder exists and takes
+/// a file, and no file is in the way unless `force`. Leaves everything as it was.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
 
 /// The same for a chart, whose name ends in .png or .svg.
 Result<void> CheckChartPath(const std::filesystem::path& path, bool force);
+
+/// Whether none of these names the same file as an earlier one, whatever the spelling. `option` is
+/// what they were given by, for the error.
+Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,
+                            const std::string& option);
 
 } // namespace boxreel

@@ -25,6 +25,7 @@ struct Outcome
 {
     double error = 0.0; ///< in the unit of the case; smaller is better
     std::vector<Remark> remarks;
+    std::string ending{}; ///< "falls", "bursts": what no error tells; empty: as it should
 };
 
 /// One run of a case: made, built, stepped and judged once.

@@ -143,7 +143,9 @@ public:
     }
 
 protected:
-    double WidestGap() const { return 1000.0 * m_widest; }                          // [mm]
+    double WidestGap() const { return 1000.0 * m_widest; } // [mm]
+    /// At twice its length nobody takes it for a chain any more.
+    std::string Ending() const { return Stretch() < 100.0 ? "" : "bursts"; }
     double Stretch() const { return 100.0 * Worst(0.0, m_longest / kLinks - 1.0); } // [%]
 
 private:
@@ -160,7 +162,10 @@ class HangingChainExperiment final : public ChainExperiment
 {
 public:
     HangingChainExperiment() : ChainExperiment(100.0, 0.0, -1.0) {}
-    Outcome Judge(Sim&) override { return {WidestGap(), {{"stretch_percent", Stretch()}}}; }
+    Outcome Judge(Sim&) override
+    {
+        return {WidestGap(), {{"stretch_percent", Stretch()}}, Ending()};
+    }
 };
 
 /// The largest distance of the ball from the fixed point, beyond the length of the chain; the chain
@@ -169,7 +174,7 @@ class SwungChainExperiment final : public ChainExperiment
 {
 public:
     SwungChainExperiment() : ChainExperiment(1000.0, 1.0, 0.0) {}
-    Outcome Judge(Sim&) override { return {Stretch(), {{"gap_mm", WidestGap()}}}; }
+    Outcome Judge(Sim&) override { return {Stretch(), {{"gap_mm", WidestGap()}}, Ending()}; }
 };
 
 /// I: two such rods in a row, hinged where they meet; one spins at 4.5 rad/s, the other does not,

@@ -52,6 +52,8 @@ protected:
         return fallen;
     }
 
+    static std::string Ending(int fallen) { return fallen > 0 ? "falls" : ""; }
+
 private:
     static double Way(const Place& at, const Place& start)
     {
@@ -81,7 +83,8 @@ public:
     {
         const int fallen = Fallen(sim, 0.5);
         return {1000.0 * (fallen > 0 ? FarthestWay(sim) : m_overlap),
-                {{"fallen", double(fallen)}, {"overlap_mm", 1000.0 * m_overlap}}};
+                {{"fallen", double(fallen)}, {"overlap_mm", 1000.0 * m_overlap}},
+                Ending(fallen)};
     }
 
 private:
@@ -108,7 +111,8 @@ public:
 
     Outcome Judge(Sim& sim) override
     {
-        return {FarthestWay(sim), {{"fallen", double(Fallen(sim, 0.5))}}};
+        const int fallen = Fallen(sim, 0.5);
+        return {FarthestWay(sim), {{"fallen", double(fallen)}}, Ending(fallen)};
     }
 
 private:
@@ -133,7 +137,8 @@ class CardHouseExperiment final : public PileExperiment
 public:
     Outcome Judge(Sim& sim) override
     {
-        return {FarthestWay(sim), {{"fallen", double(Fallen(sim, 0.1))}}};
+        const int fallen = Fallen(sim, 0.1);
+        return {FarthestWay(sim), {{"fallen", double(fallen)}}, Ending(fallen)};
     }
 
 private:

@@ -109,9 +109,14 @@ void Print(const AccuracyCase& one, const SimSettings& settings, const Run& run,
                 "\"positionIterations\":%d,\"hz\":%d,\"subSteps\":%d,",
                 EngineName().c_str(), one.name.c_str(), settings.velocityIterations,
                 settings.positionIterations, settings.hz, settings.subSteps);
-    std::printf("\"error\":%s,\"unit\":\"%s\",\"steps\":%d,\"cpu\":%s,\"held\":%s,\"remarks\":{",
+    const Iterations each = IterationsOfASubStep(settings);
+    std::printf("\"velocityIterationsOfASubStep\":%d,\"positionIterationsOfASubStep\":%d,",
+                each.velocity, each.position);
+    std::printf("\"error\":%s,\"unit\":\"%s\",\"steps\":%d,\"cpu\":%s,\"held\":%s,"
+                "\"ending\":\"%s\",\"remarks\":{",
                 Number(run.outcome.error).c_str(), one.unit.c_str(), run.steps, Number(cpu).c_str(),
-                run.held ? "true" : "false");
+                run.held ? "true" : "false",
+                run.held ? run.outcome.ending.c_str() : "is no longer finite");
     const char* comma = "";
     for (const Remark& remark : run.outcome.remarks)
     {

@@ -137,6 +137,14 @@ double Finite(double value)
     return std::isfinite(value) ? value : 0.0;
 }
 
+/// What nobody looked at, for the world burst before, is not zero.
+std::string ContactsText(const Likenesses& like)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", Finite(like.contacts));
+    return like.looks > 0 ? text : "null";
+}
+
 std::vector<BodyId> AwakeBodies(const Sim& sim)
 {
     std::vector<BodyId> awake;
@@ -253,10 +261,10 @@ int Run(const Scene& scene, int threads)
                 EngineName().c_str(), scene.name.c_str(), sim->Threads(), timing.count, mean,
                 Quantile(timing.calls, 0.5), Quantile(timing.calls, 0.99), timing.calls.back(),
                 timing.cpu);
-    std::printf("\"contacts\":%.9g,\"memory\":%ld,\"finite\":%s,\"escaped\":%d,\"awake\":%d,"
+    std::printf("\"contacts\":%s,\"memory\":%ld,\"finite\":%s,\"escaped\":%d,\"awake\":%d,"
                 "\"overlap\":%.9g,\"meanHeight\":%.9g,\"highest\":%.9g,\"meanSpeed\":%.9g,"
                 "\"bits\":\"%016llx\"}\n",
-                like.contacts, memory, end.finite ? "true" : "false", end.escaped,
+                ContactsText(like).c_str(), memory, end.finite ? "true" : "false", end.escaped,
                 std::max(0, scene.sleepers - end.asleep), Finite(like.overlap), Finite(like.height),
                 Finite(end.highest), Finite(like.speed), static_cast<unsigned long long>(end.bits));
     return 0;

@@ -109,6 +109,15 @@ struct SimSettings
     int subSteps = 1; ///< of a step: from 1 to MostSubSteps()
 };
 
+struct Iterations
+{
+    int velocity = 0;
+    int position = 0; ///< 0: the engine has no such iterations
+};
+
+/// What a sub-step gets of the iterations of the settings, which are those of a whole step, as this
+/// engine splits and counts them.
+Iterations IterationsOfASubStep(const SimSettings& settings);
 /// Name and version of the engine that this program was built with.
 std::string EngineName();
 /// Into which a step can be split; 1: the engine knows no sub-steps.

@@ -208,6 +208,16 @@ std::string EngineName()
 #endif
 }
 
+Iterations IterationsOfASubStep(const SimSettings& settings)
+{
+#ifdef BENCHMARK_BOX2D_24
+    return {settings.velocityIterations, settings.positionIterations};
+#else
+    return {b2IterationsOfASubStep(settings.velocityIterations, settings.subSteps),
+            b2IterationsOfASubStep(settings.positionIterations, settings.subSteps)};
+#endif
+}
+
 int MostSubSteps()
 {
 #ifdef BENCHMARK_BOX2D_24

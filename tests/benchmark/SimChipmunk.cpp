@@ -37,7 +37,7 @@ public:
     explicit SimChipmunk(const SimSettings& settings)
         : m_space(MakeQuietSpace()), m_step(1.0 / settings.hz)
     {
-        cpSpaceSetIterations(m_space, (settings.velocityIterations * 10 + 4) / 8);
+        cpSpaceSetIterations(m_space, IterationsOfASubStep(settings).velocity);
         cpSpaceSetGravity(m_space, Vector(0.0, settings.gravity));
         if (settings.sleep)
         {
@@ -209,6 +209,11 @@ private:
 std::string EngineName()
 {
     return std::string("Chipmunk ") + cpVersionString;
+}
+
+Iterations IterationsOfASubStep(const SimSettings& settings)
+{
+    return {(settings.velocityIterations * 10 + 4) / 8, 0};
 }
 
 int MostSubSteps()

@@ -12,6 +12,16 @@ namespace
 
 using namespace dynamics;
 
+TEST(SubStepIterations, AreSharedOutAndAtLeastOneEach)
+{
+    EXPECT_EQ(b2IterationsOfASubStep(8, 4), 2);
+    EXPECT_EQ(b2IterationsOfASubStep(3, 4), 1);
+    EXPECT_EQ(b2IterationsOfASubStep(50, 16), 3);
+    EXPECT_EQ(b2IterationsOfASubStep(0, 2), 1);
+    EXPECT_EQ(b2IterationsOfASubStep(8, 1), 8);
+    EXPECT_EQ(b2IterationsOfASubStep(0, 1), 0) << "the manual's scheme takes what it is given";
+}
+
 TEST(SmallSteps, AreOneUnlessSaidAndFrom1To64)
 {
     b2World world(b2Vec2(0.0f, -10.0f));

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace boxreel
@@ -14,7 +15,8 @@ using testing::HasSubstr;
 
 constexpr const char* kLine =
     R"({"engine":"Box2D 2.4.1","case":"A-projectile","velocityIterations":20,"positionIterations":10,)"
-    R"("hz":240,"subSteps":2,"error":0.04,"unit":"m","steps":480,"cpu":1e-06,"held":true,)"
+    R"("hz":240,"subSteps":2,"velocityIterationsOfASubStep":10,"positionIterationsOfASubStep":5,)"
+    R"("error":0.04,"unit":"m","steps":480,"cpu":1e-06,"held":true,"ending":"falls",)"
     R"("remarks":{"gap_mm":0.5}})";
 
 AccuracyFigures Run(const char* engine, double cpu, double error, bool held = true)
@@ -57,7 +59,10 @@ TEST(AccuracySweep, ReadsFiguresAfterWhatALibrarySays)
     EXPECT_EQ(figures->settings.velocityIterations, 20);
     EXPECT_EQ(figures->settings.positionIterations, 10);
     EXPECT_EQ(figures->settings.subSteps, 2);
+    EXPECT_EQ(figures->each.velocity, 10);
+    EXPECT_EQ(figures->each.position, 5);
     EXPECT_EQ(figures->error, 0.04);
+    EXPECT_EQ(figures->ending, "falls");
     EXPECT_TRUE(figures->held);
     EXPECT_DOUBLE_EQ(figures->CpuOfAFrame(), 4e-6) << "four steps of 1/240 s";
     ASSERT_EQ(figures->remarks.size(), 1u);
@@ -81,26 +86,125 @@ TEST(AccuracySweep, VariesIterationsStepsAndTheSubStepsThatThereAre)
     EXPECT_EQ(AccuracySweep(1000).size(), 80u);
 }
 
-TEST(AccuracySweep, KeepsTheRunsThatBuyAccuracyWithTime)
+/// 8/3 at 60 Hz, and what differs.
+AccuracyFigures Setting(const char* engine, int velocity, int hz, int subSteps, double error)
 {
-    const std::vector<AccuracyFigures> best = BestRuns(TwoEngines(), "ours");
-    ASSERT_EQ(best.size(), 2u);
-    EXPECT_EQ(best[0].error, 0.5);
-    EXPECT_EQ(best[1].error, 0.0);
+    AccuracyFigures run = Run(engine, 1e-6 * subSteps, error);
+    run.settings = {velocity, velocity == 8 ? 3 : 10, hz, subSteps};
+    run.each = {std::max(1, velocity / subSteps), 1};
+    return run;
 }
 
-TEST(AccuracySweep, DrawsALineAnEngineThatHeldAndTheGoal)
+/// Two engines, one of them with sub-steps, whose curves meet in the usual settings.
+AccuracyResult TwoSweeps()
 {
-    const auto chart = AccuracyChart(TwoEngines());
+    AccuracyResult result{ParseAccuracyCase("A-projectile\tthrown\tunit=m goal=0.01 sub-steps=4"),
+                          {}};
+    result.runs = {Setting("ours", 8, 60, 1, 0.1),         Setting("ours", 8, 60, 4, 0.0),
+                   Setting("ours", 8, 120, 4, 0.0),        Setting("ours", 20, 60, 4, 0.0),
+                   Setting("ours", 20, 120, 1, 0.3),       Setting("Box2D 2.4.1", 8, 60, 1, 0.2),
+                   Setting("Box2D 2.4.1", 8, 120, 1, 0.1), Setting("Box2D 2.4.1", 20, 60, 1, 0.2)};
+    return result;
+}
+
+TEST(AccuracySweep, DrawsACurveForEachEngineAndEachThingThatVaries)
+{
+    const auto chart = AccuracyChart(TwoSweeps());
     ASSERT_TRUE(chart);
-    ASSERT_EQ(chart->lines.size(), 3u);
-    EXPECT_EQ(chart->lines[0].series.name, "ours");
-    EXPECT_GT(chart->lines[0].points.back().y, 0.0) << "a logarithm has no zero";
-    EXPECT_EQ(chart->lines[1].points.size(), 1u);
-    EXPECT_EQ(chart->lines[2].series.name, "goal");
-    AccuracyResult burst = TwoEngines();
-    burst.runs = {burst.runs.back()};
-    EXPECT_FALSE(AccuracyChart(burst));
+    std::vector<std::pair<std::string, ChartStroke>> curves;
+    for (const ChartLine& line : chart->lines)
+    {
+        curves.emplace_back(line.series.name, line.series.stroke);
+    }
+    EXPECT_THAT(curves, testing::ElementsAre(testing::Pair("ours", ChartStroke::Solid),
+                                             testing::Pair("ours", ChartStroke::Dashed),
+                                             testing::Pair("ours", ChartStroke::Dotted),
+                                             testing::Pair("Box2D 2.4.1", ChartStroke::Dashed),
+                                             testing::Pair("Box2D 2.4.1", ChartStroke::Dotted),
+                                             testing::Pair("ours", ChartStroke::None),
+                                             testing::Pair("Box2D 2.4.1", ChartStroke::None)));
+    const std::vector<ChartPoint>& small = chart->lines[0].points;
+    ASSERT_EQ(small.size(), 2u);
+    EXPECT_EQ(small[0].label, "1");
+    EXPECT_EQ(small[1].label, "4 sub-steps");
+    EXPECT_EQ(small[1].mark, ChartMark::Ring) << "the usual settings";
+    EXPECT_EQ(small[1].y, chart->floor) << "a logarithm has no zero";
+    EXPECT_EQ(chart->lines[1].points[0].mark, ChartMark::Disc) << "one ring is enough";
+    EXPECT_EQ(chart->lines[1].points[1].label, "120 Hz");
+    ASSERT_EQ(chart->lines[5].points.size(), 1u);
+    EXPECT_EQ(chart->lines[5].points[0].mark, ChartMark::Speck);
+}
+
+TEST(AccuracySweep, DrawsTheGoalAndTheTimeOfTheGoalsPeer)
+{
+    const auto chart = AccuracyChart(TwoSweeps());
+    ASSERT_TRUE(chart);
+    ASSERT_EQ(chart->rules.size(), 2u);
+    EXPECT_EQ(chart->rules[0].value, 0.01);
+    EXPECT_EQ(chart->rules[0].label, "goal: 0.01 m");
+    EXPECT_TRUE(chart->rules[1].upright);
+    EXPECT_DOUBLE_EQ(chart->rules[1].value, 1.0) << "[us]";
+    AccuracyResult alone = TwoSweeps();
+    alone.runs.resize(5);
+    EXPECT_EQ(AccuracyChart(alone)->rules.size(), 1u);
+}
+
+TEST(AccuracySweep, CrossesOutWhatFailed)
+{
+    AccuracyResult result = TwoSweeps();
+    result.runs[6].ending = "falls";
+    result.runs[7].held = false;
+    const auto chart = AccuracyChart(result);
+    ASSERT_TRUE(chart);
+    EXPECT_EQ(chart->lines[3].points[1].mark, ChartMark::Cross);
+    EXPECT_EQ(chart->lines[3].points[1].y, 0.1);
+    EXPECT_EQ(chart->lines[4].points[1].mark, ChartMark::Cross);
+    EXPECT_TRUE(std::isnan(chart->lines[4].points[1].y));
+    for (AccuracyFigures& run : result.runs)
+    {
+        run.held = false;
+    }
+    EXPECT_FALSE(AccuracyChart(result)) << "nothing is left to draw";
+}
+
+TEST(AccuracySweep, SumsUpWhatTheUsualSettingsReach)
+{
+    AccuracyResult result = TwoSweeps();
+    EXPECT_THAT(AccuracySummary({result}), HasSubstr("0.25x  goal met, slower\n"));
+    result.runs[5].ending = "falls";
+    result.runs[1].cpu = 1e-7;
+    EXPECT_THAT(AccuracySummary({result}), HasSubstr("falls  1.00 us 10.00x  goal met\n"));
+    result.runs[1].ending = "falls";
+    EXPECT_THAT(AccuracySummary({result}), HasSubstr("goal not met"));
+}
+
+TEST(AccuracySweep, SaysWhatEachSubStepGets)
+{
+    AccuracyResult result = TwoSweeps();
+    EXPECT_THAT(AccuracyTable({result}), HasSubstr("8/3         4       2/1"));
+    result.runs[1].each = {10, 0};
+    EXPECT_THAT(AccuracyTable({result}), HasSubstr("8/3         4        10"));
+}
+
+TEST(AccuracySweep, ReadsWhatItWrote)
+{
+    AccuracyResult result = TwoSweeps();
+    result.runs[2].error = kNoValue;
+    result.runs[3].ending = "falls";
+    result.runs[4].remarks = {{"gap_mm", 0.25}};
+    result.runs[6].failure = "failed";
+    result.runs[6].each = {};
+    const std::string text = AccuracyJson({result, result});
+    const auto again = ParseAccuracyJson(text, "a.json");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(AccuracyJson(*again), text);
+    EXPECT_EQ(AccuracyTable(*again), AccuracyTable({result, result}));
+    for (const char* other :
+         {"", "{}", R"({"cases":[]})", R"({"cases":[{"case":"A","runs":[]}]})",
+          R"({"cases":[{"case":"A","runs":[{"engine":"x","hz":0}]}]})", R"({"scenes":[]})"})
+    {
+        EXPECT_FALSE(ParseAccuracyJson(other, "a.json")) << other;
+    }
 }
 
 TEST(AccuracySweep, TellsInTableAndJsonWhatBurst)

@@ -63,6 +63,9 @@ TEST_F(BenchCommand, RefusesAChartThatCouldNotBeWrittenBeforeAnythingIsRun)
     ExpectRefusal({"rain", "--chart", "none/chart.png"}, "There is no folder 'none'");
     ExpectRefusal({"rain", "--chart", "old.svg"}, "'old.svg' exists; --force overwrites it");
     ExpectRefusal({"rain", "--chart", "a.png", "--chart", "a.png"}, "'a.png' twice");
+    ExpectRefusal({"rain", "--chart", "a.png", "--chart", "./a.png"}, "'./a.png' twice");
+    ExpectRefusal({"rain", "--chart", "/proc/a.png"}, "the folder /proc takes no files");
+    ExpectRefusal({"rain", "rain"}, "'rain' is named twice");
     EXPECT_EQ(ReadFile(folder / "old.svg"), "old");
 }
 
@@ -117,6 +120,14 @@ TEST_F(BenchCommand, SweepsAnAccuracyCaseOnAllEnginesAndDrawsIt)
     EXPECT_THAT(outcome.output, HasSubstr("\"hz\": 480"));
     EXPECT_THAT(folder.Files(), ElementsAre("e-F-slope.svg", "run.json"));
     EXPECT_THAT(ReadFile(folder / "e-F-slope.svg"), HasSubstr("</svg>"));
+    std::ofstream(folder / "again.json") << outcome.output;
+    const Outcome again = Run({"--accuracy", "--from", "again.json", "--json", "--chart", "f.svg"});
+    EXPECT_EQ(again.output, outcome.output);
+    EXPECT_EQ(ReadFile(folder / "f-F-slope.svg"), ReadFile(folder / "e-F-slope.svg"));
+    EXPECT_THAT(Run({"--accuracy", "F-slope", "--from", "again.json"}).output,
+                HasSubstr("iterations"));
+    ExpectRefusal({"--accuracy", "A-projectile", "--from", "again.json"}, "'A-projectile'");
+    ExpectRefusal({"--from", "again.json"}, "is not what `boxreel bench --json` prints");
 }
 
 TEST_F(BenchCommand, RefusesWhatDoesNotGoWithAccuracy)
@@ -126,6 +137,11 @@ TEST_F(BenchCommand, RefusesWhatDoesNotGoWithAccuracy)
     ExpectRefusal({"--accuracy", "--curve"}, "--accuracy goes with");
     ExpectRefusal({"--accuracy", "--rounds", "5"}, "--accuracy goes with");
     ExpectRefusal({"--accuracy", "F-slope", "--chart", "e.svg"}, "'e-F-slope.svg' exists");
+    ExpectRefusal({"--accuracy", "--chart", "a.svg", "--chart", "a.svg"}, "'a.svg' twice");
+    ExpectRefusal({"--accuracy", "--chart", "/proc/a.svg"}, "the folder /proc takes no files");
+    ExpectRefusal({"--accuracy", "--from", "run.json"},
+                  "is not what `boxreel bench --accuracy --json` prints");
+    ExpectRefusal({"--accuracy", "--from", "absent.json"}, "Cannot read 'absent.json'");
     EXPECT_EQ(Run({"--accuracy", "--list"}).code, 0);
     EXPECT_THAT(Run({"--accuracy", "--list"}).output, HasSubstr("K-far"));
 }

@@ -337,7 +337,7 @@ TEST(BenchChart, ShowsALineAnEngineAndKindInTheOrderOfTheCounts)
     EXPECT_NEAR(peer.points[1].y, 30.0, 1e-9) << "microseconds";
     EXPECT_THAT(peer.points[1].label, HasSubstr("15"));
     EXPECT_EQ(chart->lines[2].series.color, chart->lines[0].series.color) << "both are ours";
-    EXPECT_TRUE(chart->lines[2].series.dashed);
+    EXPECT_EQ(chart->lines[2].series.stroke, ChartStroke::Dashed);
     EXPECT_FALSE(CurveChart({Rain()}));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <bench/ChartCanvas.h>
+#include <bench/ChartLabels.h>
 #include <bench/ChartParts.h>
 #include <bench/ChartScale.h>
 #include <render/Png.h>
@@ -49,7 +50,7 @@ public:
                const LineStyle& style) override
     {
         lines.push_back(points);
-        anyDashed = anyDashed || style.dashed;
+        anyDashed = anyDashed || style.stroke == ChartStroke::Dashed;
     }
     void Rectangle(double x, double y, double width, double height,
                    const ChartColor& color) override
@@ -205,13 +206,13 @@ TEST(Chart, LinesGoThroughTheirPointsAndSayWhatTheyAre)
     chart.x = {"time", true};
     chart.y = {"error", true};
     chart.lines = {{{"ours", 0}, {{1.0, 100.0, ""}, {10.0, 10.0, ""}, {100.0, 1.0, "last"}}},
-                   {{"theirs", 1, true}, {{1.0, 1.0, ""}, {100.0, 1.05, "other"}}}};
+                   {{"theirs", 1, ChartStroke::Dashed}, {{1.0, 1.0, ""}, {100.0, 1.05, "other"}}}};
     Recorder canvas;
     Paint(canvas, chart);
     ASSERT_EQ(canvas.discs.size(), 2u + 5u) << "two in the legend";
-    const auto& first = canvas.discs[2];
-    const auto& second = canvas.discs[3];
-    const auto& third = canvas.discs[4];
+    const auto& first = canvas.discs[4]; // what comes first is in front
+    const auto& second = canvas.discs[5];
+    const auto& third = canvas.discs[6];
     EXPECT_NEAR(second.first - first.first, third.first - second.first, 1e-6);
     EXPECT_NEAR(second.second - first.second, third.second - second.second, 1e-6);
     EXPECT_GT(second.second, first.second) << "less is lower";
@@ -219,6 +220,101 @@ TEST(Chart, LinesGoThroughTheirPointsAndSayWhatTheyAre)
     EXPECT_GE(std::abs(canvas.Find("last").y - canvas.Find("other").y), 12.0)
         << "labels at one place are moved apart";
     EXPECT_LE(canvas.Find("last").x + canvas.TextWidth("other", {.size = 11.0}), 1000.0);
+}
+
+/// A curve of three points whose last two are too small for the axis, and one beside it.
+LineChart WithSmallErrors()
+{
+    LineChart chart;
+    chart.x = chart.y = {"", true};
+    chart.floor = 0.01;
+    chart.floorText = "0.01 or less";
+    chart.lines = {{{"ours", 0}, {{1.0, 1.0, ""}, {10.0, 0.01, ""}, {100.0, 0.0, ""}}},
+                   {{"theirs", 1}, {{1.0, 0.5, ""}, {100.0, 0.001, ""}}}};
+    return chart;
+}
+
+TEST(Chart, PutsWhatIsTooSmallForTheAxisBelowItInARowForEachColour)
+{
+    Recorder canvas;
+    Paint(canvas, WithSmallErrors());
+    ASSERT_EQ(canvas.discs.size(), 2u + 5u);
+    // What is painted last is in front: ours.
+    const auto ours = canvas.discs.end() - 3;
+    const auto theirs = canvas.discs.end() - 5;
+    EXPECT_EQ(ours[1].second, ours[2].second) << "0.01 and nothing are both at the floor";
+    EXPECT_GT(theirs[1].second, ours[2].second + 15.0);
+    EXPECT_LT(canvas.Find("0.01").y, ours[1].second) << "the axis ends above";
+    EXPECT_GT(canvas.Find("0.01 or less").y, canvas.Find("0.01").y);
+}
+
+TEST(Chart, DrawsRulesAcrossAndUprightAndNamesThemInside)
+{
+    LineChart chart = WithSmallErrors();
+    chart.rules = {{0.1, false, "goal"}, {10.0, true, "budget"}};
+    Recorder canvas;
+    Paint(canvas, chart);
+    int across = 0, upright = 0;
+    for (const auto& line : canvas.lines)
+    {
+        const bool isLong = line.size() == 2 && std::hypot(line[1].first - line[0].first,
+                                                           line[1].second - line[0].second) > 300;
+        across += isLong && line[0].second == line[1].second &&
+                  std::abs(line[0].second - canvas.Find("0.1").y + 4.0) < 1e-6;
+        upright += isLong && line[0].first == line[1].first &&
+                   std::abs(line[0].first - canvas.Find("10").x) < 1e-6;
+    }
+    EXPECT_EQ(across, 2) << "the grid's and the goal's";
+    EXPECT_EQ(upright, 2);
+    EXPECT_NEAR(canvas.Find("goal").y, canvas.Find("0.1").y, 20.0);
+    EXPECT_NEAR(canvas.Find("budget").x, canvas.Find("10").x, 60.0);
+}
+
+TEST(Chart, ShowsWhatIsBeyondAllNumbersAtTheUpperEdge)
+{
+    LineChart chart = WithSmallErrors();
+    chart.lines[1].points[0].y = kNoValue;
+    Recorder canvas;
+    Paint(canvas, chart);
+    const auto theirs = canvas.discs.end() - 5;
+    const auto ours = canvas.discs.end() - 3;
+    EXPECT_LT(theirs[0].second, ours[0].second);
+}
+
+TEST(ChartScale, WritesLongPowersOfTenAsPowers)
+{
+    EXPECT_EQ(ChartPower(1e-7), "10\u207b\u2077");
+    EXPECT_EQ(ChartPower(1e12), "10\u00b9\u00b2");
+    EXPECT_EQ(ChartPower(0.001), "0.001");
+    EXPECT_EQ(ChartPower(2e-7), "2e-07");
+}
+
+TEST(ChartLabels, KeepOffWordsMarksAndLinesWhereThereIsRoom)
+{
+    LabelLayout layout({0.0, 0.0, 400.0, 400.0});
+    layout.AvoidLine(200.0, 200.0, 400.0, 200.0); // to the right
+    const auto first = layout.PlaceBeside(200.0, 200.0, 40.0, 12.0, false);
+    const auto second = layout.PlaceBeside(200.0, 200.0, 40.0, 12.0, false);
+    ASSERT_TRUE(first && second);
+    EXPECT_TRUE(first->bottom <= 200.0 || first->top >= 200.0 || first->right <= 200.0);
+    EXPECT_TRUE(first->right <= second->left || second->right <= first->left ||
+                first->bottom <= second->top || second->bottom <= first->top);
+}
+
+TEST(ChartLabels, AreLeftOutOrPutFartherAwayWhereThereIsNoRoom)
+{
+    LabelLayout layout({0.0, 0.0, 400.0, 400.0});
+    layout.AvoidMark(200.0, 200.0, 25.0, 1.0);
+    EXPECT_FALSE(layout.PlaceBeside(200.0, 200.0, 20.0, 12.0, true));
+    const auto far = layout.PlaceBeside(200.0, 200.0, 20.0, 12.0, false);
+    ASSERT_TRUE(far);
+    EXPECT_TRUE(far->left >= 225.0 || far->right <= 175.0 || far->top >= 225.0 ||
+                far->bottom <= 175.0);
+    LabelLayout corner({0.0, 0.0, 400.0, 400.0});
+    const auto inside = corner.PlaceBeside(398.0, 2.0, 40.0, 12.0, false);
+    ASSERT_TRUE(inside);
+    EXPECT_LE(inside->right, 400.0);
+    EXPECT_GE(inside->top, 0.0);
 }
 
 bool IsCairoLoaded()

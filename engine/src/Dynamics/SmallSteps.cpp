@@ -5,6 +5,7 @@
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2TimeStep.h>
 
 /// A step in n small ones (Macklin et al., "Small Steps in Physics Simulation", 2019): contacts are
 /// found once, and then velocities and positions take turns. They are staggered by half a small
@@ -247,8 +248,8 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
 {
     const int32 count = subStepCount;
     const float32 h = timeStep / float32(count);
-    const int32 velocitySweeps = b2Max(1, velocityIterations / count);
-    const int32 positionSweeps = b2Max(1, positionIterations / count);
+    const int32 velocitySweeps = b2IterationsOfASubStep(velocityIterations, count);
+    const int32 positionSweeps = b2IterationsOfASubStep(positionIterations, count);
     // Overlaps go at the same pace whatever the number of small steps: faster throws things about.
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));

@@ -3,6 +3,15 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+/// What each small step gets of a count of iterations that b2World::Step is given for the whole
+/// step, `subSteps` being what b2World::SetSubStepCount was told: an equal share, at least one. A
+/// single step gets what it is given.
+inline constexpr int32 b2IterationsOfASubStep(int32 iterations, int32 subSteps)
+{
+    const int32 share = subSteps > 1 ? iterations / subSteps : iterations;
+    return subSteps > 1 && share < 1 ? 1 : share;
+}
+
 /// Where the time of the last step went [ms]. Measured from the first call of b2World::GetProfile
 /// on.
 struct b2Profile

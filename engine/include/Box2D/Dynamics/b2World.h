@@ -78,7 +78,8 @@ public:
     /// How many small steps a step takes, 1 to 64, and 1 unless said: the scheme of the manual.
     /// With more, contacts are found once a step, and the bodies then move in small steps of a
     /// scheme of second order: free flight is exact, joints are solved exactly and lose no energy.
-    /// The iterations given to Step are shared out over the small steps, at least one to each.
+    /// The iterations given to Step are shared out over the small steps, at least one to each:
+    /// b2IterationsOfASubStep.
     void SetSubStepCount(int32 count);
     int32 GetSubStepCount() const;
 

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "AccuracySweep.h"
+#include "JsonFields.h"
+
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+Json NumberOrNull(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json RunJson(const AccuracyFigures& run)
+{
+    Json json{{"engine", run.engine},
+              {"velocityIterations", run.settings.velocityIterations},
+              {"positionIterations", run.settings.positionIterations},
+              {"hz", run.settings.hz},
+              {"subSteps", run.settings.subSteps}};
+    if (!run.failure.empty())
+    {
+        json["failure"] = run.failure;
+        return json;
+    }
+    json["velocityIterationsOfASubStep"] = run.each.velocity;
+    json["positionIterationsOfASubStep"] = run.each.position;
+    json["error"] = NumberOrNull(run.error);
+    json["cpuSecondsOfAStep"] = run.cpu;
+    json["cpuSecondsOfAFrame"] = run.CpuOfAFrame();
+    json["held"] = run.held;
+    json["ending"] = run.ending;
+    Json remarks = Json::object();
+    for (const auto& [name, value] : run.remarks)
+    {
+        remarks[name] = NumberOrNull(value);
+    }
+    json["remarks"] = remarks;
+    return json;
+}
+
+/// What both a program's line and a file's entry say of a run.
+AccuracyFigures RunFrom(const Json& json, const char* cpu)
+{
+    AccuracyFigures run;
+    run.engine = Text(json, "engine");
+    run.failure = Text(json, "failure");
+    run.cpu = Number(json, cpu, 0.0);
+    run.settings = {int(Number(json, "velocityIterations", 0.0)),
+                    int(Number(json, "positionIterations", 0.0)), int(Number(json, "hz", 60.0)),
+                    int(Number(json, "subSteps", 1.0))};
+    run.each = {int(Number(json, "velocityIterationsOfASubStep", 0.0)),
+                int(Number(json, "positionIterationsOfASubStep", 0.0))};
+    run.error = Number(json, "error", kNoValue); // null is what is no number
+    run.held = json.is_object() && json.contains("held") && json["held"] == true;
+    run.ending = Text(json, "ending");
+    if (json.is_object() && json.contains("remarks") && json["remarks"].is_object())
+    {
+        for (const auto& [name, value] : json["remarks"].items())
+        {
+            run.remarks.emplace_back(name, value.is_number() ? value.get<double>() : kNoValue);
+        }
+    }
+    return run;
+}
+
+bool IsRun(const AccuracyFigures& run)
+{
+    return !run.engine.empty() && (run.cpu > 0.0 || !run.failure.empty()) && run.settings.hz > 0 &&
+           run.settings.subSteps > 0;
+}
+
+/// No name, or no runs: it is not a case.
+AccuracyResult CaseFrom(const Json& json)
+{
+    AccuracyResult result;
+    result.info.name = Text(json, "case");
+    result.info.what = Text(json, "what");
+    result.info.unit = Text(json, "unit");
+    result.info.goal = Number(json, "goal", 0.0);
+    const bool hasRuns = json.is_object() && json.contains("runs") && json["runs"].is_array();
+    for (const Json& entry : hasRuns ? json["runs"] : Json::array())
+    {
+        result.runs.push_back(RunFrom(entry, "cpuSecondsOfAStep"));
+        if (!IsRun(result.runs.back()))
+        {
+            return {};
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+Result<AccuracyFigures> ParseAccuracyFigures(const std::string& output)
+{
+    const std::size_t end = output.find_last_not_of('\n');
+    const std::size_t start = output.rfind('\n', end);
+    const std::string line = output.substr(start == std::string::npos ? 0 : start + 1);
+    AccuracyFigures figures = RunFrom(Json::parse(line, nullptr, false), "cpu");
+    if (!IsRun(figures) || !figures.failure.empty())
+    {
+        return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
+    }
+    return figures;
+}
+
+std::string AccuracyJson(const std::vector<AccuracyResult>& results)
+{
+    Json cases = Json::array();
+    for (const AccuracyResult& result : results)
+    {
+        Json runs = Json::array();
+        for (const AccuracyFigures& run : result.runs)
+        {
+            runs.push_back(RunJson(run));
+        }
+        cases.push_back({{"case", result.info.name},
+                         {"what", result.info.what},
+                         {"unit", result.info.unit},
+                         {"goal", result.info.goal},
+                         {"runs", runs}});
+    }
+    return Json{{"cases", cases}}.dump(2) + "\n";
+}
+
+Result<std::vector<AccuracyResult>> ParseAccuracyJson(const std::string& text,
+                                                      const std::string& name)
+{
+    const Json json = Json::parse(text, nullptr, false);
+    const bool isOurs = json.is_object() && json.contains("cases") && json["cases"].is_array();
+    std::vector<AccuracyResult> results;
+    for (const Json& entry : isOurs ? json["cases"] : Json::array())
+    {
+        results.push_back(CaseFrom(entry));
+        if (results.back().info.name.empty() || results.back().runs.empty())
+        {
+            results.clear();
+            break;
+        }
+    }
+    if (results.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "'" + name +
+                         "' is not what `boxreel bench --accuracy --json` prints; make it again."};
+    }
+    return results;
+}
+
+} // namespace boxreel
