@@ -15,6 +15,7 @@ constexpr double kAscent = 9.0; // of letters above the line that they stand on
 constexpr double kLabelHeight = 12.0;
 constexpr double kRimHeight = 12.0; // between the upper edge and what lies beyond all numbers
 constexpr double kRowHeight = 25.0; // of the points below the axis: a mark and a word
+constexpr double kRoom = 1.05;      // times the largest value, on a logarithmic axis
 constexpr ChartColor kTint{0.925, 0.965, 0.94};
 
 using Place = std::pair<double, double>;
@@ -82,8 +83,30 @@ private:
             const bool isBelow = !rule.upright && rule.value <= m_chart.floor;
             values.push_back(rule.upright == across && !isBelow ? rule.value : kNoValue);
         }
-        values.push_back(across ? kNoValue : m_chart.floor);
+        if ((across ? m_chart.x : m_chart.y).logarithmic)
+        {
+            AppendRoom(values);
+        }
+        if (!across && std::isfinite(m_chart.floor))
+        {
+            values.push_back(m_chart.floor);
+            std::replace_if(
+                values.begin(), values.end(), [&](double value) { return value < m_chart.floor; },
+                m_chart.floor);
+        }
         return values;
+    }
+    /// So that no mark lies on the frame.
+    static void AppendRoom(std::vector<double>& values)
+    {
+        double low = kNoValue, high = kNoValue;
+        for (const double value : values)
+        {
+            low = std::fmin(low, value); // passes over what is no number
+            high = std::fmax(high, value);
+        }
+        values.push_back(low / kRoom);
+        values.push_back(high * kRoom);
     }
     bool HasBeyond() const
     {
@@ -208,8 +231,11 @@ private:
                 if (rule.upright)
                 {
                     const double y = m_area.top + 4.0 + share * (m_area.bottom - m_area.top - 24.0);
-                    places.push_back({at.first + 6.0, y, at.first + 6.0 + width, y + kLabelHeight});
-                    places.push_back({at.first - 6.0 - width, y, at.first - 6.0, y + kLabelHeight});
+                    const bool fits = at.first + 6.0 + width < m_area.right;
+                    const double x = fits ? at.first + 6.0 : at.first - 6.0 - width;
+                    places.push_back({x, y, x + width, y + kLabelHeight});
+                    const double other = at.first - 6.0 - width;
+                    places.push_back({other, y, other + width, y + kLabelHeight});
                 }
                 else
                 {

@@ -87,7 +87,8 @@ void ChartScale::MakeLogarithmic()
         for (int digit = 1; digit <= 9; ++digit)
         {
             const double value = decade * digit;
-            if (value < m_low * 0.999 || value > m_high * 1.001)
+            const bool isDense = digit != 1 && decades > 9.0; // thin lines would become a tint
+            if (isDense || value < m_low * 0.999 || value > m_high * 1.001)
             {
                 continue;
             }

@@ -145,6 +145,8 @@ TEST(ChartScale, NamesOnlyDecadesWhereThereAreMany)
 {
     EXPECT_THAT(Named(ChartScale({"", true}, {1.0, 1e5}, 0.0, 1.0)),
                 ElementsAre("1", "10", "100", "1,000", "10,000", "100,000"));
+    EXPECT_GT(ChartScale({"", true}, {1.0, 1e5}, 0.0, 1.0).Ticks().size(), 40u);
+    EXPECT_EQ(ChartScale({"", true}, {1.0, 1e12}, 0.0, 1.0).Ticks().size(), 13u);
 }
 
 TEST(ChartScale, WritesNumbersShortAndThousandsApart)
