@@ -95,9 +95,19 @@ double LabelLayout::CostOfPointer(const LabelBox& box, double x, double y) const
 {
     const std::pair<double, double> near{std::clamp(x, box.left, box.right),
                                          std::clamp(y, box.top, box.bottom)};
-    return kOnWord * double(std::count_if(m_words.begin(), m_words.end(), [&](const auto& word) {
-               return Crosses(word, {x, y}, near);
-           }));
+    double cost = 0.0;
+    for (const LabelBox& word : m_words)
+    {
+        cost += Crosses(word, {x, y}, near) ? kOnWord : 0.0;
+    }
+    for (const Mark& mark : m_marks)
+    {
+        // It would point to the wrong one.
+        const bool isOwn = std::abs(0.5 * (mark.box.left + mark.box.right) - x) < 0.01 &&
+                           std::abs(0.5 * (mark.box.top + mark.box.bottom) - y) < 0.01;
+        cost += !isOwn && Crosses(mark.box, {x, y}, near) ? kOnMark * mark.weight : 0.0;
+    }
+    return cost;
 }
 
 LabelBox LabelLayout::PlaceAtOneOf(const std::vector<LabelBox>& places)

@@ -67,7 +67,9 @@ Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,
 {
     const auto plain = [](const std::filesystem::path& path) {
         std::error_code failure;
-        const std::filesystem::path whole = std::filesystem::weakly_canonical(path, failure);
+        // Absolute first: of what does not exist nothing else makes a relative name whole.
+        const std::filesystem::path whole =
+            std::filesystem::weakly_canonical(std::filesystem::absolute(path, failure), failure);
         return failure ? path : whole;
     };
     for (auto later = paths.begin(); later != paths.end(); ++later)
