@@ -179,7 +179,7 @@ private:
             {
                 point.label = isUsual && family.varied == &AccuracySettings::hz
                                   ? "usual"
-                                  : LabelOf(family, run->settings, isLast || isUsual);
+                                  : LabelOf(family, run->settings, isLast);
                 point.label += point.mark == ChartMark::Cross && isUsual && !run->ending.empty()
                                    ? " " + run->ending
                                    : "";
