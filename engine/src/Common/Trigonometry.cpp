@@ -19,6 +19,8 @@ constexpr double kQuarterLow = 0x1.3198a2e037073p-69;
 constexpr double kQuartersPerRadian = 0x1.45f306dc9c883p-1; // 2/pi
 constexpr double kTwoPi = 0x1.921fb54442d18p+2;
 constexpr double kHalfPi = 0x1.921fb54442d18p+0;
+constexpr float kSmall = 0.125f;
+constexpr int kTermsOfSmall = 4; // x^9/9! and x^8/8!: leaves 1e-15
 constexpr double kLargest = 1.0e6; // the largest angle whose quarter turns come off exactly
 
 // Adding and subtracting this rounds a double to the nearest whole number: above 2^52 the
@@ -146,9 +148,18 @@ double ArcTangent(double t)
 // Six terms leave an error of 1e-14, invisible after the rounding to single precision.
 void box2d::SinCos(float angle, float* sine, float* cosine)
 {
-    double s;
+    double s = static_cast<double>(angle);
     double c;
-    SineAndCosine<6>(static_cast<double>(angle), &s, &c);
+    if (std::fabs(angle) <= kSmall)
+    {
+        // What turns within a step: no quarter turns to take off, and as good with fewer terms.
+        c = TaylorCosine<kTermsOfSmall>(s);
+        s = TaylorSine<kTermsOfSmall>(s);
+    }
+    else
+    {
+        SineAndCosine<6>(s, &s, &c);
+    }
     *sine = static_cast<float>(s);
     *cosine = static_cast<float>(c);
 }

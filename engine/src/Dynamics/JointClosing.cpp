@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
+#include "Closing.h"
 #include "JointSystem.h"
 
 #include <algorithm>
@@ -19,28 +20,16 @@ constexpr double kDamped = 1e-2;
 /// about. In a tree more than RowSystem's own would let a heavy load sag.
 constexpr double kLoopCompliance = 1e-5;
 
-/// A joint that a drift opens by less than this [m], [rad] is closed well enough at once: the rows,
-/// being those of before the drift, leave some hundredths of it.
-constexpr float32 kNearlyClosed = 1e-4f;
-constexpr int32 kMostCloses = 3;
 constexpr int32 kMostCycles = 16; ///< parts of a drift
 /// Forces within a step are larger than on average.
-constexpr double kCycleMargin = 2.0;
-
-/// What may be left after a drift of what was open before it. A small gap is closed at once. A
-/// large one, of joints that are only swept over or were made open, would give velocities that
-/// stay.
-float32 Left(float32 before)
-{
-    return b2Abs(before) <= kNearlyClosed ? 0.0f : 0.8f * before;
-}
+constexpr double kCycleMargin = 0.75;
 
 } // namespace
 
 void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
                                  const Kick& kick)
 {
-    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    for (const std::size_t i : m_rowed)
     {
         std::copy_n(m_system.Rows(i).impulse, JointRows::kMostRows, m_kicks[i].at);
     }
@@ -63,6 +52,11 @@ void JointSystem::NotePoses(const SolverContext& context)
 {
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
+        if (m_parts[std::size_t(i)].tree != nullptr)
+        {
+            m_parts[std::size_t(i)].tree->NotePoses();
+            continue;
+        }
         m_system.ForBodies(i, [&](const BodyData& body, std::size_t place) {
             m_poses[place] = context.bodies[body.SolverIndex()];
         });
@@ -89,17 +83,28 @@ int32 JointSystem::Cycles(int32 part, float32 timeStep) const
     return count;
 }
 
-/// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
-/// after are those of half a drift later and earlier.
-void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
-                                float32 timeStep, const Kick& kick)
+/// At the noted poses.
+void JointSystem::GoBack(int32 part, const SolverContext& context)
 {
+    if (m_parts[std::size_t(part)].tree != nullptr)
+    {
+        m_parts[std::size_t(part)].tree->BackToNotedPoses();
+        return;
+    }
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
         SolverBody& s = context.bodies[body.SolverIndex()];
         s.d = m_poses[place].d;
         s.q = m_poses[place].q;
         s.angle = m_poses[place].angle;
     });
+}
+
+/// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
+/// after are those of half a drift later and earlier.
+void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
+                                float32 timeStep, const Kick& kick)
+{
+    GoBack(part, context);
     const float32 time = timeStep / float32(count);
     KickPart(part, context, 0.5f * (time - timeStep), kick);
     for (int32 i = 0; i < count; ++i)
@@ -116,6 +121,20 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
 void JointSystem::KickPart(int32 part, const SolverContext& context, float32 time, const Kick& kick)
 {
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t) { kick(body, time); });
+    if (m_parts[std::size_t(part)].tree != nullptr)
+    {
+        m_parts[std::size_t(part)].tree->Prepare();
+    }
+    else
+    {
+        FillPart(part, context);
+    }
+    SolvePart(part, context);
+}
+
+/// At the present poses.
+void JointSystem::FillPart(int32 part, const SolverContext& context)
+{
     m_system.ForItems(part, [&](std::size_t joint) {
         JointRows& rows = m_system.Rows(joint);
         Impulses kept;
@@ -125,11 +144,15 @@ void JointSystem::KickPart(int32 part, const SolverContext& context, float32 tim
         rows.SetImpulse(kept.at);
     });
     m_parts[std::size_t(part)].factored = false;
-    SolvePart(part, context);
 }
 
 void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)
 {
+    if (m_parts[std::size_t(part)].tree != nullptr)
+    {
+        m_parts[std::size_t(part)].tree->Close(timeStep);
+        return;
+    }
     if (!m_parts[std::size_t(part)].factored)
     {
         m_system.ForItems(part, [&](std::size_t joint) { SetActive(joint); });

@@ -35,6 +35,7 @@ void JointSystem::Update(const ConstraintGraph& graph)
     }
     m_system.Build(m_sides, kMostUpdates);
     m_parts.assign(std::size_t(m_system.Components()), Part());
+    BuildTrees();
     m_gives.assign(m_joints.size(), 0);
     m_yields.assign(m_joints.size(), Yields());
     m_totals.resize(m_joints.size());
@@ -60,20 +61,49 @@ void JointSystem::Update(const ConstraintGraph& graph)
                         m_sweptBodies.end());
 }
 
-void JointSystem::Begin(float32 share, float32 lastInverseStep)
+void JointSystem::BuildTrees()
 {
-    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    m_trees.clear();
+    m_treeOf.assign(m_parts.size(), -1);
+    Array<b2Joint*> joints;
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
     {
-        JointRows& rows = m_system.Rows(i);
-        m_totals[i] = Totals();
-        JointAccess::GetRowImpulses(*m_joints[i], rows.impulse);
-        for (float32& impulse : rows.impulse)
+        joints.clear();
+        m_system.ForItems(int32(i), [&](std::size_t item) { joints.push_back(m_joints[item]); });
+        HingeTree tree;
+        if (!m_system.HasLoops(int32(i)) && tree.Build(joints))
         {
-            impulse = b2IsValid(impulse) ? impulse : 0.0f;
+            m_treeOf[i] = int32(m_trees.size());
+            m_trees.push_back(std::move(tree));
         }
     }
-    NoteParts(lastInverseStep);
+}
+
+void JointSystem::Begin(const SolverContext& context, float32 share, float32 lastInverseStep)
+{
+    m_inTree.assign(m_joints.size(), 0);
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        BeginPart(i, context);
+    }
+    m_rowed.clear();
     for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        if (m_inTree[i] == 0)
+        {
+            m_rowed.push_back(i);
+            m_totals[i] = Totals();
+            TakeImpulses(i);
+        }
+    }
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        Part& part = m_parts[std::size_t(i)];
+        part.squaredFrequency =
+            double(lastInverseStep) *
+            (part.tree != nullptr ? part.tree->SquaredFrequency() : m_system.SquaredFrequency(i));
+    }
+    for (const std::size_t i : m_rowed)
     {
         for (float32& impulse : m_system.Rows(i).impulse)
         {
@@ -82,24 +112,43 @@ void JointSystem::Begin(float32 share, float32 lastInverseStep)
     }
 }
 
-/// What is moved by contacts goes at their pace.
-void JointSystem::NoteParts(float32 lastInverseStep)
+/// What is moved by contacts goes at their pace, and with them.
+void JointSystem::BeginPart(int32 index, const SolverContext& context)
 {
-    for (std::size_t i = 0; i < m_parts.size(); ++i)
+    Part& part = m_parts[std::size_t(index)];
+    part = Part();
+    m_system.ForBodies(index, [&](const BodyData& body, std::size_t) {
+        part.touched = part.touched || body.colorMask != 0;
+    });
+    const int32 tree = m_treeOf[std::size_t(index)];
+    if (tree != -1 && !part.touched && m_trees[std::size_t(tree)].Begin(context))
     {
-        Part& part = m_parts[i];
-        part = Part();
-        part.squaredFrequency = double(lastInverseStep) * m_system.SquaredFrequency(int32(i));
-        m_system.ForBodies(int32(i), [&](const BodyData& body, std::size_t) {
-            part.touched = part.touched || body.colorMask != 0;
-        });
+        part.tree = &m_trees[std::size_t(tree)];
+        m_system.ForItems(index, [&](std::size_t joint) { m_inTree[joint] = 1; });
+    }
+}
+
+void JointSystem::TakeImpulses(std::size_t joint)
+{
+    JointRows& rows = m_system.Rows(joint);
+    JointAccess::GetRowImpulses(*m_joints[joint], rows.impulse);
+    for (float32& impulse : rows.impulse)
+    {
+        impulse = b2IsValid(impulse) ? impulse : 0.0f;
     }
 }
 
 void JointSystem::End()
 {
     AddTotals();
-    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    for (const Part& part : m_parts)
+    {
+        if (part.tree != nullptr)
+        {
+            part.tree->End();
+        }
+    }
+    for (const std::size_t i : m_rowed)
     {
         JointAccess::SetRowImpulses(*m_joints[i], m_totals[i].within, m_totals[i].beyond);
     }
@@ -107,7 +156,7 @@ void JointSystem::End()
 
 void JointSystem::Prepare(const SolverContext& context)
 {
-    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    for (const std::size_t i : m_rowed)
     {
         JointRows& rows = m_system.Rows(i);
         Impulses kept;
@@ -125,6 +174,11 @@ void JointSystem::Prepare(const SolverContext& context)
     {
         Part& part = m_parts[i];
         part.gives = part.factored = false;
+        if (part.tree != nullptr)
+        {
+            part.tree->Prepare();
+            continue;
+        }
         m_system.ForItems(int32(i),
                           [&](std::size_t item) { part.gives = part.gives || m_gives[item] != 0; });
     }
@@ -148,7 +202,7 @@ void JointSystem::WarmStart(const SolverContext& context, float32 share)
             Push(context, rows, impulse);
         }
     };
-    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    for (const std::size_t i : m_rowed)
     {
         start(i);
     }
@@ -167,6 +221,11 @@ void JointSystem::Lack(std::size_t joint, const SolverContext& context, const Ve
 void JointSystem::SolvePart(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
+    if (p.tree != nullptr)
+    {
+        p.tree->Stop();
+        return;
+    }
     for (int32 tries = 0; tries < kMostTries; ++tries)
     {
         if (!p.factored)
@@ -197,11 +256,14 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
     }
 }
 
-void JointSystem::SolveVelocities(const SolverContext& context)
+void JointSystem::SolveVelocities(const SolverContext& context, bool first)
 {
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
-        SolvePart(i, context);
+        if (first || m_parts[std::size_t(i)].touched)
+        {
+            SolvePart(i, context);
+        }
     }
     for (const int32 joint : m_system.Swept())
     {

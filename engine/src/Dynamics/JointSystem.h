@@ -2,6 +2,7 @@
 #pragma once
 
 #include "BoundedSystem.h"
+#include "HingeTree.h"
 
 #include <functional>
 
@@ -30,14 +31,14 @@ public:
 
     /// At the start of a step: takes up the impulses that the joints were left with, times `share`.
     /// `lastInverseStep`: one over its length.
-    void Begin(float32 share, float32 lastInverseStep);
+    void Begin(const SolverContext& context, float32 share, float32 lastInverseStep);
     /// At the present poses and the velocities before a kick: the rows. The context's step is the
     /// kick's, its inverse that of the drift that follows.
     void Prepare(const SolverContext& context);
     /// After the bodies have been kicked: applies the last impulses, times `share`.
     void WarmStart(const SolverContext& context, float32 share);
-    /// Makes the speeds of all rows what they should be.
-    void SolveVelocities(const SolverContext& context);
+    /// Makes the speeds of all rows what they should be; what no contact touches, the first time.
+    void SolveVelocities(const SolverContext& context, bool first);
     /// Before a drift.
     void NotePoses(const SolverContext& context);
     /// After the bodies have moved for `timeStep`: impulses along the rows of Prepare, which change
@@ -88,6 +89,7 @@ private:
         bool gives = false;   ///< some row of it
         bool damped = false;
         bool factored = false;
+        HingeTree* tree = nullptr;     ///< that does it all in this step
         double squaredFrequency = 0.0; ///< see RowSystem, of the last step's mean forces
     };
 
@@ -108,6 +110,8 @@ private:
     int32 Cycles(int32 part, float32 timeStep) const;
     void DriftInCycles(int32 part, int32 count, const SolverContext& context, float32 timeStep,
                        const Kick& kick);
+    void GoBack(int32 part, const SolverContext& context);
+    void FillPart(int32 part, const SolverContext& context);
     void KickPart(int32 part, const SolverContext& context, float32 time, const Kick& kick);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
     bool Close(int32 part, const SolverContext& context, float32 timeStep);
@@ -115,7 +119,9 @@ private:
     float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
 
-    void NoteParts(float32 lastInverseStep);
+    void BuildTrees();
+    void BeginPart(int32 part, const SolverContext& context);
+    void TakeImpulses(std::size_t joint);
     double ComplianceOf(int32 part) const;
     void SolvePart(int32 part, const SolverContext& context);
     void Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted);
@@ -124,6 +130,10 @@ private:
     Array<RowSides> m_sides;
     RowSystem m_system;
     Array<Part> m_parts;        // the system's components
+    Array<HingeTree> m_trees;   // those among them
+    Array<int32> m_treeOf;      // of each part, -1: none
+    Array<uint8> m_inTree;      // of each joint, in this step
+    Array<std::size_t> m_rowed; // joints that are not in a tree, in this step
     Array<uint8> m_gives;       // of each joint
     Array<Yields> m_yields;     // of each joint
     Array<Totals> m_totals;     // of each joint

@@ -268,7 +268,7 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
 /// Of the kick that has been solved.
 void JointSystem::AddTotals()
 {
-    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    for (const std::size_t i : m_rowed)
     {
         const JointRows& rows = m_system.Rows(i);
         Totals& totals = m_totals[i];

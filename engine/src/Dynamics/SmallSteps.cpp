@@ -307,7 +307,7 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_context.inverseStep *= float32(count);
     m_arrays.jointSystem.Update(m_world.graph);
     m_arrays.contactSystem.Begin(m_world);
-    m_arrays.jointSystem.Begin(m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
+    m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
                                m_world.inverseStep);
 }
 
@@ -356,7 +356,7 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
     });
     for (int32 i = 0; i < iterations; ++i)
     {
-        joints.SolveVelocities(m_context);
+        joints.SolveVelocities(m_context, i == 0);
         const bool changed =
             SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.sweepsTurned));
         if (!changed && joints.IsExact())

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "RowPattern.h"
+#include "Solver.h"
+
+class b2RevoluteJoint;
+
+/// Bodies that nothing but hinges holds together, without loops: pendulums, chains, trees that may
+/// be tied down once. What a JointSystem does with any rows is done here with the hinges' own
+/// numbers, at a tenth of the cost: a body, with all that hangs from it, is felt at its hinge like
+/// a mass that differs by direction, a matrix of 2 x 2, and these are gathered from the tips to the
+/// root (the articulated-body algorithm: Featherstone, "Rigid Body Dynamics Algorithms", 2008,
+/// chapter 7). A hinge's lever t is its arm turned by a quarter: a point at it moves with v - w t.
+namespace box2d
+{
+
+class HingeTree
+{
+public:
+    /// False when the joints are not a tree of plain hinges; then there is nothing to be used.
+    bool Build(const Array<b2Joint*>& joints);
+
+    /// At the start of a step. False when the tree cannot be used in it, because motors, limits or
+    /// bodies without mass take part.
+    bool Begin(const SolverContext& context);
+    /// Of a body that its hinges turn back and forth, under the impulses of the last step: the
+    /// square of its frequency times the time in which they were given [1/s].
+    double SquaredFrequency();
+
+    /// Measures the hinges at the present poses, and makes ready for Stop and Close.
+    void Prepare();
+    /// After a kick: makes the speeds of all hinges zero.
+    void Stop();
+
+    void NotePoses();
+    void BackToNotedPoses();
+    /// After a drift that took `timeStep`: closes the hinges by impulses as if they had been given
+    /// before it.
+    void Close(float32 timeStep);
+
+    /// Puts the sums of the step's impulses into the joints.
+    void End();
+
+    template <class Function>
+    void ForBodies(Function&& function) const
+    {
+        for (const Link& link : m_links)
+        {
+            function(*link.body, *link.state);
+        }
+    }
+
+private:
+    // In double precision: 1000 kg at the end of a chain cost more digits than a float has.
+    struct Pair
+    {
+        double x = 0.0, y = 0.0;
+    };
+    /// About a point: the matrix (m11 m12 x; m12 m22 y; x y turning).
+    struct Inertia
+    {
+        double m11, m12, m22, x, y, turning;
+    };
+    /// A body, and the hinge at which it hangs from its parent.
+    struct Link
+    {
+        // While the joints stay the same.
+        const BodyData* body = nullptr;
+        const BodyData* above = nullptr; ///< what it hangs from, nullptr: nothing
+        b2RevoluteJoint* joint = nullptr;
+        int32 parent = -1;        ///< place, -1: nothing that moves
+        float32 direction = 1.0f; ///< of its impulses: -1 when it is the joint's first body
+
+        // In a step.
+        SolverBody* state = nullptr;
+        const SolverBody* aboveState = nullptr;
+        double mass = 0.0, turning = 0.0;
+        b2Vec2 arm, aboveArm; ///< to the hinge, in the axes of the world at the start
+        b2Vec2 offset;        ///< of the centres of mass, from above
+        Pair total;           ///< impulse
+        SolverBody noted;     ///< before a drift, and
+        SolverBody opened;    ///< before it was closed
+        Pair totalBefore;
+
+        // At a pose.
+        Pair lever, aboveLever;
+        b2Vec2 open;          ///< of the hinge [m]
+        Inertia inertia;      ///< of the body and all below, about its centre of mass
+        double k11, k12, k22; ///< what the hinge feels of it, and
+        Pair turn;            ///< how much it turns when that moves,
+        double ease;          ///< or when it is turned
+
+        // Of a solution.
+        Pair lack;              ///< of the hinge's speed
+        Pair given;             ///< to the body from below: impulse, and
+        double givenTurn = 0.0; ///< its moment
+        Pair change;            ///< of velocity
+        double changeTurn = 0.0;
+        Pair impulse; ///< in the hinge
+    };
+
+    void AddLink(b2Joint& joint, const BodyData& above, int32 parent);
+    static b2Vec2 Measure(const Link& link, b2Vec2& arm, b2Vec2& aboveArm);
+    static b2Vec2 TakeLevers(Link& link);
+    static void FactorAtHinge(Link& link);
+    static void AddInertia(const Link& link, Inertia& parent);
+    static void AddGiven(const Link& link, Link& parent);
+    static void FindChange(Link& link, const Link* parent);
+    static void AddVelocity(Link& link);
+    static void AddPose(Link& link, float32 timeStep);
+    static float32 WantClosed(Link& link, float32 timeStep);
+    void Factor();
+    template <class Want>
+    void Gather(Want&& want);
+    template <class Take>
+    void Spread(Take&& take);
+    void ForgetGiven();
+    bool CloseByImpulses(float32 timeStep);
+    void ClosePoses(float32 timeStep);
+
+    Array<Link> m_links; ///< parents first
+};
+
+} // namespace box2d
