@@ -311,8 +311,9 @@ void ImpactSolver::Advance(BodyData& body, float32 time)
 b2Vec2 ImpactSolver::AccelerationOf(const BodyData& body) const
 {
     const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
-                       std::size_t(body.awakeIndex) < m_arrays.accelerations.size();
-    return known ? m_arrays.accelerations[std::size_t(body.awakeIndex)] : b2Vec2(0.0f, 0.0f);
+                       std::size_t(body.awakeIndex) < m_arrays.ways.size() &&
+                       m_arrays.ways[std::size_t(body.awakeIndex)] == WayOfBody::Flies;
+    return known ? m_arrays.kicks[std::size_t(body.awakeIndex)].acceleration : b2Vec2(0.0f, 0.0f);
 }
 
 /// False when it turned out that nothing touches, or that the contact was switched off.

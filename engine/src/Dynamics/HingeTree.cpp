@@ -33,6 +33,47 @@ bool ByBody(const JointEnd& a, const JointEnd& b)
     return a.body->number < b.body->number;
 }
 
+constexpr int32 kMostDrifts = 128; ///< in a step
+constexpr int32 kMostTries = 4;
+constexpr float32 kTorn = 0.05f; ///< a hinge that is so far open [m]
+constexpr double kStiffening = 0.01;
+constexpr int32 kMostPoseCloses = 12;
+/// How far a swing may turn in a drift, squared: by what the last step leaves to expect, and by
+/// what came up in the step.
+constexpr double kEstimated = 1.8;
+constexpr double kFound = 2.8;
+/// A body that turns is followed as closely as one that swings this much as fast.
+constexpr double kTurns = 3.0;
+
+/// Of what moves and of what the kicks give, within a step.
+constexpr double kWonShare = 2e-3;
+
+/// How far a hinge is to be closed at once: what is far open turns the bodies so that their levers
+/// no longer say where it goes.
+float32 Correction(float32 open, float32 before)
+{
+    return b2Clamp(open - Left(before), -b2_maxLinearCorrection, b2_maxLinearCorrection);
+}
+
+double KineticEnergy(const SolverBody& body, double mass, double turning)
+{
+    const double x = body.v.x;
+    const double y = body.v.y;
+    const double w = body.w;
+    return 0.5 * (mass * (x * x + y * y) + turning * w * w);
+}
+
+int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, int32 least)
+{
+    const double square = squaredFrequency * double(timeStep) * double(timeStep) / mostSquared;
+    int32 count = least;
+    while (double(count) * double(count) < square && count < kMostDrifts)
+    {
+        ++count;
+    }
+    return count;
+}
+
 b2Vec2 ArmOf(const BodyData& body, const b2Vec2& local)
 {
     return b2Mul(body.rotation, local - body.localCenter);
@@ -98,7 +139,7 @@ void HingeTree::AddLink(b2Joint& joint, const BodyData& above, int32 parent)
     link.direction = isFirst ? -1.0f : 1.0f;
 }
 
-bool HingeTree::Begin(const SolverContext& context)
+bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
 {
     for (Link& link : m_links)
     {
@@ -108,15 +149,18 @@ bool HingeTree::Begin(const SolverContext& context)
             return false;
         }
         link.state = &context.bodies[body.SolverIndex()];
+        link.kick = kicks[body.awakeIndex];
+        link.given = Pair();
+        link.givenTurn = 0.0;
         link.mass = 1.0 / double(body.invMass);
         link.turning = 1.0 / double(body.invInertia);
-        link.total = Pair();
         if (link.joint == nullptr)
         {
             continue;
         }
         const b2RevoluteJoint& joint = *link.joint;
-        if (joint.IsMotorEnabled() || joint.IsLimitEnabled())
+        const bool moved = link.parent == -1 && link.above->SolverIndex() != 0;
+        if (joint.IsMotorEnabled() || joint.IsLimitEnabled() || moved)
         {
             return false;
         }
@@ -131,48 +175,199 @@ bool HingeTree::Begin(const SolverContext& context)
     return true;
 }
 
-double HingeTree::SquaredFrequency()
+/// A body that hinges pull straight with forces F at arms r turns back and forth with the frequency
+/// sqrt(sum F.r / I), and a leapfrog is thrown about by what it sees less than three times in a
+/// swing. The count stays the same for all of a step: to change it throws about as well.
+void HingeTree::Step(float32 timeStep, int32 smallSteps)
 {
     for (Link& link : m_links)
     {
-        link.givenTurn = 0.0;
+        link.start = *link.state;
     }
+    int32 count =
+        CountFor(kEstimated, LastStrain(double(timeStep)) / double(timeStep), timeStep, smallSteps);
+    Outcome outcome = StepIn(count, timeStep, true);
+    for (int32 tries = 0; tries < kMostTries; ++tries)
+    {
+        int32 needed = CountFor(kFound, outcome.squaredFrequency, timeStep, smallSteps);
+        if (outcome.won)
+        {
+            needed = b2Max(needed, b2Min(2 * count, kMostDrifts));
+        }
+        if (needed <= count)
+        {
+            break;
+        }
+        count = b2Max(needed, CountFor(kEstimated, outcome.squaredFrequency, timeStep, smallSteps));
+        GoBack();
+        outcome = StepIn(count, timeStep, true);
+    }
+    if (outcome.won)
+    {
+        GoBack();
+        (void)StepIn(count, timeStep, false);
+        if (WidestGap() > kTorn)
+        {
+            GoBack();
+            m_stiffened = true;
+            (void)StepIn(count, timeStep, false);
+            m_stiffened = false;
+        }
+        TakeWonEnergy();
+    }
+    LeaveImpulses();
+}
+
+void HingeTree::GoBack()
+{
+    for (Link& link : m_links)
+    {
+        *link.state = link.start;
+    }
+}
+
+/// A leapfrog: half a kick, drifts and whole kicks in turn, half a kick. Without impulses the
+/// hinges are closed in a way that can only lose energy.
+HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpulses)
+{
+    const float32 time = timeStep / float32(count);
+    for (Link& link : m_links)
+    {
+        link.total = Pair();
+    }
+    Kick(0.5f * time);
+    Outcome outcome;
+    double before = 0.0;
+    for (int32 i = 1; i <= count; ++i)
+    {
+        for (Link& link : m_links)
+        {
+            link.noted = link.total;
+            MoveByVelocity(*link.state, time, kMostSmallWay);
+        }
+        byImpulses ? Close(time) : ClosePoses(time);
+        Kick(i < count ? time : 0.5f * time);
+        const double given = double(i < count ? time : 0.75f * time);
+        const double strain = Strain(given) / given;
+        // An impact is not a swing: what counts came up in two drifts on end.
+        outcome.squaredFrequency = std::max(outcome.squaredFrequency, std::min(strain, before));
+        before = strain;
+    }
+    const Energy energy = WonEnergy();
+    outcome.won = energy.now - energy.due > kWonShare * energy.moved;
+    return outcome;
+}
+
+HingeTree::Energy HingeTree::WonEnergy() const
+{
+    Energy energy;
+    for (const Link& link : m_links)
+    {
+        const SolverBody& now = *link.state;
+        const b2Vec2 way = now.d - link.start.d;
+        const double work =
+            link.mass * double(b2Dot(link.kick.acceleration, way)) +
+            link.turning * double(link.kick.angularAcceleration * (now.angle - link.start.angle));
+        const double before = KineticEnergy(link.start, link.mass, link.turning);
+        energy.now += KineticEnergy(now, link.mass, link.turning);
+        energy.due += before + work;
+        energy.moved += before + std::abs(work);
+    }
+    return energy;
+}
+
+/// Slows all down alike, which leaves hinges at rest, and a free tree its momentum.
+void HingeTree::TakeWonEnergy()
+{
+    const Energy energy = WonEnergy();
+    if (energy.now <= energy.due)
+    {
+        return;
+    }
+    double mass = 0.0;
+    double x = 0.0;
+    double y = 0.0;
+    for (const Link& link : m_links)
+    {
+        mass += link.mass;
+        x += link.mass * double(link.state->v.x);
+        y += link.mass * double(link.state->v.y);
+    }
+    const bool free = m_links.front().joint == nullptr;
+    const b2Vec2 mean = free ? b2Vec2(float32(x / mass), float32(y / mass)) : b2Vec2(0.0f, 0.0f);
+    const double common = 0.5 * mass * double(mean.LengthSquared());
+    const auto share = float32(
+        std::sqrt(std::max(energy.due - common, 0.0) / std::max(energy.now - common, 1e-30)));
+    for (Link& link : m_links)
+    {
+        link.state->v = mean + b2Min(share, 1.0f) * (link.state->v - mean);
+        link.state->w *= b2Min(share, 1.0f);
+    }
+}
+
+float32 HingeTree::WidestGap() const
+{
+    float32 widest = 0.0f;
+    for (const Link& link : m_links)
+    {
+        if (link.joint != nullptr)
+        {
+            b2Vec2 arm, aboveArm;
+            widest = b2Max(widest, Measure(link, arm, aboveArm).Length());
+        }
+    }
+    return widest;
+}
+
+/// And stops the hinges.
+void HingeTree::Kick(float32 time)
+{
+    Prepare();
+    for (Link& link : m_links)
+    {
+        link.kick.Give(*link.state, time);
+    }
+    Stop();
+}
+
+/// The largest sum F.r / I, times the time in which the impulses since they were noted were given.
+double HingeTree::Strain(double time)
+{
     double highest = 0.0;
     for (std::size_t i = m_links.size(); i-- > 0;)
     {
-        // A force F at an arm r turns the body back by F.r for each radian.
         Link& link = m_links[i];
         if (link.joint != nullptr)
         {
-            const b2Vec2 pull = link.direction * link.joint->GetReactionForce(1.0f);
-            link.givenTurn += double(b2Dot(pull, link.arm));
+            const Pair f{link.total.x - link.noted.x, link.total.y - link.noted.y};
+            link.pull += link.lever.x * f.y - link.lever.y * f.x;
             if (link.parent != -1)
             {
-                m_links[std::size_t(link.parent)].givenTurn -= double(b2Dot(pull, link.aboveArm));
+                m_links[std::size_t(link.parent)].pull -=
+                    link.aboveLever.x * f.y - link.aboveLever.y * f.x;
             }
         }
-        highest = std::max(highest, link.givenTurn / link.turning);
-        link.givenTurn = 0.0;
+        const double w = kTurns * double(link.state->w);
+        highest = std::max({highest, link.pull / link.turning, w * w * time});
+        link.pull = 0.0;
     }
     return highest;
 }
 
-void HingeTree::NotePoses()
+/// The same of the impulses that the last step left in the joints.
+double HingeTree::LastStrain(double time)
 {
     for (Link& link : m_links)
     {
-        link.noted = *link.state;
+        if (link.joint != nullptr)
+        {
+            (void)TakeLevers(link);
+            const b2Vec2 impulse = link.direction * link.joint->GetReactionForce(1.0f);
+            link.total = {double(impulse.x), double(impulse.y)};
+            link.noted = Pair();
+        }
     }
-}
-
-void HingeTree::BackToNotedPoses()
-{
-    for (Link& link : m_links)
-    {
-        link.state->d = link.noted.d;
-        link.state->q = link.noted.q;
-        link.state->angle = link.noted.angle;
-    }
+    return Strain(time);
 }
 
 /// The arms at the present poses, and how far the hinge is open.
@@ -212,10 +407,20 @@ void HingeTree::Factor()
     for (Link& link : m_links)
     {
         link.inertia = {link.mass, 0.0, link.mass, 0.0, 0.0, link.turning};
+        link.load = link.mass;
     }
     for (std::size_t i = m_links.size(); i-- > 0;)
     {
         Link& link = m_links[i];
+        if (m_stiffened)
+        {
+            const double square = link.lever.x * link.lever.x + link.lever.y * link.lever.y;
+            link.inertia.turning += kStiffening * link.load * square;
+            if (link.parent != -1)
+            {
+                m_links[std::size_t(link.parent)].load += link.load;
+            }
+        }
         FactorAtHinge(link);
         if (link.parent != -1)
         {
@@ -296,9 +501,10 @@ void HingeTree::Spread(Take&& take)
     for (Link& link : m_links)
     {
         FindChange(link, link.parent != -1 ? &m_links[std::size_t(link.parent)] : nullptr);
+        link.given = Pair();
+        link.givenTurn = 0.0;
         take(link);
     }
-    ForgetGiven();
 }
 
 void HingeTree::ForgetGiven()
@@ -369,8 +575,8 @@ float32 HingeTree::WantClosed(Link& link, float32 timeStep)
 {
     b2Vec2 arm, aboveArm;
     const b2Vec2 open = Measure(link, arm, aboveArm);
-    const float32 x = open.x - Left(link.open.x);
-    const float32 y = open.y - Left(link.open.y);
+    const float32 x = Correction(open.x, link.open.x);
+    const float32 y = Correction(open.y, link.open.y);
     const double perTime = 1.0 / double(timeStep);
     link.lack = {-double(x) * perTime, -double(y) * perTime};
     return b2Max(b2Abs(x), b2Abs(y));
@@ -426,7 +632,7 @@ bool HingeTree::CloseByImpulses(float32 timeStep)
 /// hinges would throw them about for long.
 void HingeTree::ClosePoses(float32 timeStep)
 {
-    for (int32 i = 0; i < kMostCloses; ++i)
+    for (int32 i = 0; i < kMostPoseCloses; ++i)
     {
         for (Link& link : m_links)
         {
@@ -446,9 +652,9 @@ void HingeTree::ClosePoses(float32 timeStep)
     }
 }
 
-void HingeTree::End()
+void HingeTree::LeaveImpulses() const
 {
-    for (Link& link : m_links)
+    for (const Link& link : m_links)
     {
         if (link.joint != nullptr)
         {

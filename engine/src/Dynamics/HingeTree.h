@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "RowPattern.h"
-#include "Solver.h"
+#include "BodyKick.h"
 
+class b2Joint;
 class b2RevoluteJoint;
 
 /// Bodies that nothing but hinges holds together, without loops: pendulums, chains, trees that may
@@ -21,33 +21,19 @@ public:
     /// False when the joints are not a tree of plain hinges; then there is nothing to be used.
     bool Build(const Array<b2Joint*>& joints);
 
-    /// At the start of a step. False when the tree cannot be used in it, because motors, limits or
-    /// bodies without mass take part.
-    bool Begin(const SolverContext& context);
-    /// Of a body that its hinges turn back and forth, under the impulses of the last step: the
-    /// square of its frequency times the time in which they were given [1/s].
-    double SquaredFrequency();
-
-    /// Measures the hinges at the present poses, and makes ready for Stop and Close.
-    void Prepare();
-    /// After a kick: makes the speeds of all hinges zero.
-    void Stop();
-
-    void NotePoses();
-    void BackToNotedPoses();
-    /// After a drift that took `timeStep`: closes the hinges by impulses as if they had been given
-    /// before it.
-    void Close(float32 timeStep);
-
-    /// Puts the sums of the step's impulses into the joints.
-    void End();
+    /// At the start of a step; the kicks by awake body. False when the tree cannot be used in it,
+    /// because motors, limits, moving platforms or bodies without mass take part.
+    bool Begin(const SolverContext& context, const BodyKick* kicks);
+    /// All of the step, in as many small ones or more, and leaves the sums of the impulses in the
+    /// joints.
+    void Step(float32 timeStep, int32 smallSteps);
 
     template <class Function>
     void ForBodies(Function&& function) const
     {
         for (const Link& link : m_links)
         {
-            function(*link.body, *link.state);
+            function(*link.body);
         }
     }
 
@@ -74,13 +60,14 @@ private:
 
         // In a step.
         SolverBody* state = nullptr;
+        BodyKick kick;
         const SolverBody* aboveState = nullptr;
         double mass = 0.0, turning = 0.0;
         b2Vec2 arm, aboveArm; ///< to the hinge, in the axes of the world at the start
         b2Vec2 offset;        ///< of the centres of mass, from above
-        Pair total;           ///< impulse
-        SolverBody noted;     ///< before a drift, and
-        SolverBody opened;    ///< before it was closed
+        Pair total, noted;    ///< impulse
+        SolverBody start;     ///< as the step found it
+        SolverBody opened;    ///< before its hinge was closed after a drift
         Pair totalBefore;
 
         // At a pose.
@@ -95,12 +82,38 @@ private:
         Pair lack;              ///< of the hinge's speed
         Pair given;             ///< to the body from below: impulse, and
         double givenTurn = 0.0; ///< its moment
-        Pair change;            ///< of velocity
+        double load = 0.0;
+        double pull = 0.0; ///< what turns the body back [N m]
+        Pair change;       ///< of velocity
         double changeTurn = 0.0;
         Pair impulse; ///< in the hinge
     };
 
     void AddLink(b2Joint& joint, const BodyData& above, int32 parent);
+    double LastStrain(double time);
+    struct Outcome
+    {
+        double squaredFrequency = 0.0; ///< the largest that came up [1/s^2]
+        bool won = false;              ///< energy out of nothing
+    };
+    /// Of all bodies in a step [J].
+    struct Energy
+    {
+        double now = 0.0;   ///< kinetic, at its end
+        double due = 0.0;   ///< what it should be, of that at its start and of the kicks' work
+        double moved = 0.0; ///< the sum of the amounts of these
+    };
+    void GoBack();
+    Outcome StepIn(int32 count, float32 timeStep, bool byImpulses);
+    Energy WonEnergy() const;
+    void TakeWonEnergy();
+    float32 WidestGap() const;
+    void Kick(float32 time);
+    double Strain(double time);
+    void Prepare();
+    void Stop();
+    void Close(float32 timeStep);
+    void LeaveImpulses() const;
     static b2Vec2 Measure(const Link& link, b2Vec2& arm, b2Vec2& aboveArm);
     static b2Vec2 TakeLevers(Link& link);
     static void FactorAtHinge(Link& link);
@@ -120,6 +133,7 @@ private:
     void ClosePoses(float32 timeStep);
 
     Array<Link> m_links; ///< parents first
+    bool m_stiffened = false;
 };
 
 } // namespace box2d

@@ -27,7 +27,7 @@ constexpr double kCycleMargin = 0.75;
 } // namespace
 
 void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
-                                 const Kick& kick)
+                                 const BodyKick* kicks)
 {
     for (const std::size_t i : m_rowed)
     {
@@ -35,8 +35,12 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
     }
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
+        if (m_parts[std::size_t(i)].tree != nullptr)
+        {
+            continue;
+        }
         const int32 cycles = Cycles(i, timeStep);
-        cycles > 1 ? DriftInCycles(i, cycles, context, timeStep, kick)
+        cycles > 1 ? DriftInCycles(i, cycles, context, timeStep, kicks)
                    : ClosePart(i, context, timeStep);
     }
     CloseSwept(context, timeStep, sweeps);
@@ -52,11 +56,6 @@ void JointSystem::NotePoses(const SolverContext& context)
 {
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
-        if (m_parts[std::size_t(i)].tree != nullptr)
-        {
-            m_parts[std::size_t(i)].tree->NotePoses();
-            continue;
-        }
         m_system.ForBodies(i, [&](const BodyData& body, std::size_t place) {
             m_poses[place] = context.bodies[body.SolverIndex()];
         });
@@ -83,58 +82,36 @@ int32 JointSystem::Cycles(int32 part, float32 timeStep) const
     return count;
 }
 
-/// At the noted poses.
-void JointSystem::GoBack(int32 part, const SolverContext& context)
+/// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
+/// after are those of half a drift later and earlier.
+void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
+                                float32 timeStep, const BodyKick* kicks)
 {
-    if (m_parts[std::size_t(part)].tree != nullptr)
-    {
-        m_parts[std::size_t(part)].tree->BackToNotedPoses();
-        return;
-    }
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
         SolverBody& s = context.bodies[body.SolverIndex()];
         s.d = m_poses[place].d;
         s.q = m_poses[place].q;
         s.angle = m_poses[place].angle;
     });
-}
-
-/// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
-/// after are those of half a drift later and earlier.
-void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
-                                float32 timeStep, const Kick& kick)
-{
-    GoBack(part, context);
     const float32 time = timeStep / float32(count);
-    KickPart(part, context, 0.5f * (time - timeStep), kick);
+    KickPart(part, context, 0.5f * (time - timeStep), kicks);
     for (int32 i = 0; i < count; ++i)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
             MoveByVelocity(context.bodies[body.SolverIndex()], time, kMostSmallWay);
         });
         ClosePart(part, context, time);
-        KickPart(part, context, i + 1 < count ? time : 0.5f * (time - timeStep), kick);
+        KickPart(part, context, i + 1 < count ? time : 0.5f * (time - timeStep), kicks);
     }
 }
 
 /// At the present poses.
-void JointSystem::KickPart(int32 part, const SolverContext& context, float32 time, const Kick& kick)
+void JointSystem::KickPart(int32 part, const SolverContext& context, float32 time,
+                           const BodyKick* kicks)
 {
-    m_system.ForBodies(part, [&](const BodyData& body, std::size_t) { kick(body, time); });
-    if (m_parts[std::size_t(part)].tree != nullptr)
-    {
-        m_parts[std::size_t(part)].tree->Prepare();
-    }
-    else
-    {
-        FillPart(part, context);
-    }
-    SolvePart(part, context);
-}
-
-/// At the present poses.
-void JointSystem::FillPart(int32 part, const SolverContext& context)
-{
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
+        kicks[body.awakeIndex].Give(context.bodies[body.SolverIndex()], time);
+    });
     m_system.ForItems(part, [&](std::size_t joint) {
         JointRows& rows = m_system.Rows(joint);
         Impulses kept;
@@ -144,15 +121,11 @@ void JointSystem::FillPart(int32 part, const SolverContext& context)
         rows.SetImpulse(kept.at);
     });
     m_parts[std::size_t(part)].factored = false;
+    SolvePart(part, context);
 }
 
 void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)
 {
-    if (m_parts[std::size_t(part)].tree != nullptr)
-    {
-        m_parts[std::size_t(part)].tree->Close(timeStep);
-        return;
-    }
     if (!m_parts[std::size_t(part)].factored)
     {
         m_system.ForItems(part, [&](std::size_t joint) { SetActive(joint); });

@@ -79,12 +79,13 @@ void JointSystem::BuildTrees()
     }
 }
 
-void JointSystem::Begin(const SolverContext& context, float32 share, float32 lastInverseStep)
+void JointSystem::Begin(const SolverContext& context, float32 share, float32 lastInverseStep,
+                        const BodyKick* kicks)
 {
     m_inTree.assign(m_joints.size(), 0);
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
-        BeginPart(i, context);
+        BeginPart(i, context, kicks);
     }
     m_rowed.clear();
     for (std::size_t i = 0; i < m_joints.size(); ++i)
@@ -100,8 +101,7 @@ void JointSystem::Begin(const SolverContext& context, float32 share, float32 las
     {
         Part& part = m_parts[std::size_t(i)];
         part.squaredFrequency =
-            double(lastInverseStep) *
-            (part.tree != nullptr ? part.tree->SquaredFrequency() : m_system.SquaredFrequency(i));
+            part.tree == nullptr ? double(lastInverseStep) * m_system.SquaredFrequency(i) : 0.0;
     }
     for (const std::size_t i : m_rowed)
     {
@@ -113,7 +113,7 @@ void JointSystem::Begin(const SolverContext& context, float32 share, float32 las
 }
 
 /// What is moved by contacts goes at their pace, and with them.
-void JointSystem::BeginPart(int32 index, const SolverContext& context)
+void JointSystem::BeginPart(int32 index, const SolverContext& context, const BodyKick* kicks)
 {
     Part& part = m_parts[std::size_t(index)];
     part = Part();
@@ -121,7 +121,7 @@ void JointSystem::BeginPart(int32 index, const SolverContext& context)
         part.touched = part.touched || body.colorMask != 0;
     });
     const int32 tree = m_treeOf[std::size_t(index)];
-    if (tree != -1 && !part.touched && m_trees[std::size_t(tree)].Begin(context))
+    if (tree != -1 && !part.touched && m_trees[std::size_t(tree)].Begin(context, kicks))
     {
         part.tree = &m_trees[std::size_t(tree)];
         m_system.ForItems(index, [&](std::size_t joint) { m_inTree[joint] = 1; });
@@ -138,16 +138,20 @@ void JointSystem::TakeImpulses(std::size_t joint)
     }
 }
 
-void JointSystem::End()
+void JointSystem::StepTrees(float32 timeStep, int32 smallSteps)
 {
-    AddTotals();
     for (const Part& part : m_parts)
     {
         if (part.tree != nullptr)
         {
-            part.tree->End();
+            part.tree->Step(timeStep, smallSteps);
         }
     }
+}
+
+void JointSystem::End()
+{
+    AddTotals();
     for (const std::size_t i : m_rowed)
     {
         JointAccess::SetRowImpulses(*m_joints[i], m_totals[i].within, m_totals[i].beyond);
@@ -174,11 +178,6 @@ void JointSystem::Prepare(const SolverContext& context)
     {
         Part& part = m_parts[i];
         part.gives = part.factored = false;
-        if (part.tree != nullptr)
-        {
-            part.tree->Prepare();
-            continue;
-        }
         m_system.ForItems(int32(i),
                           [&](std::size_t item) { part.gives = part.gives || m_gives[item] != 0; });
     }
@@ -221,11 +220,6 @@ void JointSystem::Lack(std::size_t joint, const SolverContext& context, const Ve
 void JointSystem::SolvePart(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
-    if (p.tree != nullptr)
-    {
-        p.tree->Stop();
-        return;
-    }
     for (int32 tries = 0; tries < kMostTries; ++tries)
     {
         if (!p.factored)
@@ -260,7 +254,8 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
 {
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
-        if (first || m_parts[std::size_t(i)].touched)
+        const Part& part = m_parts[std::size_t(i)];
+        if (part.tree == nullptr && (first || part.touched))
         {
             SolvePart(i, context);
         }

@@ -4,8 +4,6 @@
 #include "BoundedSystem.h"
 #include "HingeTree.h"
 
-#include <functional>
-
 /// All that joints do, in small steps. What they hold rigidly is a RowSystem. Motors and limits
 /// take part in it as long as their forces do what they should; which do is found by trying (block
 /// pivoting: Judice and Pires, "A block principal pivoting algorithm for large-scale strictly
@@ -19,8 +17,6 @@ class ConstraintGraph;
 class JointSystem
 {
 public:
-    using Kick = std::function<void(const BodyData& body, float32 time)>;
-
     /// Follows the graph's list of joints; costs nothing while that stays the same.
     void Update(const ConstraintGraph& graph);
     bool IsEmpty() const { return m_joints.empty(); }
@@ -31,7 +27,23 @@ public:
 
     /// At the start of a step: takes up the impulses that the joints were left with, times `share`.
     /// `lastInverseStep`: one over its length.
-    void Begin(const SolverContext& context, float32 share, float32 lastInverseStep);
+    void Begin(const SolverContext& context, float32 share, float32 lastInverseStep,
+               const BodyKick* kicks);
+    /// What goes through the step by itself, in StepTrees; all else leaves it alone.
+    template <class Function>
+    void ForTreeBodies(Function&& function) const
+    {
+        for (const Part& part : m_parts)
+        {
+            if (part.tree != nullptr)
+            {
+                part.tree->ForBodies(function);
+            }
+        }
+    }
+    /// Whether there is anything else.
+    bool HasRows() const { return !m_rowed.empty(); }
+    void StepTrees(float32 timeStep, int32 smallSteps);
     /// At the present poses and the velocities before a kick: the rows. The context's step is the
     /// kick's, its inverse that of the drift that follows.
     void Prepare(const SolverContext& context);
@@ -44,9 +56,9 @@ public:
     /// After the bodies have moved for `timeStep`: impulses along the rows of Prepare, which change
     /// velocities and with them the way, close the joints. (RATTLE: Andersen, "Rattle: a
     /// 'velocity' version of the Shake algorithm", 1983.)
-    /// `kick` gives a body what all other forces give it in a time.
+    /// The kicks: by awake body.
     void SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
-                        const Kick& kick);
+                        const BodyKick* kicks);
     /// Leaves the sums of the step's impulses in the joints.
     void End();
 
@@ -109,10 +121,8 @@ private:
     // JointClosing.cpp
     int32 Cycles(int32 part, float32 timeStep) const;
     void DriftInCycles(int32 part, int32 count, const SolverContext& context, float32 timeStep,
-                       const Kick& kick);
-    void GoBack(int32 part, const SolverContext& context);
-    void FillPart(int32 part, const SolverContext& context);
-    void KickPart(int32 part, const SolverContext& context, float32 time, const Kick& kick);
+                       const BodyKick* kicks);
+    void KickPart(int32 part, const SolverContext& context, float32 time, const BodyKick* kicks);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
     bool Close(int32 part, const SolverContext& context, float32 timeStep);
     void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
@@ -120,7 +130,7 @@ private:
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
 
     void BuildTrees();
-    void BeginPart(int32 part, const SolverContext& context);
+    void BeginPart(int32 part, const SolverContext& context, const BodyKick* kicks);
     void TakeImpulses(std::size_t joint);
     double ComplianceOf(int32 part) const;
     void SolvePart(int32 part, const SolverContext& context);

@@ -22,24 +22,6 @@ namespace box2d
 namespace
 {
 
-/// What damping c leaves of a velocity after a time t, and the time for which an acceleration
-/// counts: exp(-c t) and (1 - exp(-c t)) / c, with the Pade approximant (0, 2) for exp(-z), which
-/// is of second order and stable for any z.
-struct Decay
-{
-    Decay(float32 t, float32 c) : left(1.0f), time(t)
-    {
-        if (c > 0.0f)
-        {
-            const float32 z = c * t;
-            left = 1.0f / (1.0f + z + 0.5f * z * z);
-            time = t * (1.0f + 0.5f * z) * left; // (1 - left) / c without the difference
-        }
-    }
-    float32 left;
-    float32 time; ///< [s]
-};
-
 /// Sweeps have done enough for a pile when its contacts come together by less than this share of
 /// what weight does in a kick.
 constexpr float32 kRestTolerance = 0.01f;
@@ -256,8 +238,12 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
     StepSolver solve(*this, timeStep);
     solve.WakeJointNeighbours();
     solve.BeginSmallSteps(count);
-    solve.Kick(0.5f * h, 1.0f, velocitySweeps);
-    for (int32 i = 1; i <= count; ++i)
+    const bool together = solve.AnyTogether();
+    if (together)
+    {
+        solve.Kick(0.5f * h, 1.0f, velocitySweeps);
+    }
+    for (int32 i = 1; i <= count && together; ++i)
     {
         solve.Drift(h, velocitySweeps);
         solve.MoveApart(positionSweeps, rate);
@@ -284,6 +270,7 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_world.lastSubSteps = count;
     m_arrays.bodies.resize(m_world.awakeBodies.size() + 1);
     m_arrays.bodies[0] = SolverBody();
+    m_arrays.kicks.resize(m_world.awakeBodies.size());
     m_context.bodies = m_arrays.bodies.data();
     ForBodies([this](std::size_t i) {
         const BodyData& body = Data(*m_world.awakeBodies[i]);
@@ -291,6 +278,7 @@ void StepSolver::BeginSmallSteps(int32 count)
         s = SolverBody();
         s.v = body.linearVelocity;
         s.w = body.angularVelocity;
+        m_arrays.kicks[i] = BodyKick(body, m_world.gravity);
     });
     PrepareContacts();
     for (int32 i = 0; i < m_arrays.colorCount; ++i)
@@ -308,7 +296,10 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_arrays.jointSystem.Update(m_world.graph);
     m_arrays.contactSystem.Begin(m_world);
     m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
-                               m_world.inverseStep);
+                               m_world.inverseStep, m_arrays.kicks.data());
+    m_arrays.jointSystem.ForTreeBodies([this](const BodyData& body) {
+        m_arrays.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
+    });
 }
 
 /// What comes near fast is thrown back, pair by pair, until nothing does any more: a row of balls
@@ -337,6 +328,14 @@ void StepSolver::Bounce()
     }
 }
 
+/// Whether anything goes small step by small step.
+bool StepSolver::AnyTogether() const
+{
+    return m_arrays.colorCount > 0 || m_arrays.jointSystem.HasRows() ||
+           std::find(m_arrays.ways.begin(), m_arrays.ways.end(), WayOfBody::Together) !=
+               m_arrays.ways.end();
+}
+
 void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
 {
     JointSystem& joints = m_arrays.jointSystem;
@@ -344,9 +343,9 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
     kick.timeStep = duration;
     joints.Prepare(kick); // before the kick: springs compare the velocities
     ForBodies([&](std::size_t i) {
-        if (m_arrays.flies[i] == 0)
+        if (m_arrays.ways[i] == WayOfBody::Together)
         {
-            AddKick(i, duration);
+            m_arrays.kicks[i].Give(m_arrays.bodies[i + 1], duration);
         }
     });
     joints.WarmStart(kick, share);
@@ -372,36 +371,17 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
     });
 }
 
-void StepSolver::AddKick(std::size_t index, float32 duration)
-{
-    const BodyData& body = Data(*m_world.awakeBodies[index]);
-    if (body.IsDynamic())
-    {
-        SolverBody& s = m_arrays.bodies[index + 1];
-        const b2Vec2 a = body.gravityScale * m_world.gravity + body.invMass * body.force;
-        const float32 alpha = body.invInertia * body.torque;
-        const Decay linear(duration, body.linearDamping);
-        const Decay angular(duration, body.angularDamping);
-        s.v = Bounded(linear.left * s.v + linear.time * a);
-        s.w = Bounded(angular.left * s.w + angular.time * alpha);
-    }
-}
-
 /// What nothing holds or touches flies through the step at once, which costs less and rounds less.
 void StepSolver::FindFlying()
 {
     const std::size_t count = m_world.awakeBodies.size();
-    m_arrays.flies.resize(count);
-    m_arrays.accelerations.resize(count);
+    m_arrays.ways.resize(count);
     for (std::size_t i = 0; i < count; ++i)
     {
         const BodyData& body = Data(*m_world.awakeBodies[i]);
         const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
                            body.linearDamping == 0.0f && body.angularDamping == 0.0f;
-        m_arrays.flies[i] = flies;
-        m_arrays.accelerations[i] =
-            flies ? body.gravityScale * m_world.gravity + body.invMass * body.force
-                  : b2Vec2(0.0f, 0.0f);
+        m_arrays.ways[i] = flies ? WayOfBody::Flies : WayOfBody::Together;
     }
     // What is solved one by one is in no colour.
     for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
@@ -410,8 +390,7 @@ void StepSolver::FindFlying()
         {
             if (Data(*body).awakeIndex != -1)
             {
-                m_arrays.flies[std::size_t(Data(*body).awakeIndex)] = 0;
-                m_arrays.accelerations[std::size_t(Data(*body).awakeIndex)].SetZero();
+                m_arrays.ways[std::size_t(Data(*body).awakeIndex)] = WayOfBody::Together;
             }
         }
     }
@@ -420,11 +399,10 @@ void StepSolver::FindFlying()
 /// x += v h + a h^2 / 2
 void StepSolver::Fly(std::size_t index)
 {
-    const BodyData& body = Data(*m_world.awakeBodies[index]);
     SolverBody& s = m_arrays.bodies[index + 1];
     const float32 h = m_context.timeStep;
-    const b2Vec2 a = m_arrays.accelerations[index];
-    const float32 alpha = body.invInertia * body.torque;
+    const b2Vec2 a = m_arrays.kicks[index].acceleration;
+    const float32 alpha = m_arrays.kicks[index].angularAcceleration;
     const b2Vec2 after = Bounded(s.v + h * a);
     s.v += (0.5f * h) * a;
     s.w += (0.5f * h) * alpha;
@@ -441,15 +419,12 @@ void StepSolver::Drift(float32 timeStep, int32 sweeps)
 {
     m_arrays.jointSystem.NotePoses(m_context);
     ForBodies([&](std::size_t i) {
-        if (m_arrays.flies[i] == 0)
+        if (m_arrays.ways[i] == WayOfBody::Together)
         {
             MoveByVelocity(m_arrays.bodies[i + 1], timeStep, kMostSmallWay);
         }
     });
-    m_arrays.jointSystem.SolvePositions(m_context, timeStep, sweeps,
-                                        [this](const BodyData& body, float32 time) {
-                                            AddKick(std::size_t(body.awakeIndex), time);
-                                        });
+    m_arrays.jointSystem.SolvePositions(m_context, timeStep, sweeps, m_arrays.kicks.data());
 }
 
 void StepSolver::MoveApart(int32 sweeps, float32 rate)
@@ -468,11 +443,12 @@ void StepSolver::MoveApart(int32 sweeps, float32 rate)
 void StepSolver::EndSmallSteps()
 {
     ForBodies([this](std::size_t i) {
-        if (m_arrays.flies[i] != 0)
+        if (m_arrays.ways[i] == WayOfBody::Flies)
         {
             Fly(i);
         }
     });
+    m_arrays.jointSystem.StepTrees(m_context.timeStep, m_world.subStepCount);
     m_arrays.jointSystem.End();
     if (m_world.allowSleep)
     {

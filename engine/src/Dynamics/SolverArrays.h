@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "BodyKick.h"
 #include "ConstraintGraph.h"
 #include "ContactBlocks.h"
 #include "ContactSystem.h"
@@ -34,6 +35,14 @@ struct ImpactBackup
     b2Vec2 worldCenter;
 };
 
+/// How a body gets through a step of small ones.
+enum class WayOfBody : uint8
+{
+    Together, ///< small step by small step, with all others
+    Flies,    ///< at once: nothing holds or touches it
+    InTree,   ///< with its HingeTree
+};
+
 struct SolverArrays
 {
     Array<SolverBody> bodies;
@@ -44,8 +53,8 @@ struct SolverArrays
     JointSystem jointSystem;         ///< of small steps
     ContactSystem contactSystem;     ///< of small steps
     Array<uint8> left;               ///< by awake body: whether a shape has left its box
-    Array<uint8> flies;              ///< by awake body, of small steps: nothing holds or touches it
-    Array<b2Vec2> accelerations;     ///< by awake body, of small steps: 0 unless it flies freely
+    Array<WayOfBody> ways;           ///< by awake body, of small steps
+    Array<BodyKick> kicks;           ///< by awake body, of small steps
     Array<uint8> deep;               ///< by solver index, of small steps: see FindDeep
     Array<b2Contact*> reported;      ///< whose impulses the listener wants to know, in order
     Array<float32> impactTimes;      ///< by awake contact

@@ -28,6 +28,7 @@ public:
 
     // Of small steps only, SmallSteps.cpp.
     void BeginSmallSteps(int32 count);
+    bool AnyTogether() const;
     /// Kicks, and solves the velocities.
     void Kick(float32 duration, float32 share, int32 iterations);
     void Drift(float32 timeStep, int32 sweeps);
@@ -54,7 +55,6 @@ private:
     void FindDeep();
     bool IsPushedOut(const BodyData& body) const;
     void Fly(std::size_t index);
-    void AddKick(std::size_t index, float32 duration);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
     static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
 
