@@ -150,7 +150,7 @@ void box2d::SinCos(float angle, float* sine, float* cosine)
 {
     double s = static_cast<double>(angle);
     double c;
-    if (std::fabs(angle) <= kSmall)
+    if (angle != 0.0f && std::fabs(angle) <= kSmall)
     {
         // What turns within a step: no quarter turns to take off, and as good with fewer terms.
         c = TaylorCosine<kTermsOfSmall>(s);

@@ -82,9 +82,9 @@ private:
         Pair lack;              ///< of the hinge's speed
         Pair given;             ///< to the body from below: impulse, and
         double givenTurn = 0.0; ///< its moment
-        double load = 0.0;
-        double pull = 0.0; ///< what turns the body back [N m]
-        Pair change;       ///< of velocity
+        double load = 0.0;      ///< its own mass and all that hangs from it
+        double pull = 0.0;      ///< what turns the body back [N m]
+        Pair change;            ///< of velocity
         double changeTurn = 0.0;
         Pair impulse; ///< in the hinge
     };
@@ -103,6 +103,7 @@ private:
         double due = 0.0;   ///< what it should be, of that at its start and of the kicks' work
         double moved = 0.0; ///< the sum of the amounts of these
     };
+    void StepSafely(int32 count, float32 timeStep);
     void GoBack();
     Outcome StepIn(int32 count, float32 timeStep, bool byImpulses);
     Energy WonEnergy() const;
@@ -132,8 +133,8 @@ private:
     bool CloseByImpulses(float32 timeStep);
     void ClosePoses(float32 timeStep);
 
-    Array<Link> m_links; ///< parents first
-    bool m_stiffened = false;
+    Array<Link> m_links;      ///< parents first
+    bool m_stiffened = false; ///< bodies turn as if they were heavier than they are
 };
 
 } // namespace box2d

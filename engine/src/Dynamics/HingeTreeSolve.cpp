@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "Closing.h"
+#include "HingeTree.h"
+
+#include <algorithm>
+
+/// One solution for all hinges of a HingeTree, and what it is needed for.
+namespace box2d
+{
+
+namespace
+{
+
+/// Where there is no other way, a body turns as if it had this share of all that hangs from it at
+/// its hinge.
+constexpr double kStiffening = 0.01;
+constexpr int32 kMostPoseCloses = 12;
+
+/// How far a hinge is to be closed at once: what is far open turns the bodies so that their levers
+/// no longer say where it goes.
+float32 Correction(float32 open, float32 before)
+{
+    return b2Clamp(open - Left(before), -b2_maxLinearCorrection, b2_maxLinearCorrection);
+}
+
+} // namespace
+
+/// The arms at the present poses, and how far the hinge is open.
+b2Vec2 HingeTree::Measure(const Link& link, b2Vec2& arm, b2Vec2& aboveArm)
+{
+    const SolverBody& body = *link.state;
+    const SolverBody& above = *link.aboveState;
+    arm = b2Mul(body.q, link.arm);
+    aboveArm = b2Mul(above.q, link.aboveArm);
+    return link.offset + body.d - above.d + arm - aboveArm;
+}
+
+void HingeTree::Prepare()
+{
+    for (Link& link : m_links)
+    {
+        if (link.joint != nullptr)
+        {
+            link.open = TakeLevers(link);
+        }
+    }
+    Factor();
+}
+
+b2Vec2 HingeTree::TakeLevers(Link& link)
+{
+    b2Vec2 arm, aboveArm;
+    const b2Vec2 open = Measure(link, arm, aboveArm);
+    link.lever = {double(arm.y), -double(arm.x)};
+    link.aboveLever = {double(aboveArm.y), -double(aboveArm.x)};
+    return open;
+}
+
+/// From the tips to the root.
+void HingeTree::Factor()
+{
+    for (Link& link : m_links)
+    {
+        link.inertia = {link.mass, 0.0, link.mass, 0.0, 0.0, link.turning};
+        link.load = link.mass;
+    }
+    for (std::size_t i = m_links.size(); i-- > 0;)
+    {
+        Link& link = m_links[i];
+        if (m_stiffened)
+        {
+            const double square = link.lever.x * link.lever.x + link.lever.y * link.lever.y;
+            link.inertia.turning += kStiffening * link.load * square;
+            if (link.parent != -1)
+            {
+                m_links[std::size_t(link.parent)].load += link.load;
+            }
+        }
+        FactorAtHinge(link);
+        if (link.parent != -1)
+        {
+            AddInertia(link, m_links[std::size_t(link.parent)].inertia);
+        }
+    }
+}
+
+/// The inertia at the hinge: with v = u + w t,
+///   K = M - a a^T / c,   a = M t + (x, y),   c = t.M t + 2 t.(x, y) + turning,
+/// for the body turns so that the energy is least, by w = -a.u / c. A root without a hinge is
+/// factored about its centre of mass in the same way, t = 0.
+void HingeTree::FactorAtHinge(Link& link)
+{
+    const Inertia m = link.inertia;
+    const Pair t = link.lever;
+    const double ax = m.m11 * t.x + m.m12 * t.y + m.x;
+    const double ay = m.m12 * t.x + m.m22 * t.y + m.y;
+    const double ease = 1.0 / (m.turning + t.x * (m.x + ax) + t.y * (m.y + ay));
+    const Pair turn{ax * ease, ay * ease};
+    link.ease = ease;
+    link.turn = turn;
+    link.k11 = m.m11 - ax * turn.x;
+    link.k12 = m.m12 - ax * turn.y;
+    link.k22 = m.m22 - ay * turn.y;
+}
+
+/// To what the link hangs from, about whose centre of mass K has the lever t.
+void HingeTree::AddInertia(const Link& link, Inertia& parent)
+{
+    const Pair t = link.aboveLever;
+    const double x = link.k11 * t.x + link.k12 * t.y;
+    const double y = link.k12 * t.x + link.k22 * t.y;
+    parent.m11 += link.k11;
+    parent.m12 += link.k12;
+    parent.m22 += link.k22;
+    parent.x -= x;
+    parent.y -= y;
+    parent.turning += t.x * x + t.y * y;
+}
+
+/// From the tips to the root, what the hinges want and give: an impulse f at a hinge and what is
+/// given from below, impulse g and moment z, make
+///   K u = f + g - a (z + t.g) / c.
+template <class Want>
+void HingeTree::Gather(Want&& want)
+{
+    for (std::size_t i = m_links.size(); i-- > 0;)
+    {
+        Link& link = m_links[i];
+        link.givenTurn += link.lever.x * link.given.x + link.lever.y * link.given.y;
+        link.given.x -= link.turn.x * link.givenTurn;
+        link.given.y -= link.turn.y * link.givenTurn;
+        if (link.joint != nullptr)
+        {
+            want(link);
+        }
+        if (link.parent != -1)
+        {
+            AddGiven(link, m_links[std::size_t(link.parent)]);
+        }
+    }
+}
+
+void HingeTree::AddGiven(const Link& link, Link& parent)
+{
+    const double x = link.k11 * link.lack.x + link.k12 * link.lack.y - link.given.x;
+    const double y = link.k12 * link.lack.x + link.k22 * link.lack.y - link.given.y;
+    parent.given.x -= x;
+    parent.given.y -= y;
+    parent.givenTurn += link.aboveLever.x * x + link.aboveLever.y * y;
+}
+
+/// And back, the changes of velocity.
+template <class Take>
+void HingeTree::Spread(Take&& take)
+{
+    for (Link& link : m_links)
+    {
+        FindChange(link, link.parent != -1 ? &m_links[std::size_t(link.parent)] : nullptr);
+        link.given = Pair();
+        link.givenTurn = 0.0;
+        take(link);
+    }
+}
+
+void HingeTree::ForgetGiven()
+{
+    for (Link& link : m_links)
+    {
+        link.given = Pair();
+        link.givenTurn = 0.0;
+    }
+}
+
+void HingeTree::FindChange(Link& link, const Link* parent)
+{
+    Pair u = link.lack;
+    if (parent != nullptr)
+    {
+        u.x += parent->change.x - parent->changeTurn * link.aboveLever.x;
+        u.y += parent->change.y - parent->changeTurn * link.aboveLever.y;
+    }
+    else if (link.joint == nullptr)
+    {
+        const double determinant = link.k11 * link.k22 - link.k12 * link.k12;
+        u.x = (link.k22 * link.given.x - link.k12 * link.given.y) / determinant;
+        u.y = (link.k11 * link.given.y - link.k12 * link.given.x) / determinant;
+    }
+    const double w = link.ease * link.givenTurn - (link.turn.x * u.x + link.turn.y * u.y);
+    link.impulse.x = link.k11 * u.x + link.k12 * u.y - link.given.x;
+    link.impulse.y = link.k12 * u.x + link.k22 * u.y - link.given.y;
+    link.change.x = u.x + w * link.lever.x;
+    link.change.y = u.y + w * link.lever.y;
+    link.changeTurn = w;
+}
+
+void HingeTree::Stop()
+{
+    Gather([](Link& link) {
+        const SolverBody& a = *link.aboveState;
+        const SolverBody& b = *link.state;
+        link.lack.x = double(a.v.x) - double(a.w) * link.aboveLever.x - double(b.v.x) +
+                      double(b.w) * link.lever.x;
+        link.lack.y = double(a.v.y) - double(a.w) * link.aboveLever.y - double(b.v.y) +
+                      double(b.w) * link.lever.y;
+    });
+    Spread([](Link& link) { AddVelocity(link); });
+}
+
+void HingeTree::AddVelocity(Link& link)
+{
+    SolverBody& body = *link.state;
+    body.v.x = float32(double(body.v.x) + link.change.x);
+    body.v.y = float32(double(body.v.y) + link.change.y);
+    body.w = float32(double(body.w) + link.changeTurn);
+    link.total.x += link.impulse.x;
+    link.total.y += link.impulse.y;
+}
+
+void HingeTree::AddPose(Link& link, float32 timeStep)
+{
+    SolverBody& body = *link.state;
+    body.d += timeStep * b2Vec2(float32(link.change.x), float32(link.change.y));
+    const float32 turn = timeStep * float32(link.changeTurn);
+    body.angle += turn;
+    body.q = b2Mul(body.q, b2Rot(turn));
+}
+
+/// The change of speed that closes the hinge in the time. Returns how far it is open.
+float32 HingeTree::WantClosed(Link& link, float32 timeStep)
+{
+    b2Vec2 arm, aboveArm;
+    const b2Vec2 open = Measure(link, arm, aboveArm);
+    const float32 x = Correction(open.x, link.open.x);
+    const float32 y = Correction(open.y, link.open.y);
+    const double perTime = 1.0 / double(timeStep);
+    link.lack = {-double(x) * perTime, -double(y) * perTime};
+    return b2Max(b2Abs(x), b2Abs(y));
+}
+
+void HingeTree::Close(float32 timeStep)
+{
+    for (Link& link : m_links)
+    {
+        link.opened = *link.state;
+        link.totalBefore = link.total;
+    }
+    if (CloseByImpulses(timeStep))
+    {
+        return;
+    }
+    for (Link& link : m_links)
+    {
+        *link.state = link.opened;
+        link.total = link.totalBefore;
+    }
+    ClosePoses(timeStep);
+}
+
+/// False when that has opened them further: turned far in the drift, the bodies' levers of before
+/// it point elsewhere.
+bool HingeTree::CloseByImpulses(float32 timeStep)
+{
+    float32 first = 0.0f;
+    for (int32 i = 0; i < kMostCloses; ++i)
+    {
+        float32 widest = 0.0f;
+        Gather([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
+        if (i > 0 && widest > first)
+        {
+            ForgetGiven();
+            return false;
+        }
+        first = i == 0 ? widest : first;
+        Spread([&](Link& link) {
+            AddVelocity(link);
+            AddPose(link, timeStep);
+        });
+        if (widest < kNearlyClosed)
+        {
+            break;
+        }
+    }
+    return true;
+}
+
+/// By the levers of each pose, without a change of velocity: one that does not really close the
+/// hinges would throw them about for long.
+void HingeTree::ClosePoses(float32 timeStep)
+{
+    for (int32 i = 0; i < kMostPoseCloses; ++i)
+    {
+        for (Link& link : m_links)
+        {
+            if (link.joint != nullptr)
+            {
+                (void)TakeLevers(link);
+            }
+        }
+        Factor();
+        float32 widest = 0.0f;
+        Gather([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
+        Spread([&](Link& link) { AddPose(link, timeStep); });
+        if (widest < kNearlyClosed)
+        {
+            break;
+        }
+    }
+}
+
+} // namespace box2d
