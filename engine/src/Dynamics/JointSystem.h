@@ -125,6 +125,7 @@ private:
     void KickPart(int32 part, const SolverContext& context, float32 time, const BodyKick* kicks);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
     bool Close(int32 part, const SolverContext& context, float32 timeStep);
+    bool HasGained(int32 part, const SolverContext& context, float32 timeStep) const;
     void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
