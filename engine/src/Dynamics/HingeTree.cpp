@@ -2,6 +2,7 @@
 #include "HingeTree.h"
 
 #include "Access.h"
+#include "Closing.h"
 #include "Joints/JointFrame.h"
 
 #include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
@@ -44,7 +45,8 @@ constexpr double kTurns = 3.0;
 
 /// Of the energies of a step: more than a drift that sees all swings makes by its errors.
 constexpr double kWonShare = 2e-3;
-constexpr float32 kTorn = 0.05f; ///< a hinge that is so far open is hard to close [m]
+constexpr float32 kHardlyOpen = 5e-3f; ///< as contacts are let overlap [m]
+constexpr float32 kTorn = 0.05f;       ///< a hinge that is so far open is hard to close [m]
 
 double KineticEnergy(const SolverBody& body, double mass, double turning)
 {
@@ -177,6 +179,7 @@ void HingeTree::Step(float32 timeStep, int32 smallSteps)
         link.start = *link.state;
     }
     const double expected = LastStrain(double(timeStep)) / double(timeStep);
+    const bool wereClosed = WidestGap() < kHardlyOpen;
     int32 count = CountFor(kEstimated, expected, timeStep, smallSteps);
     Outcome outcome = StepIn(count, timeStep, true);
     for (int32 tries = 0; tries < kMostTries; ++tries)
@@ -196,7 +199,23 @@ void HingeTree::Step(float32 timeStep, int32 smallSteps)
     {
         StepSafely(count, timeStep);
     }
+    if (wereClosed && WidestGap() > kNearlyClosed)
+    {
+        CloseWholly(timeStep);
+    }
     LeaveImpulses();
+}
+
+/// What a whip has opened within a step does not stay open; what was made open closes slowly.
+void HingeTree::CloseWholly(float32 timeStep)
+{
+    for (Link& link : m_links)
+    {
+        link.open.SetZero();
+    }
+    ClosePoses(timeStep);
+    Prepare();
+    Stop();
 }
 
 /// What cannot be followed, a heavy ball that pulls a slack chain straight at once, is to lose its
@@ -302,16 +321,13 @@ void HingeTree::TakeWonEnergy()
     }
 }
 
+/// When they were measured.
 float32 HingeTree::WidestGap() const
 {
     float32 widest = 0.0f;
     for (const Link& link : m_links)
     {
-        if (link.joint != nullptr)
-        {
-            b2Vec2 arm, aboveArm;
-            widest = b2Max(widest, Measure(link, arm, aboveArm).Length());
-        }
+        widest = b2Max(widest, link.joint != nullptr ? link.open.Length() : 0.0f);
     }
     return widest;
 }
@@ -358,7 +374,7 @@ double HingeTree::LastStrain(double time)
     {
         if (link.joint != nullptr)
         {
-            (void)TakeLevers(link);
+            link.open = TakeLevers(link);
             const b2Vec2 impulse = link.direction * link.joint->GetReactionForce(1.0f);
             link.total = {double(impulse.x), double(impulse.y)};
             link.noted = Pair();

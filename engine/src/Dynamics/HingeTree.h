@@ -103,6 +103,7 @@ private:
         double due = 0.0;   ///< what it should be, of that at its start and of the kicks' work
         double moved = 0.0; ///< the sum of the amounts of these
     };
+    void CloseWholly(float32 timeStep);
     void StepSafely(int32 count, float32 timeStep);
     void GoBack();
     Outcome StepIn(int32 count, float32 timeStep, bool byImpulses);
