@@ -80,8 +80,9 @@ AccuracyFigures RunAccuracyCase(const std::filesystem::path& program, const std:
 
 /// By their names, in the order in which they first come.
 std::vector<std::string> EnginesOf(const AccuracyResult& result);
-/// 8 and 3 iterations at 60 Hz, with 4 sub-steps when the engine was run with any.
-AccuracySettings UsualSettings(const AccuracyResult& result, const std::string& engine);
+/// 8 and 3 iterations at 60 Hz, with so many sub-steps when the engine was run with any.
+AccuracySettings UsualSettings(const AccuracyResult& result, const std::string& engine,
+                               int subSteps = 4);
 
 /// A row a run, and the summary.
 std::string AccuracyTable(const std::vector<AccuracyResult>& results);

@@ -171,6 +171,7 @@ TEST(AccuracySweep, SumsUpWhatTheUsualSettingsReach)
 {
     AccuracyResult result = TwoSweeps();
     EXPECT_THAT(AccuracySummary({result}), HasSubstr("0.25x  goal met, slower\n"));
+    EXPECT_THAT(AccuracySummary({result}), HasSubstr("\n2 sub-steps "));
     result.runs[5].ending = "falls";
     result.runs[1].cpu = 1e-7;
     EXPECT_THAT(AccuracySummary({result}), HasSubstr("falls  1.00 us 10.00x  goal met\n"));

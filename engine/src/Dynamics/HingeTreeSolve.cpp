@@ -14,6 +14,8 @@ namespace
 /// Where there is no other way, a body turns as if it had this share of all that hangs from it at
 /// its hinge.
 constexpr double kStiffening = 0.01;
+constexpr float32 kSmallAngle = 0.01f;
+constexpr float32 kClosed = 5e-6f; ///< the next drift closes it well enough [m]
 constexpr int32 kMostPoseCloses = 12;
 
 /// How far a hinge is to be closed at once: what is far open turns the bodies so that their levers
@@ -21,6 +23,19 @@ constexpr int32 kMostPoseCloses = 12;
 float32 Correction(float32 open, float32 before)
 {
     return b2Clamp(open - Left(before), -b2_maxLinearCorrection, b2_maxLinearCorrection);
+}
+
+/// The same for an angle of which the fourth power counts for nothing.
+b2Rot SmallRot(float32 angle)
+{
+    if (b2Abs(angle) > kSmallAngle)
+    {
+        return b2Rot(angle);
+    }
+    b2Rot q;
+    q.s = angle - angle * angle * angle / 6.0f;
+    q.c = 1.0f - 0.5f * angle * angle;
+    return q;
 }
 
 } // namespace
@@ -222,7 +237,7 @@ void HingeTree::AddPose(Link& link, float32 timeStep)
     body.d += timeStep * b2Vec2(float32(link.change.x), float32(link.change.y));
     const float32 turn = timeStep * float32(link.changeTurn);
     body.angle += turn;
-    body.q = b2Mul(body.q, b2Rot(turn));
+    body.q = b2Mul(body.q, SmallRot(turn));
 }
 
 /// The change of speed that closes the hinge in the time. Returns how far it is open.
@@ -265,10 +280,10 @@ bool HingeTree::CloseByImpulses(float32 timeStep)
     {
         float32 widest = 0.0f;
         Gather([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
-        if (i > 0 && widest > first)
+        if (i > 0 && (widest > first || widest < kClosed))
         {
             ForgetGiven();
-            return false;
+            return widest <= first;
         }
         first = i == 0 ? widest : first;
         Spread([&](Link& link) {

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "SmallStepsScene.h"
+
+/// Trees of plain hinges that nothing touches go through a step by themselves.
+namespace
+{
+
+using namespace dynamics;
+
+/// A trunk of three rods from (0, 0) along the x axis, two branches at the end of each, and a heavy
+/// rod at the end.
+struct Tree
+{
+    Tree(SmallScene& s, b2Body* post, float32 heaviness)
+    {
+        b2Body* last = post;
+        for (int i = 0; i < 3; ++i)
+        {
+            const auto x = float32(i);
+            b2Body* rod = s.Part(x + 0.5f, 0.0f);
+            if (last != nullptr)
+            {
+                // Whichever way round.
+                joints.push_back(i % 2 == 0 ? s.Hinge(last, rod, x, 0.0f)
+                                            : s.Hinge(rod, last, x, 0.0f));
+            }
+            for (const float32 side : {-1.0f, 1.0f})
+            {
+                b2Body* branch = s.Part(x + 1.0f, 0.4f * side, 0.05f, 0.4f);
+                joints.push_back(s.Hinge(branch, rod, x + 1.0f, 0.0f));
+            }
+            last = rod;
+        }
+        b2Body* load = s.Part(3.5f, 0.0f);
+        b2MassData mass;
+        load->GetMassData(&mass);
+        mass.mass *= heaviness;
+        mass.I *= heaviness;
+        load->SetMassData(&mass);
+        joints.push_back(s.Hinge(last, load, 3.0f, 0.0f));
+    }
+
+    float32 WidestGap() const
+    {
+        float32 widest = 0.0f;
+        for (const b2RevoluteJoint* joint : joints)
+        {
+            widest = std::max(widest, Gap(joint));
+        }
+        return widest;
+    }
+
+    std::vector<b2RevoluteJoint*> joints;
+};
+
+/// Limits that are never reached: solved as rows, with all other joints.
+void SolveByRows(const Tree& tree)
+{
+    for (b2RevoluteJoint* joint : tree.joints)
+    {
+        joint->SetLimits(-1000.0f, 1000.0f);
+        joint->EnableLimit(true);
+    }
+}
+
+TEST(SmallStepsHingeTree, MovesAsItDoesByRows)
+{
+    for (const bool tied : {false, true})
+    {
+        SmallScene byTree, byRows;
+        const Tree tree(byTree, tied ? byTree.Post() : nullptr, 5.0f);
+        const Tree rows(byRows, tied ? byRows.Post() : nullptr, 5.0f);
+        SolveByRows(rows);
+        byTree.parts[0]->SetAngularVelocity(3.0f);
+        byRows.parts[0]->SetAngularVelocity(3.0f);
+        for (int step = 0; step < 20; ++step)
+        {
+            byTree.Step();
+            byRows.Step();
+            for (std::size_t i = 0; i < byTree.parts.size(); ++i)
+            {
+                const b2Vec2 apart =
+                    byTree.parts[i]->GetPosition() - byRows.parts[i]->GetPosition();
+                ASSERT_LT(apart.Length(), 2e-4f) << "tied " << tied << " step " << step;
+            }
+            for (std::size_t i = 0; i < tree.joints.size(); ++i)
+            {
+                const b2Vec2 force = rows.joints[i]->GetReactionForce();
+                const b2Vec2 off = tree.joints[i]->GetReactionForce() - force;
+                ASSERT_LT(off.Length(), 0.02f * force.Length() + 0.1f) << step << " " << i;
+            }
+        }
+    }
+}
+
+TEST(SmallStepsHingeTree, KeepsItsMomentumItsSpinAndItsEnergyWhenFree)
+{
+    SmallScene s(b2Vec2(0.0f, 0.0f));
+    const Tree tree(s, nullptr, 1.0f);
+    s.parts[0]->SetAngularVelocity(6.0f);
+    s.parts[5]->SetLinearVelocity(b2Vec2(1.0f, 2.0f));
+    s.Step(); // hinges that do not agree come to rest
+    const b2Vec2 momentum = s.Momentum();
+    const float32 spin = s.Spin();
+    const double energy = s.Energy();
+    s.Step(300);
+    EXPECT_NEAR(s.Momentum().x, momentum.x, 1e-5f);
+    EXPECT_NEAR(s.Momentum().y, momentum.y, 1e-5f);
+    EXPECT_NEAR(s.Spin(), spin, 1e-3f * std::abs(spin));
+    EXPECT_NEAR(s.Energy(), energy, 5e-3 * energy);
+    EXPECT_LT(tree.WidestGap(), 1e-4f);
+}
+
+TEST(SmallStepsHingeTree, HoldsALoadOfAThousandLinksAndSwingsIt)
+{
+    for (const int32 count : {2, 4, 8})
+    {
+        SmallScene s(b2Vec2(0.0f, -kGravity), count);
+        const Tree tree(s, s.Post(), 1000.0f);
+        const double energy = s.Energy();
+        const double most = kGravity * double(s.parts.back()->GetMass()) * 3.5;
+        float32 widest = 0.0f;
+        for (int step = 0; step < 600; ++step)
+        {
+            s.Step();
+            widest = std::max(widest, tree.WidestGap());
+            ASSERT_LT(s.Energy() - energy, 0.01 * most) << count << " sub-steps, step " << step;
+        }
+        EXPECT_LT(widest, 1e-3f) << count;
+    }
+}
+
+/// It goes slack and is torn straight by a ball that no drift can follow.
+TEST(SmallStepsHingeTree, LosesEnergyRatherThanWinHoweverHeavyTheLoad)
+{
+    for (const float32 heaviness : {1e4f, 1e5f})
+    {
+        SmallScene s(b2Vec2(0.0f, -kGravity), 2);
+        const Tree tree(s, s.Post(), heaviness);
+        const double energy = s.Energy();
+        const double most = kGravity * double(s.parts.back()->GetMass()) * 3.5;
+        for (int step = 0; step < 600; ++step)
+        {
+            s.Step();
+            ASSERT_LT(s.Energy() - energy, 0.02 * most) << heaviness << " step " << step;
+            ASSERT_LT(s.parts.back()->GetPosition().Length(), 5.0f) << heaviness << " " << step;
+        }
+    }
+}
+
+TEST(SmallStepsHingeTree, HangsFromAPlatformThatMoves)
+{
+    SmallScene s;
+    b2Body* platform = s.Part(0.0f, 0.0f);
+    platform->SetType(b2_kinematicBody);
+    b2Body* rod = s.Part(0.5f, 0.0f);
+    b2RevoluteJoint* joint = s.Hinge(platform, rod, 0.0f, 0.0f);
+    for (int step = 0; step < 120; ++step)
+    {
+        platform->SetLinearVelocity(b2Vec2(step < 60 ? 3.0f : -2.0f, 0.5f));
+        s.Step();
+        ASSERT_LT(Gap(joint), kHeld) << step;
+    }
+}
+
+TEST(SmallStepsHingeTree, SlowsDownByItsDamping)
+{
+    SmallScene s(b2Vec2(0.0f, 0.0f));
+    b2Body* rod = s.Part(0.5f, 0.0f);
+    s.Hinge(s.Post(), rod, 0.0f, 0.0f);
+    rod->SetAngularVelocity(2.0f);
+    rod->SetLinearVelocity(b2Vec2(0.0f, 1.0f));
+    rod->SetAngularDamping(0.5f);
+    rod->SetLinearDamping(0.5f);
+    s.Step(120);
+    EXPECT_NEAR(rod->GetAngularVelocity(), 2.0f * std::exp(-1.0f), 1e-3f);
+}
+
+TEST(SmallStepsHingeTree, ClosesWhatWasMadeOpenWithoutASpeedThatStays)
+{
+    SmallScene s(b2Vec2(0.0f, 0.0f));
+    b2Body* first = s.Part(0.5f, 0.0f);
+    b2Body* second = s.Part(1.5f, 0.0f);
+    s.Hinge(s.Post(), first, 0.0f, 0.0f);
+    b2RevoluteJoint* joint = s.Hinge(first, second, 1.0f, 0.0f);
+    second->SetTransform(b2Vec2(1.7f, 0.1f), 0.0f);
+    float32 fastest = 0.0f;
+    for (int step = 0; step < 120; ++step)
+    {
+        s.Step();
+        fastest = std::max(fastest, second->GetLinearVelocity().Length());
+    }
+    EXPECT_LT(Gap(joint), 1e-4f);
+    EXPECT_LT(second->GetLinearVelocity().Length(), 0.5f) << "at most " << fastest;
+}
+
+} // namespace
