@@ -294,19 +294,25 @@ TEST(DynamicsShiftOrigin, ChangesPlacesButNotTheMotion)
 
 TEST(DynamicsProfile, AddsUpToTheTimeOfTheStep)
 {
-    Scene scene;
-    scene.Ground();
-    for (int i = 0; i < 10; ++i)
+    for (const int subSteps : {1, 4})
     {
-        Stack(scene, 1.1f * float32(i), 10);
+        Scene scene;
+        scene.world.SetSubStepCount(subSteps);
+        scene.Ground();
+        for (int i = 0; i < 10; ++i)
+        {
+            Stack(scene, 1.1f * float32(i), 10);
+        }
+        scene.world.GetProfile(); // measured from here on
+        scene.Step(3);
+        const b2Profile& profile = scene.world.GetProfile();
+        EXPECT_GT(profile.step, 0.0f);
+        EXPECT_GT(std::min({profile.solveInit, profile.solveVelocity, profile.solvePosition}), 0.0f)
+            << subSteps;
+        EXPECT_GE(profile.step, profile.collide + profile.solve + profile.solveTOI - 1e-3f);
+        EXPECT_GE(profile.solve,
+                  profile.solveInit + profile.solveVelocity + profile.solvePosition - 1e-3f);
     }
-    scene.world.GetProfile(); // measured from here on
-    scene.Step(3);
-    const b2Profile& profile = scene.world.GetProfile();
-    EXPECT_GT(profile.step, 0.0f);
-    EXPECT_GE(profile.step, profile.collide + profile.solve + profile.solveTOI - 1e-3f);
-    EXPECT_GE(profile.solve,
-              profile.solveInit + profile.solveVelocity + profile.solvePosition - 1e-3f);
 }
 
 std::string g_log;

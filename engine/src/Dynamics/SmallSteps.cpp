@@ -2,6 +2,7 @@
 #include "StepSolver.h"
 
 #include "Access.h"
+#include "ProfileScope.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -236,24 +237,36 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
     StepSolver solve(*this, timeStep);
-    solve.WakeJointNeighbours();
-    solve.BeginSmallSteps(count);
+    const auto kick = [&](float32 duration, float32 share) {
+        ProfileScope velocity(profiling, profile.solveVelocity);
+        solve.Kick(duration, share, velocitySweeps);
+    };
+    {
+        ProfileScope init(profiling, profile.solveInit);
+        solve.WakeJointNeighbours();
+        solve.BeginSmallSteps(count);
+    }
     const bool together = solve.AnyTogether();
     if (together)
     {
-        solve.Kick(0.5f * h, 1.0f, velocitySweeps);
+        kick(0.5f * h, 1.0f);
     }
     for (int32 i = 1; i <= count && together; ++i)
     {
-        solve.Drift(h, velocitySweeps);
-        solve.MoveApart(positionSweeps, rate);
+        {
+            ProfileScope position(profiling, profile.solvePosition);
+            solve.Drift(h, velocitySweeps);
+            solve.MoveApart(positionSweeps, rate);
+        }
         const bool last = i == count;
         // From half a kick to a whole one, and back.
-        const float32 share = (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f);
-        solve.Kick(last ? 0.5f * h : h, share, velocitySweeps);
+        kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
     }
     sweepsTurned = velocitySweeps > 1 ? (count % 2 == 0) != sweepsTurned : !sweepsTurned;
-    solve.EndSmallSteps();
+    {
+        ProfileScope position(profiling, profile.solvePosition);
+        solve.EndSmallSteps();
+    }
     solve.NoteImpulses();
     solve.WriteBack();
     solve.LetRest();

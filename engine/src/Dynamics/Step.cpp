@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "StepSolver.h"
 
-#include <Box2D/Common/b2Timer.h>
-#include <Box2D/Dynamics/b2Body.h>
+#include "ProfileScope.h"
 
-#include <optional>
+#include <Box2D/Dynamics/b2Body.h>
 
 /// One step of the world: find and update contacts, solve velocities, move, solve positions, look
 /// for impacts that the discrete step would miss, and let rest what has come to rest.
@@ -13,32 +12,6 @@ namespace box2d
 
 namespace
 {
-
-/// Adds the time of a scope to an entry of the profile; costs nothing when nobody reads it.
-class ProfileScope
-{
-public:
-    ProfileScope(bool enabled, float32& entry) : m_entry(entry)
-    {
-        if (enabled)
-        {
-            m_timer.emplace(); // reads the clock
-        }
-    }
-    ~ProfileScope()
-    {
-        if (m_timer)
-        {
-            m_entry += m_timer->GetMilliseconds();
-        }
-    }
-    ProfileScope(const ProfileScope&) = delete;
-    ProfileScope& operator=(const ProfileScope&) = delete;
-
-private:
-    float32& m_entry;
-    std::optional<b2Timer> m_timer;
-};
 
 /// Shorter steps than this count as none, longer ones as this long [s]: their squares and inverses
 /// would leave single precision.
