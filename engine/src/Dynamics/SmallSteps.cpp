@@ -155,7 +155,7 @@ void KeepLasting(ContactBlock& block)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
     {
-        const float32 lasting = Data(*block.contact[lane]).lasting;
+        const float32 lasting = b2Max(Data(*block.contact[lane]).lasting, 0.0f);
         for (int32 i = 0; i < block.pointCount; ++i)
         {
             block.points[i].normalImpulse[lane] *= lasting;
@@ -303,6 +303,7 @@ void StepSolver::BeginSmallSteps(int32 count)
         ForEachBlock(Direction::Forward, m_threads,
                      [](ContactBlocks& blocks, int32 i) { KeepLasting(blocks.Contacts(i)); });
     }
+    m_arrays.firstLoads.Find(m_world, m_arrays, 0.5f * m_context.timeStep / float32(count));
     Bounce();
     FindFlying();
     m_context.inverseStep *= float32(count);

@@ -5,6 +5,7 @@
 #include "ConstraintGraph.h"
 #include "ContactBlocks.h"
 #include "ContactSystem.h"
+#include "FirstLoads.h"
 #include "JointSchedule.h"
 #include "JointSystem.h"
 #include "Solver.h"
@@ -52,6 +53,7 @@ struct SolverArrays
     JointSchedule joints;
     JointSystem jointSystem;         ///< of small steps
     ContactSystem contactSystem;     ///< of small steps
+    FirstLoads firstLoads;           ///< of small steps
     Array<uint8> left;               ///< by awake body: whether a shape has left its box
     Array<WayOfBody> ways;           ///< by awake body, of small steps
     Array<BodyKick> kicks;           ///< by awake body, of small steps

@@ -65,7 +65,9 @@ struct ContactData
     std::int32_t oldIndex = 0; ///< of its manifold before the present update
     std::int32_t colorIndex = -1;
     std::int32_t poolIndex = 0;
-    float32 lasting = 0.0f; ///< of the impulses of a step of small ones, the last kick's share
+    /// Of the impulses of a step of small ones, the last kick's share; negative: it has been in
+    /// none.
+    float32 lasting = -1.0f;
 
     b2ContactEdge edgeA; ///< in the list of body A
     b2ContactEdge edgeB; ///< in the list of body B
