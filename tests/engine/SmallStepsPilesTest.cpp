@@ -300,4 +300,44 @@ TEST(SmallStepsPiles, FallAsleep)
     EXPECT_TRUE(AllAwake(boxes, false));
 }
 
+/// A pyramid that has just been put together; the fastest of its boxes after some steps [m/s].
+float32 FastestOfPyramid(int base, const b2Vec2& gravity, int steps)
+{
+    Scene s(gravity);
+    s.world.SetSubStepCount(4);
+    const b2Rot turned(std::atan2(-gravity.x, -gravity.y) * -1.0f);
+    b2Body* ground = s.Body(b2_staticBody, 0.0f, 0.0f);
+    ground->SetTransform(b2Mul(turned, b2Vec2(0.0f, -1.0f)), turned.GetAngle());
+    s.AddBox(ground, 50.0f, 1.0f);
+    std::vector<b2Body*> boxes;
+    for (int row = 0; row < base; ++row)
+    {
+        for (int i = 0; i < base - row; ++i)
+        {
+            // Apart by their skins, so that nothing has to move.
+            const b2Vec2 place(1.02f * (float32(i) - 0.5f * float32(base - row - 1)),
+                               0.505f + 1.01f * float32(row));
+            boxes.push_back(s.Box(0.0f, 0.0f));
+            boxes.back()->SetTransform(b2Mul(turned, place), turned.GetAngle());
+        }
+    }
+    s.Step(steps);
+    float32 fastest = 0.0f;
+    for (const b2Body* box : boxes)
+    {
+        fastest = b2Max(fastest, box->GetLinearVelocity().Length());
+    }
+    return fastest;
+}
+
+TEST(SmallStepsPiles, KnowTheirLoadsFromTheFirstStep)
+{
+    for (const int base : {5, 20, 40})
+    {
+        EXPECT_LT(FastestOfPyramid(base, b2Vec2(0.0f, -10.0f), 1), 1e-3f) << base;
+        EXPECT_LT(FastestOfPyramid(base, b2Vec2(0.0f, -10.0f), 30), 5e-3f) << base;
+    }
+    EXPECT_LT(FastestOfPyramid(20, b2Vec2(6.0f, 8.0f), 1), 1e-3f) << "up is where gravity says";
+}
+
 } // namespace

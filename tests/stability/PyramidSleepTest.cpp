@@ -59,27 +59,27 @@ Verdict Watch(int base, int32 subSteps)
     return verdict;
 }
 
-TEST(PyramidSleep, ComesWithinFiveSecondsUpToABaseOfThirty)
+TEST(PyramidSleep, ComesWithinFiveSeconds)
 {
     for (const int32 subSteps : {2, 4, 8, 16})
     {
-        for (const int base : {5, 10, 20, 30})
+        for (const int base : {5, 10, 20, 30, 100})
         {
-            EXPECT_GT(Watch(base, subSteps).slept, 0.0f) << base << ", " << subSteps;
+            const Verdict verdict = Watch(base, subSteps);
+            EXPECT_GT(verdict.slept, 0.0f) << base << ", " << subSteps;
+            EXPECT_LT(verdict.sideways, 0.1f) << base << ", " << subSteps;
         }
     }
 }
 
-// Sweeps find its load too slowly: it swings up and down, and has to stand and stay awake.
-TEST(PyramidSleep, StandsWithABaseOfAHundred)
+// By the manual's scheme sweeps find its load too slowly: it swings up and down, and has to stand
+// and stay awake.
+TEST(PyramidSleep, DoesNotComeToABaseOfAHundredThatStillSwings)
 {
-    for (const int32 subSteps : {1, 2, 4, 8})
-    {
-        const Verdict verdict = Watch(100, subSteps);
-        EXPECT_LT(verdict.fastest, subSteps == 1 ? 3.0f : 1.0f) << subSteps;
-        EXPECT_LT(verdict.sideways, 1.0f) << subSteps;
-        EXPECT_TRUE(verdict.slept < 0.0f || verdict.fastest == 0.0f) << subSteps;
-    }
+    const Verdict verdict = Watch(100, 1);
+    EXPECT_LT(verdict.fastest, 3.0f);
+    EXPECT_LT(verdict.sideways, 1.0f);
+    EXPECT_TRUE(verdict.slept < 0.0f || verdict.fastest == 0.0f);
 }
 
 } // namespace
