@@ -376,4 +376,50 @@ TEST(SmallStepsMotorJoint, GoesWhereItIsTold)
     EXPECT_NEAR(joint->GetReactionForce().y, weight, 0.005f * weight);
 }
 
+/// Of two bodies that a motor joint drives apart, and a rigid one holds together.
+double EnergyOfTornPair(b2JointType type, float32 speed, float32 lever)
+{
+    SmallScene s(b2Vec2(0.0f, 0.0f));
+    b2Body* heavy = s.Part(0.0f, 0.0f, 0.5f, 0.5f);
+    b2Body* light = s.Part(2.7f, 0.0f, 0.05f, 0.05f);
+    type == e_weldJoint ? (void)s.Weld(heavy, light, 1.0f, lever)
+                        : (void)s.Hinge(heavy, light, 1.0f, lever);
+    b2MotorJointDef def;
+    def.Initialize(heavy, light);
+    def.maxForce = 2500.0f;
+    def.maxTorque = 47.0f;
+    s.Create<b2MotorJoint>(def);
+    light->SetLinearVelocity(b2Vec2(-0.4f * speed, speed));
+    light->SetAngularVelocity(0.3f * speed);
+    heavy->SetAngularVelocity(-0.1f * speed);
+    const auto energy = [&] {
+        double sum = 0.0;
+        for (const b2Body* body : {heavy, light})
+        {
+            const float32 w = body->GetAngularVelocity();
+            sum += 0.5 * double(body->GetMass() * body->GetLinearVelocity().LengthSquared());
+            sum += 0.5 * double(body->GetInertia() * w * w);
+        }
+        return sum;
+    };
+    const double before = energy();
+    s.Step();
+    return energy() / before;
+}
+
+TEST(SmallStepsMotorJoint, WinsNoEnergyAgainstWhatIsRigid)
+{
+    for (const b2JointType type : {e_weldJoint, e_revoluteJoint})
+    {
+        for (float32 speed = 5.0f; speed < 200.0f; speed *= 2.0f)
+        {
+            for (const float32 lever : {0.0f, 1.0f, 9.0f})
+            {
+                EXPECT_LT(EnergyOfTornPair(type, speed, lever), 1.01)
+                    << "joint type " << type << ", " << speed << " m/s, lever " << lever;
+            }
+        }
+    }
+}
+
 } // namespace

@@ -232,7 +232,8 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
         m_system.Solve(part);
         m_system.Apply(part, context);
         bool changed = false;
-        if (p.gives)
+        // What has been found at last is solved for, or else it would tear at what is rigid.
+        if (p.gives && tries + 1 < kMostTries)
         {
             // All by the same solution.
             m_system.ForItems(part, [&](std::size_t joint) {

@@ -4,6 +4,7 @@
 #include "Joints/JointFrame.h"
 
 #include <algorithm>
+#include <cmath>
 
 /// Motors, limits and friction in the JointSystem: each row that gives way either takes part in it,
 /// held at a speed, or has an impulse at its bound. From an exact solution it follows which of the
@@ -245,8 +246,11 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
         const b2Vec2 lacking(
             rows.laws[0].wanted - rows.laws[0].softness * impulse.x - float32(speed.at[0]),
             rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
-        wanted +=
-            b2Mat22(float32(k[0]), float32(k[1]), float32(k[1]), float32(k[2])).Solve(lacking);
+        // Along what lacks, as far as the softest direction lets it: it comes to rest only where
+        // the impulse is against the slip.
+        const double half = 0.5 * (k[0] - k[2]);
+        const double largest = 0.5 * (k[0] + k[2]) + std::sqrt(half * half + k[1] * k[1]);
+        wanted += (largest > 0.0 ? float32(1.0 / largest) : 0.0f) * lacking;
     }
     const bool slips = wanted.LengthSquared() > most * most;
     const Yield next = slips ? Yield::Most : Yield::Holds;
