@@ -37,6 +37,9 @@ Json EngineJson(const BenchFigures& e, const BenchFigures& first)
                  {"overlapMetres", e.overlap},
                  {"meanHeightMetres", e.meanHeight},
                  {"meanSpeedMetresPerSecond", e.meanSpeed},
+                 {"bodies", e.bodies},
+                 {"found", e.found},
+                 {"foundSum", e.foundSum},
                  {"bits", e.bits}});
     return json;
 }
@@ -60,6 +63,9 @@ BenchFigures EngineFrom(const Json& json)
     e.overlap = Number(json, "overlapMetres", 0.0);
     e.meanHeight = Number(json, "meanHeightMetres", 0.0);
     e.meanSpeed = Number(json, "meanSpeedMetresPerSecond", 0.0);
+    e.bodies = Number(json, "bodies", 0.0);
+    e.found = Number(json, "found", 0.0);
+    e.foundSum = Number(json, "foundSum", 0.0);
     e.bits = Text(json, "bits");
     return e;
 }
@@ -79,6 +85,10 @@ Json SceneJson(const BenchScene& scene)
     {
         json.update({{"curve", scene.curve}, {"count", scene.count}});
     }
+    if (!scene.found.empty())
+    {
+        json["found"] = scene.found;
+    }
     json["comparesSpeeds"] = scene.comparesSpeeds;
     return json;
 }
@@ -92,6 +102,7 @@ BenchScene SceneFrom(const Json& json)
     scene.goalSeconds = Number(json, "goalSeconds", 0.0);
     scene.curve = Text(json, "curve");
     scene.count = Number(json, "count", 0.0);
+    scene.found = Text(json, "found");
     scene.comparesSpeeds = Flag(json, "comparesSpeeds");
     return scene;
 }
@@ -128,6 +139,9 @@ Result<BenchFigures> ParseFigures(const std::string& output)
     figures.overlap = Number(json, "overlap", 0.0);
     figures.meanHeight = Number(json, "meanHeight", 0.0);
     figures.meanSpeed = Number(json, "meanSpeed", 0.0);
+    figures.bodies = Number(json, "bodies", 0.0);
+    figures.found = Number(json, "found", 0.0);
+    figures.foundSum = Number(json, "foundSum", 0.0);
     figures.threads = int(Number(json, "threads", 1.0));
     figures.finite = Flag(json, "finite");
     figures.bits = Text(json, "bits");

@@ -127,6 +127,27 @@ std::string GrowthLines(const std::vector<BenchResult>& results)
     return lines.empty() ? "" : "\n" + lines;
 }
 
+/// What the calls of some scenes found, an engine a line.
+std::string FoundLines(const std::vector<BenchResult>& results)
+{
+    std::string lines;
+    for (const BenchResult& result : results)
+    {
+        for (const BenchFigures& engine : result.engines)
+        {
+            if (result.scene.found.empty() || !engine.failure.empty())
+            {
+                continue;
+            }
+            const bool isFirst = &engine == &result.engines.front();
+            lines += Format("%-15s %-16s found %.0f %s, in sum %.6g\n",
+                            isFirst ? result.scene.name.c_str() : "", engine.engine.c_str(),
+                            engine.found, result.scene.found.c_str(), engine.foundSum);
+        }
+    }
+    return lines.empty() ? "" : "\n" + lines;
+}
+
 } // namespace
 
 std::string TimeText(double seconds)
@@ -160,7 +181,7 @@ std::string BenchTable(const std::vector<BenchResult>& results)
             table += Row(result, engine, withThreads);
         }
     }
-    return table + GrowthLines(results);
+    return table + FoundLines(results) + GrowthLines(results);
 }
 
 } // namespace boxreel

@@ -23,6 +23,7 @@ struct BenchScene
     std::string curve;            ///< scenes of one curve differ only in `count`; empty: none
     double count = 0.0;
     bool onlyForCurve = false;   ///< run for the curve or when named, else not
+    std::string found;           ///< what its calls find and count, one word; empty: nothing
     bool comparesSpeeds = false; ///< the bodies' mean speed tells a sound run, not their height
 };
 
@@ -42,6 +43,9 @@ struct BenchFigures
     double overlap = 0.0;    ///< root mean square, in the run's second half [m]
     double meanHeight = 0.0; ///< of the dynamic bodies, in the run's second half [m]
     double meanSpeed = 0.0;  ///< of the dynamic bodies, in the run's second half [m/s]
+    double bodies = 0.0;     ///< in the world at the end
+    double found = 0.0;      ///< count of what the scene's calls find, such as hits of rays
+    double foundSum = 0.0;   ///< sum over these, such as fractions: the same in every engine
     std::string bits;        ///< of all bodies at the end, hashed; "vary": not the same every time
     std::string failure;     ///< why there are no figures; empty: there are
     std::string verdict;     ///< "sound", or what is wrong in a few words
@@ -80,8 +84,9 @@ Result<BenchFigures> ParseFigures(const std::string& output);
 BenchFigures MedianOf(const std::vector<BenchFigures>& rounds);
 
 /// Fills the verdicts: nothing that is not finite, nobody escaped or awake, and for our engine
-/// contacts, and heights or speeds, like those of the sound peers, overlaps not deeper than those
-/// of Box2D 2.4, and the same bits whenever it runs, at every thread count.
+/// bodies, contacts, what calls find, and heights or speeds, like those of the sound peers,
+/// overlaps not deeper than those of Box2D 2.4, and the same bits whenever it runs, at every thread
+/// count.
 void Judge(BenchResult& result);
 
 /// Whether there are figures, of a world that did not burst: others are not compared.

@@ -164,19 +164,22 @@ struct Timing
     double cpu = 0.0;          ///< of a call, on average [s]
     int count = 0;             ///< calls made: fewer than the scene's when it broke
     Likenesses likenesses;
+    Found found;
 };
 
 /// A world that has burst need not be watched for minutes: twice a simulated second, outside what
 /// is timed, those bodies are looked at that were awake at the start.
 Timing Time(Sim& sim, const Scene& scene)
 {
-    const auto act = [&](int call) { scene.action ? scene.action(sim, call) : sim.Step(); };
     const std::vector<BodyId> watched = AwakeBodies(sim);
     const auto isSound = [&](BodyId body) {
         const BodyState s = sim.State(body);
         return IsFinite(s) && IsInside(s, scene.bounds);
     };
     Timing timing;
+    const auto act = [&](int call) {
+        scene.action ? timing.found.Add(scene.action(sim, call)) : sim.Step();
+    };
     timing.calls.reserve(std::size_t(scene.steps / scene.block));
     const int between = std::max(30, scene.block);
     int nextLook = scene.steps / 2;
@@ -238,6 +241,21 @@ void Prepare(Sim& sim, const Scene& scene)
     }
 }
 
+/// By the calls, and by what is looked at afterwards; its bits count with those at the end.
+Found AllFound(Sim& sim, const Scene& scene, Found found, EndState& end)
+{
+    if (scene.afterwards)
+    {
+        found.Add(scene.afterwards(sim));
+    }
+    if (!scene.found.empty())
+    {
+        AddBits(end.bits, found.count);
+        AddBits(end.bits, found.sum);
+    }
+    return found;
+}
+
 int Run(const Scene& scene, int threads)
 {
     const long before = ResidentMemory();
@@ -252,7 +270,9 @@ int Run(const Scene& scene, int threads)
         return 1;
     }
     const long memory = ResidentMemory() - before;
-    const EndState end = Look(*sim, scene.bounds);
+    EndState end = Look(*sim, scene.bounds);
+    const int bodies = sim->BodyCount();
+    const Found found = AllFound(*sim, scene, timing.found, end);
     const Likenesses& like = timing.likenesses;
     const double mean = Mean(timing.calls);
     std::sort(timing.calls.begin(), timing.calls.end());
@@ -263,10 +283,11 @@ int Run(const Scene& scene, int threads)
                 timing.cpu);
     std::printf("\"contacts\":%s,\"memory\":%ld,\"finite\":%s,\"escaped\":%d,\"awake\":%d,"
                 "\"overlap\":%.9g,\"meanHeight\":%.9g,\"highest\":%.9g,\"meanSpeed\":%.9g,"
-                "\"bits\":\"%016llx\"}\n",
+                "\"bodies\":%d,\"found\":%.9g,\"foundSum\":%.9g,\"bits\":\"%016llx\"}\n",
                 ContactsText(like).c_str(), memory, end.finite ? "true" : "false", end.escaped,
                 std::max(0, scene.sleepers - end.asleep), Finite(like.overlap), Finite(like.height),
-                Finite(end.highest), Finite(like.speed), static_cast<unsigned long long>(end.bits));
+                Finite(end.highest), Finite(like.speed), bodies, found.count, Finite(found.sum),
+                static_cast<unsigned long long>(end.bits));
     return 0;
 }
 
@@ -288,6 +309,10 @@ int List()
         {
             std::printf("%s=%s count=%d ", scene.onlyForCurve ? "only-curve" : "curve",
                         scene.curve.c_str(), scene.count);
+        }
+        if (!scene.found.empty())
+        {
+            std::printf("found=%s ", scene.found.c_str());
         }
         std::printf("like=%s\n", scene.likeness == Likeness::Speeds ? "speeds" : "heights");
     }

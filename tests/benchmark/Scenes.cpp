@@ -289,23 +289,40 @@ void BuildTargets(Sim& sim)
     }
 }
 
-/// Rays of 50 m, all over the field and in all directions.
-void CastOneRay(Sim& sim, int call)
+/// Rays of 50 m, all over the field and in all directions. They start between two columns of boxes,
+/// for engines differ about rays that start in a box or on its edge. Finds hits, and at which
+/// fractions.
+Found CastOneRay(Sim& sim, int call)
 {
-    const double x = 10.0 + (call * 37) % 580;
+    const double x = 10.5 + 3.0 * ((call * 37) % 193);
     const double y = 10.0 + (call * 53) % 280;
     const double angle = 0.61803398875 * 2.0 * kPi * call;
-    sim.CastRay(x, y, x + 50.0 * std::cos(angle), y + 50.0 * std::sin(angle));
+    const double at = sim.CastRay(x, y, x + 50.0 * std::cos(angle), y + 50.0 * std::sin(angle));
+    return at < 1.0 ? Found{1.0, at} : Found{};
 }
 
-void CreateAndDestroy(Sim& sim, int call)
+/// Finds bodies that were in the world and are so no more, and how fast some of them fell [m/s].
+Found CreateAndDestroy(Sim& sim, int call)
 {
+    const int before = sim.BodyCount();
     AddBoxAt(sim, 0.01 * (call % 100), 5.0, 0.5);
-    sim.RemoveLastBody();
+    const int between = sim.BodyCount();
+    double speed = 0.0;
     if (call % 500 == 499)
     {
         sim.Step(); // or what an engine notes for its next step would only grow
+        speed = -sim.State(between - 1).vy;
     }
+    sim.RemoveLastBody();
+    return {between == before + 1 && sim.BodyCount() == before ? 1.0 : 0.0, speed};
+}
+
+/// Nothing can be seen of steps of an empty world; but a body put into it must fall in the next.
+Found DropOne(Sim& sim)
+{
+    AddBoxAt(sim, 0.0, 0.0, 0.5);
+    sim.Step();
+    return {double(sim.BodyCount()), -sim.State(0).vy};
 }
 
 Scene Make(const char* name, const char* what, std::function<void(Sim&)> build, int steps)
@@ -405,6 +422,8 @@ void AddSmallScenes(Scenes& scenes)
                           0.0);
     empty.block = 1000;
     empty.goalSeconds = 0.1e-6;
+    empty.afterwards = DropOne;
+    empty.found = "bodies";
     Scene& oneBox =
         Append(scenes, Make("one-box", "one box on the ground", BuildOneBox, 100000), 0.0);
     oneBox.warmup = 120;
@@ -415,11 +434,13 @@ void AddSmallScenes(Scenes& scenes)
     rays.warmup = 1;
     rays.block = 500;
     rays.action = CastOneRay;
+    rays.found = "hits";
     rays.goalSeconds = 1.0e-6;
     Scene& bodies = Append(
         scenes, Make("create-destroy", "a body made and destroyed", BuildOneBox, 100000), 0.0);
     bodies.block = 500;
     bodies.action = CreateAndDestroy;
+    bodies.found = "bodies";
     bodies.goalSeconds = 2.0e-6;
 }
 

@@ -18,6 +18,19 @@ struct Bounds
     double left = -1e4, bottom = -1e4, right = 1e4, top = 1e4;
 };
 
+/// What calls found, added up: it shows that they did something, and the same in every engine.
+struct Found
+{
+    double count = 0.0;
+    double sum = 0.0;
+
+    void Add(const Found& more)
+    {
+        count += more.count;
+        sum += more.sum;
+    }
+};
+
 /// What a run must have in common with those of the peers, beside its contacts.
 enum class Likeness
 {
@@ -37,7 +50,10 @@ struct Scene
     int block = 1;  ///< calls between two looks at the clock
     Bounds bounds;
     /// What one call does when it is not a step.
-    std::function<void(Sim&, int call)> action;
+    std::function<Found(Sim&, int call)> action;
+    /// Once after all that is timed: shows that a world that nothing was seen of is a working one.
+    std::function<Found(Sim&)> afterwards;
+    std::string found; ///< what the counts of these are of, one word
     /// Steps until all sleep before anything is timed.
     bool untilAsleep = false;
     int sleepers = 0; ///< bodies that must be asleep all the time that is measured

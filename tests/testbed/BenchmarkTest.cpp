@@ -15,7 +15,8 @@ using testing::Not;
 constexpr const char* kLine =
     R"({"engine":"boxreel 1.0","scene":"rain","threads":2,"calls":600,"mean":0.004,"median":0.0039,)"
     R"("p99":0.006,"worst":0.007,"cpu":0.0041,"contacts":13624,"memory":5000,"finite":true,)"
-    R"("escaped":0,"awake":0,"overlap":0.018,"meanHeight":12.6,"highest":30,"meanSpeed":0.1,"bits":"0f"})";
+    R"("escaped":0,"awake":0,"overlap":0.018,"meanHeight":12.6,"highest":30,"meanSpeed":0.1,)"
+    R"("bodies":5001,"found":7,"foundSum":2.5,"bits":"0f"})";
 
 BenchFigures Figures(const std::string& engine, double cpu, double contacts, double height)
 {
@@ -62,7 +63,7 @@ BenchResult Point(const std::string& curve, double count, double ours, double pe
 TEST(Benchmark, ReadsWhatAProgramSaysOfItsScenes)
 {
     const BenchScene scene = ParseBenchScene(
-        "static-20\tin a few words\tfaster=7.5 only-curve=static count=20 like=speeds");
+        "static-20\tin a few words\tfaster=7.5 only-curve=static count=20 found=hits like=speeds");
     EXPECT_EQ(scene.name, "static-20");
     EXPECT_EQ(scene.what, "in a few words");
     EXPECT_EQ(scene.goalTimesFaster, 7.5);
@@ -70,6 +71,7 @@ TEST(Benchmark, ReadsWhatAProgramSaysOfItsScenes)
     EXPECT_EQ(scene.curve, "static");
     EXPECT_EQ(scene.count, 20.0);
     EXPECT_TRUE(scene.onlyForCurve);
+    EXPECT_EQ(scene.found, "hits");
     EXPECT_TRUE(scene.comparesSpeeds);
     const BenchScene plain = ParseBenchScene("empty\tan empty world\tseconds=1e-07 like=heights");
     EXPECT_EQ(plain.goalSeconds, 1e-7);
@@ -88,6 +90,9 @@ TEST(Benchmark, ReadsTheLastLineOfWhatAProgramPrints)
     EXPECT_EQ(figures->overlap, 0.018);
     EXPECT_EQ(figures->meanHeight, 12.6);
     EXPECT_EQ(figures->meanSpeed, 0.1);
+    EXPECT_EQ(figures->bodies, 5001.0);
+    EXPECT_EQ(figures->found, 7.0);
+    EXPECT_EQ(figures->foundSum, 2.5);
     EXPECT_EQ(figures->bits, "0f");
     EXPECT_TRUE(figures->finite);
 }
@@ -133,6 +138,81 @@ TEST(Benchmark, CallsARunSoundThatEndsLikeThoseOfThePeers)
     engines[0].awake = 7;
     Judge(result);
     EXPECT_EQ(engines[0].verdict, "7 awake");
+}
+
+/// What an engine must not get away with that does nothing when it is asked to step, to cast a ray
+/// or to make a body: the figures that it would print, beside those of two that work.
+TEST(Benchmark, FindsAnEngineThatDoesNothing)
+{
+    struct Case
+    {
+        const char* scene;
+        const char* found;
+        BenchFigures works, idle;
+        const char* verdict;
+    };
+    const auto figures = [](double contacts, double height, double bodies, double found,
+                            double sum) {
+        BenchFigures of = Figures("", 1.0, contacts, height);
+        of.bodies = bodies;
+        of.found = found;
+        of.foundSum = sum;
+        return of;
+    };
+    const Case cases[] = {
+        {"one-box", "", figures(1, 0.515, 2, 0, 0), figures(0, 0.515, 2, 0, 0), "other contacts"},
+        {"one-box", "", figures(1, 0.515, 2, 0, 0), figures(1, 0.55, 2, 0, 0), "other heights"},
+        {"ray-casts", "hits", figures(0, 0, 20000, 9e4, 2e4), figures(0, 0, 20000, 0, 0),
+         "other hits"},
+        {"ray-casts", "hits", figures(0, 0, 20000, 9e4, 2e4), figures(0, 0, 20000, 9e4, 1e4),
+         "other hits"},
+        {"ray-casts", "hits", figures(0, 0, 20000, 9e4, 2e4), figures(0, 0, 0, 9e4, 2e4),
+         "other bodies"},
+        {"create-destroy", "bodies", figures(1, 0.515, 2, 1e5, 33.3), figures(1, 0.515, 2, 1e5, 0),
+         "other bodies"},
+        {"create-destroy", "bodies", figures(1, 0.515, 2, 1e5, 33.3), figures(1, 0.515, 2, 0, 33.3),
+         "other bodies"},
+        {"create-destroy", "bodies", figures(1, 0.515, 2, 1e5, 33.3),
+         figures(1, 0.515, 100002, 1e5, 33.3), "other bodies"},
+        {"empty", "bodies", figures(0, 0, 0, 1, 0.167), figures(0, 0, 0, 1, 0), "other bodies"},
+    };
+    for (const Case& test : cases)
+    {
+        BenchResult result{SceneNamed(test.scene), {test.works, test.works, test.works}};
+        result.scene.found = test.found;
+        result.engines[0].isOurs = true;
+        result.engines[1].engine = "Box2D 2.4.1";
+        result.engines[2].engine = "Chipmunk 7";
+        Judge(result);
+        EXPECT_EQ(result.engines[0].verdict, "sound") << test.scene;
+        result.engines[0] = test.idle;
+        result.engines[0].isOurs = true;
+        Judge(result);
+        EXPECT_EQ(result.engines[0].verdict, test.verdict) << test.scene;
+    }
+}
+
+TEST(Benchmark, LetsBulletsTouchAFewMoreOrFewer)
+{
+    BenchResult result = Rain();
+    result.scene.comparesSpeeds = true;
+    result.engines[0].contacts = 4;
+    result.engines[1].contacts = result.engines[2].contacts = 9;
+    Judge(result);
+    EXPECT_EQ(result.engines[0].verdict, "sound");
+    result.scene.comparesSpeeds = false;
+    Judge(result);
+    EXPECT_EQ(result.engines[0].verdict, "other contacts");
+}
+
+TEST(Benchmark, ShowsWhatCallsFound)
+{
+    BenchResult result = Rain();
+    result.scene.found = "hits";
+    result.engines[1].found = 90210;
+    result.engines[1].foundSum = 12345.6;
+    EXPECT_THAT(BenchTable({result}), HasSubstr("found 90210 hits, in sum 12345.6\n"));
+    EXPECT_THAT(BenchTable({Rain()}), Not(HasSubstr("found")));
 }
 
 TEST(Benchmark, WantsOverlapsNoDeeperThanThoseOfBox2D)
@@ -261,6 +341,10 @@ TEST(Benchmark, ReadsItsOwnJsonBack)
     rain.engines[1].threads = 2;
     rain.engines[1].meanSpeed = 3.0;
     rain.engines[1].overlap = 0.02;
+    rain.scene.found = "hits";
+    rain.engines[1].bodies = 3.0;
+    rain.engines[1].found = 8.0;
+    rain.engines[1].foundSum = 4.5;
     rain.engines[1].escaped = 5.0;
     rain.engines[2].awake = 4.0;
     rain.engines[2].memory = 1000.0;
