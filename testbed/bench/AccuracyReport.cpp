@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "AccuracySweep.h"
 #include "Benchmark.h"
+#include "Format.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 namespace boxreel
 {
 namespace
 {
-
-std::string Format(const char* format, ...)
-{
-    char text[320];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    return text;
-}
 
 bool HasFigures(const AccuracyFigures& run)
 {

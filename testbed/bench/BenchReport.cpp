@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "Benchmark.h"
+#include "Format.h"
 
 #include "ChartScale.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 namespace boxreel
 {
@@ -14,16 +13,6 @@ namespace
 {
 
 constexpr double kGoalOfP99 = 2.0; // times the median
-
-std::string Format(const char* format, ...)
-{
-    char text[320];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    return text;
-}
 
 /// How far the slowest steps are from the usual one, with a sign where that is beyond the goal.
 std::string SpreadText(const BenchFigures& figures)

@@ -15,9 +15,15 @@ constexpr double kSeconds = 20.0;
 /// anything has moved; less than half a box, and it stands.
 constexpr double kUnmoved = 0.05;
 constexpr double kStands = 0.5;
-/// How far up to thirty may sway when they have had ten seconds to settle [m]: less than shows in a
-/// picture of the whole stack.
+/// How far a stack may sway when it has had ten seconds to settle [m]: less than shows in a picture
+/// of the whole.
 constexpr double kSway = 0.02;
+
+/// Eight small steps and more have a single sweep each.
+int CalmHeight(int32 subSteps)
+{
+    return subSteps > kRecommended ? 20 : 30;
+}
 
 /// Two small steps share the iterations of a whole one and are less than they need for such
 /// heights; one step keeps straight stacks up only.
@@ -53,11 +59,9 @@ void TryStack(int32 subSteps, int height, float32 by)
     const std::string name =
         "stack of " + std::to_string(height) + (by == 0.0f ? ", straight" : ", 1 cm off by turns");
     const double bound = WayBound(subSteps, height, by == 0.0f);
-    // Eight small steps have a single sweep each.
-    const double few = subSteps > kRecommended ? 2.0 : 1.0;
-    Judge(name + ", way", subSteps, places.Farthest(), "m", few * bound);
+    Judge(name + ", way", subSteps, places.Farthest(), "m", bound);
     Judge(name + ", sway after 10 s", subSteps, sway, "m",
-          bound == kUnmoved ? few * (height <= 30 ? kSway : kUnmoved) : kNoBound);
+          bound == kUnmoved ? (height <= CalmHeight(subSteps) ? kSway : kUnmoved) : kNoBound);
     Judge(name + ", speed after 10 s", subSteps, fastest, "m/s", kNoBound);
 }
 

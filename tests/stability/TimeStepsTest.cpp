@@ -42,10 +42,8 @@ TEST_P(TimeSteps, KeepAStack)
         const std::string name = std::string("stack of 10, steps of ") + rhythm.name;
         const bool judged = GetParam() >= kRecommended || (!rhythm.isWild && !rhythm.isLong);
         Judge(name + ", way", GetParam(), places.Farthest(), "m", judged ? 0.05 : kNoBound);
-        // Eight small steps have a single sweep each.
-        const double few = GetParam() > kRecommended ? 2.0 : 1.0;
         Judge(name + ", speed", GetParam(), fastest, "m/s",
-              judged && !rhythm.isWild ? few * double(b2_linearSleepTolerance) : kNoBound);
+              judged && !rhythm.isWild ? double(b2_linearSleepTolerance) : kNoBound);
     }
 }
 

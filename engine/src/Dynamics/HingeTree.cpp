@@ -4,6 +4,7 @@
 #include "Access.h"
 #include "Closing.h"
 #include "Joints/JointFrame.h"
+#include "RowPattern.h"
 
 #include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -16,11 +17,6 @@ namespace box2d
 
 namespace
 {
-
-bool IsMoved(const BodyData& body)
-{
-    return body.IsDynamic() && body.awakeIndex != -1;
-}
 
 /// A joint at one of its bodies.
 struct JointEnd
@@ -47,14 +43,6 @@ constexpr double kTurns = 3.0;
 constexpr double kWonShare = 2e-3;
 constexpr float32 kHardlyOpen = 5e-3f; ///< as contacts are let overlap [m]
 constexpr float32 kTorn = 0.05f;       ///< a hinge that is so far open is hard to close [m]
-
-double KineticEnergy(const SolverBody& body, double mass, double turning)
-{
-    const double x = body.v.x;
-    const double y = body.v.y;
-    const double w = body.w;
-    return 0.5 * (mass * (x * x + y * y) + turning * w * w);
-}
 
 int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, int32 least)
 {

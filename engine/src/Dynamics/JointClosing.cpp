@@ -28,12 +28,9 @@ constexpr double kCycleMargin = 0.75;
 
 double KineticEnergyOf(const BodyData& body, const SolverBody& state)
 {
-    const double x = state.v.x;
-    const double y = state.v.y;
-    const double w = state.w;
-    const double turning =
-        body.SolverInvInertia() > 0.0f ? w * w / double(body.SolverInvInertia()) : 0.0;
-    return 0.5 * ((x * x + y * y) / double(body.SolverInvMass()) + turning);
+    const double invInertia = body.SolverInvInertia();
+    return KineticEnergy(state, 1.0 / double(body.SolverInvMass()),
+                         invInertia > 0.0 ? 1.0 / invInertia : 0.0);
 }
 
 } // namespace

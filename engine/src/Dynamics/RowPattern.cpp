@@ -341,8 +341,7 @@ void Elimination::ListItem(int32 index)
 
 void RowSides::Add(const BodyData& body)
 {
-    const bool moves = body.IsDynamic() && body.awakeIndex != -1;
-    sides[count++] = moves ? &body : nullptr;
+    sides[count++] = IsMoved(body) ? &body : nullptr;
 }
 
 RowSides SidesOf(b2Joint& joint)

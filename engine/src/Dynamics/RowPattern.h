@@ -11,6 +11,12 @@ class b2Joint;
 namespace box2d
 {
 
+/// Whether joints and contacts can move it now.
+inline bool IsMoved(const BodyData& body)
+{
+    return body.IsDynamic() && body.awakeIndex != -1;
+}
+
 /// The bodies of a constraint that the solver moves, each once, nullptr where the others are: by
 /// side, as in ConstraintRows.
 struct RowSides

@@ -37,6 +37,14 @@ struct alignas(32) SolverBody
     }
 };
 
+inline double KineticEnergy(const SolverBody& body, double mass, double inertia)
+{
+    const double x = body.v.x;
+    const double y = body.v.y;
+    const double w = body.w;
+    return 0.5 * (mass * (x * x + y * y) + inertia * w * w);
+}
+
 /// Faster than this is a mistake [m/s], [rad/s]: it would overflow in products with masses and
 /// arms.
 inline constexpr float32 kFastest = 1e10f;
