@@ -101,7 +101,8 @@ public:
 
 void Solve(Frame& frame, RowSystem& system, int32 mostUpdates = 16)
 {
-    system.Build(frame.sides, mostUpdates);
+    Elimination elimination;
+    system.Build(frame.sides, mostUpdates, elimination);
     frame.Fill(system);
     system.Factor();
     for (int32 i = 0; i < system.Components(); ++i)
@@ -159,7 +160,7 @@ TEST(RowSystem, FillsInNothingInAChainAStarAndATree)
             s.Add(data[i]);
         }
         RowPattern pattern;
-        pattern.Build(sides, 16);
+        Elimination().Run(sides, 16, pattern);
         EXPECT_EQ(pattern.rows.size(), 99u) << shape;
         EXPECT_EQ(pattern.targets.size(), 99u) << shape;
     }
@@ -225,7 +226,8 @@ TEST(RowSystem, DoesNotTouchRowsThatAreNotActive)
     Frame frame(2);
     frame.Join(0, 1, 0.7f);
     RowSystem system;
-    system.Build(frame.sides, 16);
+    Elimination elimination;
+    system.Build(frame.sides, 16, elimination);
     frame.Fill(system);
     system.SetActive(0, 1);
     const Vector3 before = SpeedOf(frame.context, system.Rows(0));
@@ -251,7 +253,8 @@ public:
             frame.bodies[i + 1].v.Set(0.0f, -1.0f);
             frame.bodies[i + 1].w = 0.0f;
         }
-        system.Build(frame.sides, 16);
+        Elimination elimination;
+        system.Build(frame.sides, 16, elimination);
         for (std::size_t i = 0; i < count; ++i)
         {
             system.Rows(i) = frame.rows[i];

@@ -41,9 +41,9 @@ double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context
 
 } // namespace
 
-void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates)
+void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
 {
-    m_system.Build(sides, mostUpdates);
+    m_system.Build(sides, mostUpdates, elimination);
     m_items.resize(sides.size());
 }
 

@@ -26,7 +26,7 @@ public:
         uint8 active = 0; ///< rows that are not held at a bound
     };
 
-    void Build(const Array<RowSides>& sides, int32 mostUpdates);
+    void Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination);
     bool IsExact() const { return m_system.IsExact(); }
     std::size_t Count() const { return m_items.size(); }
     JointRows& Rows(std::size_t item) { return m_system.Rows(item); }

@@ -260,23 +260,23 @@ bool ContactSystem::Follow(Pile& pile, SolverArrays& arrays)
     if (!pile.followed)
     {
         pile.followed = true;
-        Array<RowSides> sides;
+        m_sides.clear();
         for (const Place& place : pile.contacts)
         {
             const ContactBlock& block = arrays.contacts[place.color].Contacts(place.block);
             const ContactData& contact = Data(*block.contact[place.lane]);
-            RowSides& s = sides.emplace_back();
+            RowSides& s = m_sides.emplace_back();
             s.Add(Data(*contact.bodyA));
             s.Add(Data(*contact.bodyB));
         }
         for (const int32 joint : pile.joints)
         {
-            sides.push_back(arrays.jointSystem.Sides(std::size_t(joint)));
+            m_sides.push_back(arrays.jointSystem.Sides(std::size_t(joint)));
         }
-        if (sides != pile.sides)
+        if (m_sides != pile.sides)
         {
-            pile.sides = sides;
-            pile.system.Build(sides, kMostUpdates);
+            pile.sides = m_sides;
+            pile.system.Build(m_sides, kMostUpdates, m_elimination);
         }
     }
     return pile.system.IsExact();

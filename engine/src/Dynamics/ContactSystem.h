@@ -57,6 +57,8 @@ private:
     Array<int32> m_pileOf;   // by island, -1: none, or too large
     Array<Pile> m_piles;
     int32 m_pileCount = 0;
+    Array<RowSides> m_sides;   // scratch: of a pile
+    Elimination m_elimination; // of piles
     Array<SolverBody> m_moves; // by solver index: in place of velocities when overlaps are solved
 };
 

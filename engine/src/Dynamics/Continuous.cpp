@@ -45,7 +45,7 @@ public:
         : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep),
           m_velocityIterations(velocityIterations), m_events(m_arrays.impactEvents),
           m_bodies(m_arrays.impactBodies), m_before(m_arrays.impactBefore),
-          m_contacts(m_arrays.impactContacts)
+          m_contacts(m_arrays.impactContacts), m_depths(m_arrays.impactDepths)
     {
         m_events.clear();
     }
@@ -89,7 +89,7 @@ private:
     Array<b2Body*>& m_bodies;      // of the present event
     Array<ImpactBackup>& m_before; // the same bodies as they were
     Array<b2Contact*>& m_contacts; // of the present event
-    Array<float32> m_depths;       // two of each, when they matter
+    Array<float32>& m_depths;      // two of each, when they matter
 };
 
 void ImpactSolver::Run()

@@ -97,8 +97,10 @@ void FirstLoads::GatherPoint(const World& world, ContactBlock& block, int32 lane
         // The impulse is along the normal on B, against it on A.
         const double momentA = -double(p.normalLeverA[lane]);
         const double momentB = double(p.normalLeverB[lane]);
-        m_points.push_back(isUpperB ? Point{&p.normalImpulse[lane], b, a, up, momentB, momentA}
-                                    : Point{&p.normalImpulse[lane], a, b, -up, momentA, momentB});
+        float32* impulse = &p.normalImpulse[lane];
+        const auto order = int32(m_points.size());
+        m_points.push_back(isUpperB ? Point{impulse, b, a, order, up, momentB, momentA}
+                                    : Point{impulse, a, b, order, -up, momentA, momentB});
     }
 }
 
@@ -108,8 +110,9 @@ void FirstLoads::SortFromTheTop(const World& world)
         const Pose& pose = Data(*world.awakeBodies[At(index - 1)]).pose;
         return pose.x * double(world.gravity.x) + pose.y * double(world.gravity.y);
     };
-    std::stable_sort(m_points.begin(), m_points.end(),
-                     [](const Point& a, const Point& b) { return a.upper < b.upper; });
+    std::sort(m_points.begin(), m_points.end(), [](const Point& a, const Point& b) {
+        return a.upper != b.upper ? a.upper < b.upper : a.order < b.order;
+    });
     m_bodies.assign(world.awakeBodies.size() + 2, Body());
     m_order.clear();
     for (std::size_t i = 0; i < m_points.size(); ++i)
@@ -121,8 +124,8 @@ void FirstLoads::SortFromTheTop(const World& world)
             m_bodies[At(upper)].firstPoint = int32(i);
         }
     }
-    std::stable_sort(m_order.begin(), m_order.end(),
-                     [&](int32 a, int32 b) { return depth(a) < depth(b); });
+    std::sort(m_order.begin(), m_order.end(),
+              [&](int32 a, int32 b) { return depth(a) != depth(b) ? depth(a) < depth(b) : a < b; });
 }
 
 /// What a body bears and weighs to what it lies on, spread so that the sum of the squares of the
@@ -154,8 +157,7 @@ void FirstLoads::PassOn(int32 index)
         const double x = turns ? (mm * body.lift - lm * body.moment) / determinant : body.lift / ll;
         const double y = turns ? (ll * body.moment - lm * body.lift) / determinant : 0.0;
         const auto isPulling = [&](const Point& p) { return p.lift * x + p.upperMoment * y < 0.0; };
-        Point* const end =
-            std::stable_partition(first, last, [&](const Point& p) { return !isPulling(p); });
+        Point* const end = std::remove_if(first, last, isPulling);
         pulls = end != last;
         last = end;
         for (Point* p = first; p != last && !pulls; ++p)

@@ -24,7 +24,8 @@ private:
     {
         float32* impulse;
         int32 upper, lower; ///< solver index; 0: bears anything
-        double lift;        ///< of the upper body, by an impulse of one
+        int32 order;
+        double lift; ///< of the upper body, by an impulse of one
         double upperMoment, lowerMoment;
     };
     struct Body

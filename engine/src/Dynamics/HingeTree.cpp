@@ -23,7 +23,13 @@ struct JointEnd
 {
     const BodyData* body;
     b2Joint* joint;
+    std::size_t order; ///< of the joint
 };
+
+bool ByBodyAndOrder(const JointEnd& a, const JointEnd& b)
+{
+    return a.body->number != b.body->number ? a.body->number < b.body->number : a.order < b.order;
+}
 
 bool ByBody(const JointEnd& a, const JointEnd& b)
 {
@@ -74,8 +80,8 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
         {
             return false;
         }
-        ends.push_back({&a, joint});
-        ends.push_back({&b, joint});
+        ends.push_back({&a, joint, ends.size()});
+        ends.push_back({&b, joint, ends.size()});
         if (!IsMoved(a) || !IsMoved(b))
         {
             if (!m_links.empty())
@@ -85,7 +91,7 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
             AddLink(*joint, IsMoved(a) ? b : a, -1);
         }
     }
-    std::stable_sort(ends.begin(), ends.end(), ByBody);
+    std::sort(ends.begin(), ends.end(), ByBodyAndOrder);
     if (m_links.empty())
     {
         m_links.emplace_back().body = ends.front().body;
@@ -95,7 +101,7 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
     {
         const Link link = m_links[i];
         const auto [first, last] =
-            std::equal_range(ends.begin(), ends.end(), JointEnd{link.body, nullptr}, ByBody);
+            std::equal_range(ends.begin(), ends.end(), JointEnd{link.body, nullptr, 0}, ByBody);
         for (auto end = first; end != last; ++end)
         {
             if (end->joint != link.joint)

@@ -33,7 +33,8 @@ void JointSystem::Update(const ConstraintGraph& graph)
     {
         m_sides.push_back(SidesOf(*joint));
     }
-    m_system.Build(m_sides, kMostUpdates);
+    Elimination elimination;
+    m_system.Build(m_sides, kMostUpdates, elimination);
     m_parts.assign(std::size_t(m_system.Components()), Part());
     BuildTrees();
     m_gives.assign(m_joints.size(), 0);

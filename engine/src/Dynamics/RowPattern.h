@@ -4,6 +4,8 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
+#include <compare>
+
 class b2Joint;
 
 /// Where the system of RowSystem is not zero, and in which order its bodies are eliminated: it
@@ -63,10 +65,7 @@ struct RowPattern
         bool hasLoops;                ///< bodies are held in more than one way
     };
 
-    /// Bodies are eliminated by minimum degree (Davis, "Direct Methods for Sparse Linear Systems",
-    /// 2006, 7.1), so that chains and trees fill in nothing. What hangs together and costs more
-    /// than `mostUpdates` a body is left out. Uses BodyData::jointLevel for itself.
-    void Build(const Array<RowSides>& constraints, int32 mostUpdates);
+    void Clear();                                 ///< and keeps the memory
     int32 EntryAt(int32 row, int32 column) const; ///< places; -1 when there is none
 
     Array<Column> columns; ///< in the order of elimination, and one more for the end
@@ -80,6 +79,59 @@ struct RowPattern
     Array<Meeting> meetings;
     Array<int32> swept;            ///< constraints of systems that would cost too much
     Array<const BodyData*> bodies; ///< all that are moved, swept ones too
+};
+
+/// Makes patterns, and keeps the memory that it works in from one to the next.
+class Elimination
+{
+public:
+    /// Bodies are eliminated by minimum degree (Davis, "Direct Methods for Sparse Linear Systems",
+    /// 2006, 7.1), so that chains and trees fill in nothing. What hangs together and costs more
+    /// than `mostUpdates` a body is left out. Uses BodyData::jointLevel for itself.
+    void Run(const Array<RowSides>& constraints, int32 mostUpdates, RowPattern& pattern);
+
+private:
+    struct Candidate // the first to be eliminated is on top of a heap
+    {
+        std::size_t degree;
+        int32 body;
+        bool operator<(const Candidate& other) const
+        {
+            return degree != other.degree ? degree > other.degree : body > other.body;
+        }
+    };
+    struct Member
+    {
+        int32 component;
+        int32 item;
+        auto operator<=>(const Member&) const = default;
+    };
+
+    void NumberBodies(const Array<RowSides>& constraints);
+    void ConnectBodies(const Array<RowSides>& constraints);
+    void Connect(int32 body1, int32 body2);
+    void Offer(int32 body);
+    void Gather(int32 seed);
+    bool Eliminate(int32 mostUpdates);
+    void Take(int32 body);
+    void NumberRows();
+    void ListTargets();
+    int32 PlaceOf(const RowSides& constraint) const;
+    void NumberComponents();
+    void ListItems(const Array<RowSides>& constraints);
+    void ListItem(const RowSides& constraint, int32 index);
+
+    RowPattern* m_pattern = nullptr; ///< that is being made
+    /// Of each body those not yet eliminated, rising; of one that has been, its column, in the end
+    /// by places. As many as the largest system had.
+    Array<Array<int32>> m_neighbours;
+    Array<int32> m_placeOf; ///< of each body, -1: not yet, or left out
+    Array<uint8> m_seen;
+    Array<int32> m_component; ///< bodies that hang together
+    Array<Candidate> m_candidates;
+    Array<int32> m_order;       ///< bodies, as they are eliminated
+    Array<int32> m_componentOf; ///< by place
+    Array<Member> m_members;
 };
 
 } // namespace box2d

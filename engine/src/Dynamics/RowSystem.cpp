@@ -175,9 +175,9 @@ Block3 FactorsOfOwn(const JointRows& rows, uint8 active)
 
 } // namespace
 
-void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates)
+void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
 {
-    m_pattern.Build(sides, mostUpdates);
+    elimination.Run(sides, mostUpdates, m_pattern);
     m_rows.resize(sides.size());
     m_active.assign(sides.size(), 7);
     m_weights.assign(sides.size(), Vector3{});

@@ -38,7 +38,7 @@ void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse)
 class RowSystem
 {
 public:
-    void Build(const Array<RowSides>& sides, int32 mostUpdates);
+    void Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination);
 
     std::size_t Count() const { return m_rows.size(); }
     JointRows& Rows(std::size_t item) { return m_rows[item]; }

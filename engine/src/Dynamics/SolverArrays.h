@@ -51,19 +51,20 @@ struct SolverArrays
     int32 colors[ConstraintGraph::kColorCount]; ///< that have contacts, in the order of solving
     int32 colorCount = 0;
     JointSchedule joints;
-    JointSystem jointSystem;         ///< of small steps
-    ContactSystem contactSystem;     ///< of small steps
-    FirstLoads firstLoads;           ///< of small steps
-    Array<uint8> left;               ///< by awake body: whether a shape has left its box
-    Array<WayOfBody> ways;           ///< by awake body, of small steps
-    Array<BodyKick> kicks;           ///< by awake body, of small steps
-    Array<uint8> deep;               ///< by solver index, of small steps: see FindDeep
-    Array<b2Contact*> reported;      ///< whose impulses the listener wants to know, in order
-    Array<float32> impactTimes;      ///< by awake contact
-    Array<ImpactEvent> impactEvents; ///< a heap, the earliest first
-    Array<b2Body*> impactBodies;     ///< of one impact
+    JointSystem jointSystem;          ///< of small steps
+    ContactSystem contactSystem;      ///< of small steps
+    FirstLoads firstLoads;            ///< of small steps
+    Array<uint8> left;                ///< by awake body: whether a shape has left its box
+    Array<WayOfBody> ways;            ///< by awake body, of small steps
+    Array<BodyKick> kicks;            ///< by awake body, of small steps
+    Array<uint8> deep;                ///< by solver index, of small steps: see FindDeep
+    Array<b2Contact*> reported;       ///< whose impulses the listener wants to know, in order
+    Array<float32> impactTimes;       ///< by awake contact
+    Array<ImpactEvent> impactEvents;  ///< a heap, the earliest first
+    Array<b2Body*> impactBodies;      ///< of one impact
     Array<ImpactBackup> impactBefore; ///< the same bodies as they were
     Array<b2Contact*> impactContacts; ///< of one impact
+    Array<float32> impactDepths;      ///< of one impact
     Array<ContactConstraint> impact;  ///< of one impact
     Array<OverlapConstraint> impactOverlaps;
 };
