@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
+#include "Containment.h"
 #include "SolverArrays.h"
 #include "Sweeps.h"
 #include "World.h"
@@ -113,6 +114,11 @@ void ImpactSolver::Run()
         AddEvent(*contacts[i], m_arrays.impactTimes[i]);
     }
     m_world.stepComplete = true;
+    Containment containment(m_world);
+    if (!m_events.empty())
+    {
+        containment.NoteStarts();
+    }
     while (!m_events.empty())
     {
         std::pop_heap(m_events.begin(), m_events.end(), IsLater);
@@ -124,6 +130,7 @@ void ImpactSolver::Run()
             break;
         }
     }
+    containment.Hold();
 }
 
 void ImpactSolver::LookAt(b2Body& body)

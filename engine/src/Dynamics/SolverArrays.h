@@ -65,6 +65,7 @@ struct SolverArrays
     Array<ImpactBackup> impactBefore; ///< the same bodies as they were
     Array<b2Contact*> impactContacts; ///< of one impact
     Array<float32> impactDepths;      ///< of one impact
+    Array<Pose> impactStarts;         ///< by awake body: before all impacts
     Array<ContactConstraint> impact;  ///< of one impact
     Array<OverlapConstraint> impactOverlaps;
 };
