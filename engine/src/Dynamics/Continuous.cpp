@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
 #include "Containment.h"
+#include "Impact.h"
 #include "SolverArrays.h"
 #include "Sweeps.h"
 #include "World.h"
@@ -22,9 +23,6 @@ namespace box2d
 namespace
 {
 
-/// Corrections at an impact are gentle enough not to disturb: this many sweeps at most.
-constexpr int32 kImpactPositionIterations = 20;
-
 constexpr int32 kContactGrain = 64; ///< contacts that one thread takes at a time
 
 bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
@@ -39,14 +37,14 @@ bool IsObstacle(const BodyData& body)
     return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
 }
 
-class ImpactSolver
+class ContinuousCollision
 {
 public:
-    ImpactSolver(World& world, float32 timeStep, int32 velocityIterations)
+    ContinuousCollision(World& world, float32 timeStep, int32 velocityIterations)
         : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep),
-          m_velocityIterations(velocityIterations), m_events(m_arrays.impactEvents),
-          m_bodies(m_arrays.impactBodies), m_before(m_arrays.impactBefore),
-          m_contacts(m_arrays.impactContacts), m_depths(m_arrays.impactDepths)
+          m_impact(world, timeStep, velocityIterations), m_events(m_arrays.impactEvents),
+          m_bodies(m_impact.Bodies()), m_before(m_arrays.impactBefore),
+          m_contacts(m_impact.Contacts())
     {
         m_events.clear();
     }
@@ -62,20 +60,8 @@ private:
     bool Resolve(const ImpactEvent& event);
     void AddNeighbours(b2Body& body, float32 time);
     static bool GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB);
-    static bool IsSpent(b2Body& body);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
-    void SolvePositions(b2Body& bodyA, b2Body& bodyB);
-    void SolveVelocities(float32 time);
     void Advance(BodyData& body, float32 time);
-    b2Vec2 AccelerationOf(const BodyData& body) const;
-    float32 DepthOf(std::size_t contact, int32 point) const;
-    void NoteDepths();
-    void CorrectBounces();
-    void CorrectBounce(std::size_t index);
-    void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
-    void PrepareAll(bool warmStart);
-    void LoadBodies();
-
     bool HasNewWay(std::size_t index) const;
     ImpactBackup Save(b2Body& body) const;
     void Restore(const ImpactBackup& backup);
@@ -83,17 +69,15 @@ private:
     World& m_world;
     SolverArrays& m_arrays;
     float32 m_timeStep;
-    int32 m_velocityIterations;
-    SolverContext m_context;
+    Impact m_impact;              // the present event
     Array<ImpactEvent>& m_events; // a heap, the earliest first
     int32 m_order = 0;
     Array<b2Body*>& m_bodies;      // of the present event
     Array<ImpactBackup>& m_before; // the same bodies as they were
     Array<b2Contact*>& m_contacts; // of the present event
-    Array<float32>& m_depths;      // two of each, when they matter
 };
 
-void ImpactSolver::Run()
+void ContinuousCollision::Run()
 {
     const Array<b2Contact*>& contacts = m_world.awakeContacts;
     m_arrays.impactTimes.resize(contacts.size());
@@ -127,13 +111,13 @@ void ImpactSolver::Run()
         if (IsValid(event) && Resolve(event) && m_world.subStepping)
         {
             m_world.stepComplete = false;
-            break;
+            return;
         }
     }
     containment.Hold();
 }
 
-void ImpactSolver::LookAt(b2Body& body)
+void ContinuousCollision::LookAt(b2Body& body)
 {
     for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
     {
@@ -141,7 +125,7 @@ void ImpactSolver::LookAt(b2Body& body)
     }
 }
 
-bool ImpactSolver::IsCandidate(const ContactData& c) const
+bool ContinuousCollision::IsCandidate(const ContactData& c) const
 {
     // The bodies are not even looked at where the contact alone decides.
     if (((c.flags & kContactObstacle) == 0 && !m_world.hasBullets) || c.IsSensor() ||
@@ -160,7 +144,7 @@ bool ImpactSolver::IsCandidate(const ContactData& c) const
 }
 
 /// As a fraction of the step; 1 when there is none.
-float32 ImpactSolver::TimeOfImpact(const ContactData& c) const
+float32 ContinuousCollision::TimeOfImpact(const ContactData& c) const
 {
     if (!IsCandidate(c))
     {
@@ -215,7 +199,8 @@ float32 ImpactSolver::TimeOfImpact(const ContactData& c) const
 /// Whether bodies that overlap already go so much deeper on their ways that they could come out on
 /// the other side: sweeps have not held a light body off that something heavy drives. What comes
 /// out of an overlap, or sinks slowly, is for the next step.
-bool ImpactSolver::GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB)
+bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA,
+                                     const b2Sweep& sweepB)
 {
     if (!c.IsTouching())
     {
@@ -243,7 +228,7 @@ bool ImpactSolver::GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const
     return false;
 }
 
-void ImpactSolver::AddEvent(b2Contact& contact, float32 time)
+void ContinuousCollision::AddEvent(b2Contact& contact, float32 time)
 {
     if (time < 1.0f)
     {
@@ -254,7 +239,7 @@ void ImpactSolver::AddEvent(b2Contact& contact, float32 time)
     }
 }
 
-bool ImpactSolver::IsValid(const ImpactEvent& event) const
+bool ContinuousCollision::IsValid(const ImpactEvent& event) const
 {
     const ContactData& c = Data(*event.contact);
     return Data(*c.bodyA).sweepVersion == event.versionA &&
@@ -262,7 +247,7 @@ bool ImpactSolver::IsValid(const ImpactEvent& event) const
            c.IsEnabled();
 }
 
-ImpactBackup ImpactSolver::Save(b2Body& body) const
+ImpactBackup ContinuousCollision::Save(b2Body& body) const
 {
     const BodyData& data = Data(body);
     return ImpactBackup{&body,           data.pose,           data.previous,
@@ -273,7 +258,7 @@ ImpactBackup ImpactSolver::Save(b2Body& body) const
 /// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
 /// changed its velocity, or its type, or the step's length, was changed between the parts of a
 /// step.
-bool ImpactSolver::HasNewWay(std::size_t index) const
+bool ContinuousCollision::HasNewWay(std::size_t index) const
 {
     const BodyData& data = Data(*m_bodies[index]);
     const ImpactBackup& before = m_before[index];
@@ -284,12 +269,13 @@ bool ImpactSolver::HasNewWay(std::size_t index) const
            apart.Length() + turned * data.maxExtent > b2_linearSlop;
 }
 
-void ImpactSolver::Restore(const ImpactBackup& backup)
+void ContinuousCollision::Restore(const ImpactBackup& backup)
 {
     BodyData& data = Data(*backup.body);
     if (data.sweepStart != backup.sweepStart)
     {
-        data.linearVelocity += (1.0f - data.sweepStart) * m_timeStep * AccelerationOf(data);
+        data.linearVelocity +=
+            (1.0f - data.sweepStart) * m_timeStep * m_impact.AccelerationOf(data);
     }
     data.pose = backup.pose;
     data.previous = backup.previous;
@@ -300,7 +286,7 @@ void ImpactSolver::Restore(const ImpactBackup& backup)
 }
 
 /// Stops the body where it is at that time.
-void ImpactSolver::Advance(BodyData& body, float32 time)
+void ContinuousCollision::Advance(BodyData& body, float32 time)
 {
     if (!CanAdvance(body, time))
     {
@@ -309,22 +295,12 @@ void ImpactSolver::Advance(BodyData& body, float32 time)
     body.pose = PoseAt(body, time);
     body.previous = body.pose;
     body.sweepStart = time;
-    body.linearVelocity -= (1.0f - time) * m_timeStep * AccelerationOf(body);
+    body.linearVelocity -= (1.0f - time) * m_timeStep * m_impact.AccelerationOf(body);
     SynchronizePose(body);
 }
 
-/// Of a body that flies freely through a step of small ones; there only the speed is known at every
-/// time of the step.
-b2Vec2 ImpactSolver::AccelerationOf(const BodyData& body) const
-{
-    const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
-                       std::size_t(body.awakeIndex) < m_arrays.ways.size() &&
-                       m_arrays.ways[std::size_t(body.awakeIndex)] == WayOfBody::Flies;
-    return known ? m_arrays.kicks[std::size_t(body.awakeIndex)].acceleration : b2Vec2(0.0f, 0.0f);
-}
-
 /// False when it turned out that nothing touches, or that the contact was switched off.
-bool ImpactSolver::Resolve(const ImpactEvent& event)
+bool ContinuousCollision::Resolve(const ImpactEvent& event)
 {
     ContactData& c = Data(*event.contact);
     b2Body& bodyA = *c.bodyA;
@@ -350,8 +326,8 @@ bool ImpactSolver::Resolve(const ImpactEvent& event)
     m_contacts.assign(1, event.contact);
     AddNeighbours(bodyA, event.time);
     AddNeighbours(bodyB, event.time);
-    SolvePositions(bodyA, bodyB);
-    SolveVelocities(event.time);
+    m_impact.SolvePositions(bodyA, bodyB);
+    m_impact.SolveVelocities(event.time);
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
         BodyData& data = Data(*m_bodies[i]);
@@ -372,24 +348,9 @@ bool ImpactSolver::Resolve(const ImpactEvent& event)
     return true;
 }
 
-/// Whether a contact of the body has had all the impacts of a step that it may have. The body then
-/// stays where it is for the rest of the step, or else it would go through what it was held off
-/// eight times; it loses time, but no speed.
-bool ImpactSolver::IsSpent(b2Body& body)
-{
-    for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
-    {
-        const ContactData& c = Data(*edge->contact);
-        if (c.toiCount >= b2_maxSubSteps && c.IsEnabled() && c.IsTouching() && !c.IsSensor())
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// Whether a body could touch another that was not known to be part of the event.
-bool ImpactSolver::IsNear(const BodyData& body, const BodyData& other, bool known, float32 time)
+bool ContinuousCollision::IsNear(const BodyData& body, const BodyData& other, bool known,
+                                 float32 time)
 {
     const Pose pose = known || !CanAdvance(other, time) ? other.pose : PoseAt(other, time);
     const b2Vec2 offset(float32(pose.x - body.pose.x), float32(pose.y - body.pose.y));
@@ -398,7 +359,7 @@ bool ImpactSolver::IsNear(const BodyData& body, const BodyData& other, bool know
 
 // What the body touches at the time of the impact takes part, except ordinary dynamic bodies: they
 // are not swept, and would get the impulse a second time.
-void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
+void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
 {
     if (!Data(body).IsDynamic())
     {
@@ -444,207 +405,11 @@ void ImpactSolver::AddNeighbours(b2Body& body, float32 time)
     }
 }
 
-void ImpactSolver::LoadBodies()
-{
-    m_arrays.bodies.resize(m_world.awakeBodies.size() + 1);
-    m_context.bodies = m_arrays.bodies.data();
-    m_arrays.bodies[0] = SolverBody();
-    for (const b2Body* body : m_bodies)
-    {
-        const BodyData& data = Data(*body);
-        if (data.awakeIndex != -1)
-        {
-            SolverBody s;
-            s.v = data.linearVelocity;
-            s.w = data.angularVelocity;
-            m_arrays.bodies[std::size_t(data.SolverIndex())] = s;
-        }
-    }
-}
-
-void ImpactSolver::PrepareAll(bool warmStart)
-{
-    m_context.warmStarting = warmStart;
-    LoadBodies();
-    m_arrays.impact.resize(m_contacts.size());
-    m_arrays.impactOverlaps.resize(m_contacts.size());
-    for (std::size_t i = 0; i < m_contacts.size(); ++i)
-    {
-        PrepareContact(*m_contacts[i], m_context, m_arrays.impact[i], m_arrays.impactOverlaps[i]);
-    }
-}
-
-/// How deep a point of a contact of the event is below the surfaces [m]; negative above. Skins
-/// around polygons and edges are no part of them.
-float32 ImpactSolver::DepthOf(std::size_t contact, int32 point) const
-{
-    const OverlapConstraint& o = m_arrays.impactOverlaps[contact];
-    const ContactData& c = Data(*m_contacts[contact]);
-    float32 skins = 0.0f;
-    for (const b2Fixture* fixture : {c.fixtureA, c.fixtureB})
-    {
-        skins += fixture->GetType() == b2Shape::e_circle ? 0.0f : fixture->GetShape()->m_radius;
-    }
-    return -skins - MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
-                        .separation;
-}
-
-void ImpactSolver::NoteDepths()
-{
-    m_depths.clear();
-    for (std::size_t i = 0; i < m_contacts.size() && m_world.subStepCount > 1; ++i)
-    {
-        for (int32 k = 0; k < 2; ++k)
-        {
-            m_depths.push_back(k < m_arrays.impact[i].pointCount ? DepthOf(i, k) : 0.0f);
-        }
-    }
-}
-
-void ImpactSolver::CorrectBounces()
-{
-    for (std::size_t i = 0; i < m_contacts.size() && !m_depths.empty(); ++i)
-    {
-        CorrectBounce(i);
-    }
-}
-
-/// An impact is found, and resolved, a little below the surfaces. Freely falling bodies have won
-/// speed there since they met, and lose it again: with the depths d before and d' after overlaps
-/// were pushed apart, and a the acceleration with which the bodies come together,
-///   u^2 = v^2 - 2 a d,    v'^2 = e^2 u^2 + 2 a d'.
-void ImpactSolver::CorrectBounce(std::size_t index)
-{
-    ContactConstraint& c = m_arrays.impact[index];
-    const ContactData& data = Data(*m_contacts[index]);
-    const b2Vec2 apart = AccelerationOf(Data(*data.bodyB)) - AccelerationOf(Data(*data.bodyA));
-    const float32 a = -b2Dot(apart, c.normal);
-    for (int32 k = 0; k < c.pointCount; ++k)
-    {
-        float32& bias = c.points[k].bias;
-        if (bias > 0.0f && a != 0.0f)
-        {
-            const float32 e = data.restitution;
-            const float32 v = bias / e;
-            const float32 met =
-                b2Max(v * v - 2.0f * a * m_depths[2 * index + std::size_t(k)], 0.0f);
-            bias = b2Sqrt(b2Max(e * e * met + 2.0f * a * DepthOf(index, k), 0.0f));
-        }
-    }
-}
-
-/// For the rest of the step. In small steps, which allow higher speeds, the way is a parabola.
-void ImpactSolver::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const
-{
-    if (m_world.subStepCount == 1)
-    {
-        return MoveByVelocity(body, timeLeft, b2_maxTranslation);
-    }
-    body.v += 0.5f * timeLeft * acceleration;
-    const int32 parts = m_world.subStepCount;
-    for (int32 i = 0; i < parts; ++i)
-    {
-        MoveByVelocity(body, timeLeft / float32(parts), kMostSmallWay);
-    }
-    body.v += 0.5f * timeLeft * acceleration;
-}
-
-/// Only the two bodies of the impact may be moved.
-void ImpactSolver::SolvePositions(b2Body& bodyA, b2Body& bodyB)
-{
-    PrepareAll(false);
-    NoteDepths();
-    const int32 indexA = Data(bodyA).SolverIndex();
-    const int32 indexB = Data(bodyB).SolverIndex();
-    for (OverlapConstraint& o : m_arrays.impactOverlaps)
-    {
-        if (o.bodyA != indexA && o.bodyA != indexB)
-        {
-            o.invMassA = o.invInertiaA = 0.0f;
-        }
-        if (o.bodyB != indexA && o.bodyB != indexB)
-        {
-            o.invMassB = o.invInertiaB = 0.0f;
-        }
-    }
-    for (int32 i = 0; i < kImpactPositionIterations; ++i)
-    {
-        if (SolveOverlaps(m_arrays.impactOverlaps, m_context.bodies, b2_toiBaugarte,
-                          DirectionOf(i)) >= -1.5f * b2_linearSlop)
-        {
-            break;
-        }
-    }
-    for (b2Body* body : {&bodyA, &bodyB})
-    {
-        BodyData& data = Data(*body);
-        if (data.IsDynamic())
-        {
-            const SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
-            if (!IsFinite(s))
-            {
-                continue;
-            }
-            data.pose.x += double(s.d.x);
-            data.pose.y += double(s.d.y);
-            data.pose.angle += double(s.angle);
-            data.previous = data.pose;
-            SynchronizePose(data);
-        }
-    }
-}
-
-// Impulses are not kept: the contact is solved for the time that is left only.
-void ImpactSolver::SolveVelocities(float32 time)
-{
-    PrepareAll(false);
-    CorrectBounces();
-    for (int32 i = 0; i < m_velocityIterations; ++i)
-    {
-        if (!SolveContactVelocities(m_arrays.impact, m_context.bodies, DirectionOf(i)))
-        {
-            break;
-        }
-    }
-    for (b2Body* body : m_bodies)
-    {
-        BodyData& data = Data(*body);
-        if (data.mobility == Mobility::Static || data.awakeIndex == -1)
-        {
-            continue;
-        }
-        SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
-        const bool wasStopped = data.sweepStart == time;
-        if (!data.IsDynamic() || !IsSpent(*body))
-        {
-            MoveOn(s, wasStopped ? AccelerationOf(data) : b2Vec2(0.0f, 0.0f),
-                   (1.0f - time) * m_timeStep);
-        }
-        if (!IsFinite(s))
-        {
-            s = SolverBody(); // it stops rather than vanish
-        }
-        data.linearVelocity = s.v;
-        data.angularVelocity = s.w;
-        data.pose.x += double(s.d.x);
-        data.pose.y += double(s.d.y);
-        data.pose.angle += double(s.angle);
-        SynchronizePose(data);
-    }
-    if (m_world.listener)
-    {
-        for (const ContactConstraint& c : m_arrays.impact)
-        {
-            ReportImpulse(*m_world.listener, c);
-        }
-    }
-}
-
 } // namespace
 
 void World::SolveContinuous(float32 timeStep, int32 velocityIterations)
 {
-    ImpactSolver(*this, timeStep, velocityIterations).Run();
+    ContinuousCollision(*this, timeStep, velocityIterations).Run();
 }
 
 } // namespace box2d

@@ -64,10 +64,12 @@ struct SolverArrays
     Array<b2Body*> impactBodies;      ///< of one impact
     Array<ImpactBackup> impactBefore; ///< the same bodies as they were
     Array<b2Contact*> impactContacts; ///< of one impact
-    Array<float32> impactDepths;      ///< of one impact
     Array<Pose> impactStarts;         ///< by awake body: before all impacts
     Array<ContactConstraint> impact;  ///< of one impact
     Array<OverlapConstraint> impactOverlaps;
+    Array<float32> impactDepths;
+    Array<SolverBody> impactBounced;
+    Array<ContactConstraint> impactBouncedImpulses;
 };
 
 } // namespace box2d
