@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <filesystem>
+#include <iterator>
 #include <string>
 #include <thread>
 
@@ -105,7 +107,7 @@ TEST(DynamicsThreads, GiveTheSameBitsInSmallStepsToo)
     std::uint64_t expected = 0;
     for (const bool wide : {true, false})
     {
-        for (const int32 threads : {1, 2, 4})
+        for (const int32 threads : {1, 2, 3, 4, 8})
         {
             box2d::UseWideInstructions(wide);
             Pit pit(threads, 4);
@@ -115,6 +117,33 @@ TEST(DynamicsThreads, GiveTheSameBitsInSmallStepsToo)
             EXPECT_EQ(WhyBroken(pit.scene.world, true), "");
         }
     }
+}
+
+/// Of this process; the system lists each as a folder.
+int32 RunningThreads()
+{
+    const std::filesystem::directory_iterator tasks("/proc/self/task");
+    return int32(std::distance(begin(tasks), end(tasks)));
+}
+
+TEST(DynamicsThreads, AreNotCreatedUnlessAskedFor)
+{
+    if (!std::filesystem::exists("/proc/self/task"))
+    {
+        GTEST_SKIP() << "this system does not list a process's threads in /proc/self/task";
+    }
+    const int32 before = RunningThreads();
+    Scene scene;
+    scene.Ground();
+    Stack(scene, 0.0f, 200);
+    for (const int32 subSteps : {1, 4})
+    {
+        scene.world.SetSubStepCount(subSteps);
+        scene.Step(5);
+        EXPECT_EQ(RunningThreads(), before) << subSteps << " sub-steps";
+    }
+    scene.world.SetThreadCount(3);
+    EXPECT_EQ(RunningThreads(), before + 2);
 }
 
 TEST(DynamicsThreads, CanBeChangedBetweenSteps)
