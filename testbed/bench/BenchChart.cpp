@@ -60,16 +60,16 @@ ChartBar BarOf(const BenchResult& result, const BenchFigures& peer)
     const BenchFigures& ours = result.engines.front();
     ChartBar bar;
     const double ratio = CpuRatio(ours, peer);
-    if (ratio > 0.0)
+    if (ratio > 0.0 && IsLikePeers(ours))
     {
         bar.value = ratio;
-        bar.doubtful = ours.verdict != "sound";
-        bar.label = Typeset(RatioText(ratio)) + (bar.doubtful ? " (" + ours.verdict + ")" : "");
+        bar.label = Typeset(RatioText(ratio));
     }
     else
     {
-        const bool isOurFault = !IsComparable(ours);
-        bar.label = "not compared: " + (isOurFault ? "boxreel " + ours.verdict : peer.verdict);
+        const bool isOurFault = !IsComparable(ours) || IsComparable(peer);
+        bar.label = "not compared: " + (isOurFault ? "boxreel " + ours.verdict : peer.verdict) +
+                    (ratio > 0.0 ? " (" + Typeset(RatioText(ratio)) + ")" : "");
     }
     if (IsGoalPeer(peer.engine) && result.scene.goalTimesFaster > 0.0)
     {
@@ -133,8 +133,8 @@ Result<BarChart> RatioChart(const std::vector<BenchResult>& results)
         "Times are CPU times of a step of 1/60 s, or of the one thing that the scene does; 8 "
         "velocity "
         "and 3 position iterations, Chipmunk 10.",
-        "A bar is hollow where boxreel's run does not end like the peers'; a run that burst is not "
-        "compared."};
+        "No bar where boxreel's run does not end like the peers', or where a run burst: a time "
+        "says nothing then."};
     return chart;
 }
 

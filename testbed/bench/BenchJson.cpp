@@ -27,8 +27,6 @@ Json EngineJson(const BenchFigures& e, const BenchFigures& first)
                  {"medianSeconds", e.median},
                  {"p99Seconds", e.p99},
                  {"cpuSeconds", e.cpu},
-                 {"wallRatio", WallRatio(first, e)},
-                 {"cpuRatio", CpuRatio(first, e)},
                  {"contacts", std::isfinite(e.contacts) ? Json(e.contacts) : Json(nullptr)},
                  {"memoryKilobytes", e.memory},
                  {"finite", e.finite},
@@ -41,6 +39,8 @@ Json EngineJson(const BenchFigures& e, const BenchFigures& first)
                  {"found", e.found},
                  {"foundSum", e.foundSum},
                  {"bits", e.bits}});
+    json[IsLikePeers(first) ? "wallRatio" : "wallRatioNotComparable"] = WallRatio(first, e);
+    json[IsLikePeers(first) ? "cpuRatio" : "cpuRatioNotComparable"] = CpuRatio(first, e);
     return json;
 }
 

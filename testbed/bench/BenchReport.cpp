@@ -51,6 +51,13 @@ std::string SpeedUp(const BenchResult& result, const BenchFigures& figures)
     return known ? RatioText(WallRatio(figures, *one)) : "";
 }
 
+/// Of a peer's row.
+std::string PeerRatio(const BenchFigures& ours, double ratio)
+{
+    const std::string text = RatioText(ratio);
+    return text.empty() || IsLikePeers(ours) ? text : "(" + text + ")";
+}
+
 std::string Row(const BenchResult& result, const BenchFigures& figures, bool withThreads)
 {
     const BenchFigures& first = result.engines.front();
@@ -62,8 +69,8 @@ std::string Row(const BenchResult& result, const BenchFigures& figures, bool wit
         return Format("%-15s %-16s %s%s\n", scene.c_str(), figures.engine.c_str(), threads.c_str(),
                       figures.verdict.c_str());
     }
-    const std::string wall = figures.isOurs ? "" : RatioText(WallRatio(first, figures));
-    const std::string cpu = figures.isOurs ? "" : RatioText(CpuRatio(first, figures));
+    const std::string wall = figures.isOurs ? "" : PeerRatio(first, WallRatio(first, figures));
+    const std::string cpu = figures.isOurs ? "" : PeerRatio(first, CpuRatio(first, figures));
     return Format("%-15s %-16s %s%9s %9s %9s %9s %9s %9s %8s %8s %8s %6.1f MB  %s\n", scene.c_str(),
                   figures.engine.c_str(), threads.c_str(), TimeText(figures.mean).c_str(),
                   TimeText(figures.median).c_str(), TimeText(figures.p99).c_str(),

@@ -313,6 +313,11 @@ double WallRatio(const BenchFigures& ours, const BenchFigures& other)
                                                                         : 0.0;
 }
 
+bool IsLikePeers(const BenchFigures& ours)
+{
+    return ours.verdict == "sound";
+}
+
 bool IsGoalPeer(const std::string& engine)
 {
     return engine.rfind("Box2D 2.4", 0) == 0;

@@ -97,10 +97,14 @@ bool IsComparable(const BenchFigures& figures);
 double CpuRatio(const BenchFigures& ours, const BenchFigures& other);
 double WallRatio(const BenchFigures& ours, const BenchFigures& other);
 
+/// Whether ours ended like the sound peers, as Judge found: if not, a ratio is no gain, and is
+/// shown in brackets only.
+bool IsLikePeers(const BenchFigures& ours);
+
 /// Whether goals are against this engine.
 bool IsGoalPeer(const std::string& engine);
 
-/// A table for people, a row an engine.
+/// A table for people, a row an engine; ratios in brackets where ours is not like the peers.
 std::string BenchTable(const std::vector<BenchResult>& results);
 /// All figures and ratios for programs.
 std::string BenchJson(const std::vector<BenchResult>& results);

@@ -59,7 +59,6 @@ struct ChartBar
 {
     double value = kNoValue; ///< kNoValue: no bar, only the label
     std::string label;       ///< beside its end
-    bool doubtful = false;   ///< drawn hollow
     double mark = kNoValue;  ///< a tick across the bar, such as a goal
 };
 

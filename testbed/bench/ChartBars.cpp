@@ -36,17 +36,12 @@ std::vector<double> AllValues(const BarChart& chart)
     return values;
 }
 
-/// From the start to the value, filled or hollow; returns where it ends.
-double PaintBody(ChartCanvas& canvas, const ChartBar& bar, const ChartColor& color, double start,
-                 double end, double y)
+/// From the start to the value; returns where it ends.
+double PaintBody(ChartCanvas& canvas, const ChartColor& color, double start, double end, double y)
 {
     const double left = std::min(start, end);
     const double width = std::max(1.5, std::abs(end - start));
     canvas.Rectangle(left, y, width, kBarHeight, color);
-    if (bar.doubtful && width > 4.0)
-    {
-        canvas.Rectangle(left + 1.5, y + 1.5, width - 3.0, kBarHeight - 3.0, kPaper);
-    }
     return end < start ? left : left + width;
 }
 
@@ -56,7 +51,7 @@ void PaintBar(ChartCanvas& canvas, const ChartBar& bar, const ChartColor& color,
     const double baseline = y + kBarHeight - 2.5;
     const bool hasBar = std::isfinite(bar.value);
     const double end =
-        hasBar ? PaintBody(canvas, bar, color, start, scale.At(bar.value), y) : start + 1.0;
+        hasBar ? PaintBody(canvas, color, start, scale.At(bar.value), y) : start + 1.0;
     const double mark = std::isfinite(bar.mark) ? scale.At(bar.mark) : kNoValue;
     if (std::isfinite(mark))
     {

@@ -283,6 +283,21 @@ TEST(Benchmark, ARunThatBurstIsNotCompared)
     EXPECT_EQ(WallRatio(peer, ours), 0.0) << "nor can a broken run of ours win";
 }
 
+TEST(Benchmark, ShowsTheRatioOfARunThatEndsOtherwiseInBracketsOnly)
+{
+    BenchResult result = Rain();
+    result.engines[0].contacts = 1000;
+    Judge(result);
+    const std::string table = BenchTable({result});
+    EXPECT_THAT(table, HasSubstr(" (5.0x) "));
+    EXPECT_THAT(table, Not(HasSubstr(" 5.0x ")));
+    EXPECT_THAT(table, HasSubstr("other contacts"));
+    const std::string json = BenchJson({result});
+    EXPECT_THAT(json, HasSubstr("\"cpuRatioNotComparable\": 5.0"));
+    EXPECT_THAT(json, Not(HasSubstr("\"cpuRatio\"")));
+    EXPECT_THAT(json, Not(HasSubstr("\"wallRatio\"")));
+}
+
 TEST(Benchmark, ShowsTimesWithUnitsRatiosAndGoalsInATable)
 {
     BenchResult result = Rain();
@@ -389,14 +404,14 @@ TEST(BenchChart, ShowsRatiosGoalsAndWhatIsNotCompared)
     EXPECT_EQ(rain[0].value, 5.0);
     EXPECT_EQ(rain[0].mark, 8.0);
     EXPECT_EQ(rain[1].value, 0.5);
-    EXPECT_FALSE(rain[0].doubtful);
+    EXPECT_EQ(rain[0].label, "5.0\u00d7");
     EXPECT_TRUE(std::isnan(rain[1].mark)) << "the goals are against Box2D";
     const std::vector<ChartBar>& box = chart->groups[1].bars;
     EXPECT_EQ(box[0].mark, 2.0) << "the peer's time over the goal's";
-    EXPECT_TRUE(box[0].doubtful);
-    EXPECT_THAT(box[0].label, HasSubstr("other contacts"));
+    EXPECT_TRUE(std::isnan(box[0].value));
+    EXPECT_EQ(box[0].label, "not compared: boxreel other contacts (5.0\u00d7)");
     EXPECT_TRUE(std::isnan(box[1].value));
-    EXPECT_THAT(box[1].label, HasSubstr("9 escaped"));
+    EXPECT_EQ(box[1].label, "not compared: 9 escaped");
 }
 
 TEST(BenchChart, NeedsAPeer)
