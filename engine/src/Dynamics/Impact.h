@@ -13,7 +13,7 @@ namespace box2d
 
 struct ContactData;
 struct SolverArrays;
-struct World;
+class World;
 
 class Impact
 {
