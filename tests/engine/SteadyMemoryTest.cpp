@@ -21,7 +21,8 @@ void* Count(std::size_t size)
 
 } // namespace
 
-void* operator new(std::size_t size)
+// Not inlined, or a compiler that sees only one of a pair takes free for the wrong counterpart.
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
     if (void* memory = Count(size))
     {
@@ -29,19 +30,19 @@ void* operator new(std::size_t size)
     }
     throw std::bad_alloc();
 }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept
 {
     return Count(size);
 }
-void operator delete(void* memory) noexcept
+[[gnu::noinline]] void operator delete(void* memory) noexcept
 {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
 {
     std::free(memory);
 }
-void operator delete(void* memory, const std::nothrow_t&) noexcept
+[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept
 {
     std::free(memory);
 }
