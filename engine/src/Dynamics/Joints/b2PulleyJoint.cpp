@@ -13,8 +13,14 @@
 namespace
 {
 
-/// Nearer than this to its ground anchor, a rope has no direction.
+/// Nearer than this to its ground anchor a rope has no direction, and stays as long as it is there:
+/// what its end does within pulls at nothing.
 constexpr float32 kShortest = 10.0f * b2_linearSlop;
+
+float32 RopeLength(const b2Vec2& rope)
+{
+    return b2Max(rope.Length(), kShortest);
+}
 
 b2Vec2 RopeDirection(const b2Vec2& rope)
 {
@@ -101,6 +107,13 @@ void b2PulleyJoint::SolveVelocity(const box2d::SolverContext& context)
     Pull(context, impulse);
 }
 
+/// By how much the rope is longer than it should be.
+float32 b2PulleyJoint::Stretch(const b2Vec2& ropeA, const b2Vec2& ropeB) const
+{
+    return RopeLength(ropeA) - b2Max(m_lengthA, kShortest) +
+           m_ratio * (RopeLength(ropeB) - b2Max(m_lengthB, kShortest));
+}
+
 bool b2PulleyJoint::SolvePosition(const box2d::SolverContext& context)
 {
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
@@ -110,8 +123,7 @@ bool b2PulleyJoint::SolvePosition(const box2d::SolverContext& context)
     const b2Vec2 ropeB = m_ropeB + f.b.d + armB;
     const b2Vec2 axisA = RopeDirection(ropeA);
     const b2Vec2 axisB = RopeDirection(ropeB);
-    const float32 error =
-        ropeA.Length() + m_ratio * ropeB.Length() - m_lengthA - m_ratio * m_lengthB;
+    const float32 error = Stretch(ropeA, ropeB);
     const float32 push =
         -error * box2d::InverseOrZero(PulleyMatrix(f, m_ratio, axisA, armA, axisB, armB));
     const b2Vec2 onA = push * axisA;
@@ -135,7 +147,7 @@ void b2PulleyJoint::FillRows(const box2d::SolverContext& context, box2d::JointRo
     m_axisB = RopeDirection(ropeB);
     row.a.AddTo(0, -m_axisA, -b2Cross(armA, m_axisA));
     row.b.AddTo(0, -m_ratio * m_axisB, -m_ratio * b2Cross(armB, m_axisB));
-    rows.error[0] = m_lengthA - ropeA.Length() + m_ratio * (m_lengthB - ropeB.Length());
+    rows.error[0] = -Stretch(ropeA, ropeB);
     rows.rows = 1;
 }
 

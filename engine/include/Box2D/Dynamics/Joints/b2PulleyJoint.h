@@ -60,6 +60,7 @@ protected:
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
     void Pull(const box2d::SolverContext& context, float32 impulse) const;
+    float32 Stretch(const b2Vec2& ropeA, const b2Vec2& ropeB) const;
 
     b2Vec2 m_groundAnchorA;
     b2Vec2 m_groundAnchorB;
