@@ -186,25 +186,27 @@ void JointSystem::Prepare(const SolverContext& context)
 
 void JointSystem::WarmStart(const SolverContext& context, float32 share)
 {
-    const auto start = [&](std::size_t joint) {
-        JointRows& rows = m_system.Rows(joint);
-        Vector3 impulse{};
-        bool any = false;
-        for (int32 k = 0; k < rows.rows; ++k)
-        {
-            const float32 carried = CarriedOver(joint, k, share);
-            rows.impulse[k] = 0.0f;
-            impulse.at[k] = double(carried);
-            any = any || carried != 0.0f;
-        }
-        if (any)
-        {
-            Push(context, rows, impulse);
-        }
-    };
     for (const std::size_t i : m_rowed)
     {
-        start(i);
+        Start(context, i, share);
+    }
+}
+
+void JointSystem::Start(const SolverContext& context, std::size_t joint, float32 share)
+{
+    JointRows& rows = m_system.Rows(joint);
+    Vector3 impulse{};
+    bool any = false;
+    for (int32 k = 0; k < rows.rows; ++k)
+    {
+        const float32 carried = CarriedOver(joint, k, share);
+        rows.impulse[k] = 0.0f;
+        impulse.at[k] = double(carried);
+        any = any || carried != 0.0f;
+    }
+    if (any)
+    {
+        Push(context, rows, impulse);
     }
 }
 

@@ -49,6 +49,27 @@ public:
     void Prepare(const SolverContext& context);
     /// After the bodies have been kicked: applies the last impulses, times `share`.
     void WarmStart(const SolverContext& context, float32 share);
+    /// The same for joints of which `which`, a function of their sides, is true, from nothing.
+    template <class Function>
+    void StartAgain(const SolverContext& context, Function&& which)
+    {
+        for (const std::size_t i : m_rowed)
+        {
+            if (which(m_sides[i]))
+            {
+                Start(context, i, 0.0f);
+            }
+        }
+    }
+    /// Of all that is not in a tree, with its number.
+    template <class Function>
+    void ForRowed(Function&& function) const
+    {
+        for (const std::size_t i : m_rowed)
+        {
+            function(i, m_system.Rows(i));
+        }
+    }
     /// Makes the speeds of all rows what they should be; what no contact touches, the first time.
     void SolveVelocities(const SolverContext& context, bool first);
     /// Before a drift.
@@ -130,6 +151,7 @@ private:
     float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
 
+    void Start(const SolverContext& context, std::size_t joint, float32 share);
     void BuildTrees();
     void BeginPart(int32 part, const SolverContext& context, const BodyKick* kicks);
     void TakeImpulses(std::size_t joint);

@@ -362,11 +362,35 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
             m_arrays.kicks[i].Give(m_arrays.bodies[i + 1], duration);
         }
     });
+    CarryGuard& guard = m_arrays.carryGuard;
+    const bool guards = m_arrays.colorCount > 0;
+    if (guards)
+    {
+        guard.Note(m_world, m_arrays, m_context);
+    }
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
         ScaleImpulses(blocks.Contacts(i), blocks.Totals(i), share);
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
+    Sweep(iterations);
+    if (guards && guard.HasWon(m_world, m_arrays, m_context))
+    {
+        guard.TakeBack(m_arrays);
+        joints.StartAgain(kick, [&](const RowSides& sides) { return guard.HasWon(sides); });
+        Sweep(iterations);
+    }
+    ++m_kick;
+    m_arrays.contactSystem.SolveVelocities(
+        m_arrays, m_context, kRestTolerance * duration * m_world.gravity.Length() + 1e-6f);
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        AddImpulses(blocks.Contacts(i), blocks.Totals(i));
+    });
+}
+
+void StepSolver::Sweep(int32 iterations)
+{
+    JointSystem& joints = m_arrays.jointSystem;
     for (int32 i = 0; i < iterations; ++i)
     {
         joints.SolveVelocities(m_context, i == 0);
@@ -377,12 +401,6 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
             break;
         }
     }
-    ++m_kick;
-    m_arrays.contactSystem.SolveVelocities(
-        m_arrays, m_context, kRestTolerance * duration * m_world.gravity.Length() + 1e-6f);
-    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        AddImpulses(blocks.Contacts(i), blocks.Totals(i));
-    });
 }
 
 /// What nothing holds or touches flies through the step at once, which costs less and rounds less.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "BodyKick.h"
+#include "CarryGuard.h"
 #include "ConstraintGraph.h"
 #include "ContactBlocks.h"
 #include "ContactSystem.h"
@@ -54,6 +55,7 @@ struct SolverArrays
     JointSystem jointSystem;          ///< of small steps
     ContactSystem contactSystem;      ///< of small steps
     FirstLoads firstLoads;            ///< of small steps
+    CarryGuard carryGuard;            ///< of small steps
     Array<uint8> left;                ///< by awake body: whether a shape has left its box
     Array<WayOfBody> ways;            ///< by awake body, of small steps
     Array<BodyKick> kicks;            ///< by awake body, of small steps

@@ -51,6 +51,7 @@ private:
     bool SolveContacts(Direction direction);
     float32 SolveOverlaps(Direction direction, float32 rate);
     void Bounce();
+    void Sweep(int32 iterations);
     void FindFlying();
     void FindDeep();
     bool IsPushedOut(const BodyData& body) const;

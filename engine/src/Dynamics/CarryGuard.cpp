@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "CarryGuard.h"
+
+#include "Access.h"
+#include "SolverArrays.h"
+#include "World.h"
+
+#include <algorithm>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// What rounding, and friction whose bound has changed at last, may add to an island's energy, as a
+/// share of it.
+constexpr double kTolerance = 1e-3;
+
+double KineticEnergyOf(const BodyData& body, const SolverBody& state)
+{
+    return body.IsDynamic() ? KineticEnergy(state, double(body.mass), double(body.inertia)) : 0.0;
+}
+
+bool Moves(const SolverBody& body)
+{
+    return body.v != b2Vec2_zero || body.w != 0.0f;
+}
+
+/// Calls for each contact, with its block, the block's totals, and its lane.
+template <class Function>
+void ForContacts(SolverArrays& arrays, Function&& function)
+{
+    for (int32 i = 0; i < arrays.colorCount; ++i)
+    {
+        ContactBlocks& blocks = arrays.contacts[arrays.colors[i]];
+        for (int32 k = 0; k < blocks.Count(); ++k)
+        {
+            for (int32 lane = 0; lane < blocks.Contacts(k).count; ++lane)
+            {
+                function(blocks.Contacts(k), blocks.Totals(k), lane);
+            }
+        }
+    }
+}
+
+/// Of what gives way, the work that its impulses did between two speeds; none that they took [J].
+double WorkOf(const JointRows& rows, const Vector3& before, const Vector3& after)
+{
+    double work = 0.0;
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        work += b2Max(0.5 * double(rows.impulse[i]) * (before.at[i] + after.at[i]), 0.0);
+    }
+    return work;
+}
+
+} // namespace
+
+bool CarryGuard::Island::HasWon() const
+{
+    return !driven && after > (1.0 + kTolerance) * before;
+}
+
+int32 CarryGuard::IslandOf(const RowSides& sides) const
+{
+    for (int32 i = 0; i < sides.count; ++i)
+    {
+        if (sides.sides[i] != nullptr)
+        {
+            return m_islandOf[std::size_t(sides.sides[i]->SolverIndex())];
+        }
+    }
+    return -1;
+}
+
+bool CarryGuard::HasWon(int32 island) const
+{
+    return island != -1 && m_islands[std::size_t(island)].HasWon();
+}
+
+bool CarryGuard::HasWon(const RowSides& sides) const
+{
+    return HasWon(IslandOf(sides));
+}
+
+void CarryGuard::NoteDriven(int32 island, const SolverBody& other)
+{
+    if (island != -1 && Moves(other))
+    {
+        m_islands[std::size_t(island)].driven = true;
+    }
+}
+
+void CarryGuard::Note(const World& world, SolverArrays& arrays, const SolverContext& context)
+{
+    m_before = arrays.bodies;
+    m_islands.assign(std::size_t(world.islands.Size()), Island());
+    m_islandOf.assign(arrays.bodies.size(), -1);
+    for (const b2Body* body : world.awakeBodies)
+    {
+        const BodyData& data = Data(*body);
+        const auto index = std::size_t(data.SolverIndex());
+        m_islandOf[index] = data.island;
+        if (data.island != -1)
+        {
+            m_islands[std::size_t(data.island)].before +=
+                KineticEnergyOf(data, arrays.bodies[index]);
+        }
+    }
+    ForContacts(arrays, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
+        const int32 a = block.bodyA[lane];
+        const int32 b = block.bodyB[lane];
+        const int32 islandA = m_islandOf[std::size_t(a)];
+        const int32 islandB = m_islandOf[std::size_t(b)];
+        if (islandA == -1 || islandB == -1)
+        {
+            SolverBody belt;
+            belt.w = block.tangentSpeed[lane];
+            NoteDriven(islandA != -1 ? islandA : islandB, belt);
+            NoteDriven(islandA, arrays.bodies[std::size_t(b)]);
+            NoteDriven(islandB, arrays.bodies[std::size_t(a)]);
+        }
+    });
+    const JointSystem& joints = arrays.jointSystem;
+    m_speeds.resize(joints.Count());
+    joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
+        m_speeds[joint] = rows.giving > 0 ? SpeedOf(context, rows) : Vector3{};
+        for (int32 i = 0; i < rows.bodies; ++i)
+        {
+            if (m_islandOf[std::size_t(rows.columns[i].body)] == -1)
+            {
+                NoteDriven(IslandOf(joints.Sides(joint)), context.bodies[rows.columns[i].body]);
+            }
+        }
+    });
+}
+
+bool CarryGuard::HasWon(const World& world, const SolverArrays& arrays,
+                        const SolverContext& context)
+{
+    for (const b2Body* body : world.awakeBodies)
+    {
+        const BodyData& data = Data(*body);
+        if (data.island != -1)
+        {
+            m_islands[std::size_t(data.island)].after +=
+                KineticEnergyOf(data, arrays.bodies[std::size_t(data.SolverIndex())]);
+        }
+    }
+    const JointSystem& joints = arrays.jointSystem;
+    joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
+        const int32 island = IslandOf(joints.Sides(joint));
+        if (rows.giving > 0 && island != -1)
+        {
+            m_islands[std::size_t(island)].before +=
+                WorkOf(rows, m_speeds[joint], SpeedOf(context, rows));
+        }
+    });
+    return std::any_of(m_islands.begin(), m_islands.end(),
+                       [](const Island& island) { return island.HasWon(); });
+}
+
+void CarryGuard::TakeBack(SolverArrays& arrays) const
+{
+    for (std::size_t i = 0; i < arrays.bodies.size(); ++i)
+    {
+        if (HasWon(m_islandOf[i]))
+        {
+            arrays.bodies[i].v = m_before[i].v;
+            arrays.bodies[i].w = m_before[i].w;
+        }
+    }
+    ForContacts(arrays, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
+        if (!HasWon(m_islandOf[std::size_t(block.bodyA[lane])]) &&
+            !HasWon(m_islandOf[std::size_t(block.bodyB[lane])]))
+        {
+            return;
+        }
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            block.points[i].normalImpulse[lane] = block.points[i].tangentImpulse[lane] = 0.0f;
+            totals.firstNormal[i][lane] = totals.firstTangent[i][lane] = 0.0f;
+        }
+    });
+}
+
+} // namespace box2d

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "JointSystem.h"
+
+/// Whether the impulses that a kick starts with, those of the last, have done harm. Sweeps that
+/// start from nothing only lower the kinetic energy that the kick has left. Those that start from
+/// the impulses of an impact, which the present kick does not ask for, first have to take them
+/// back, and where joints stand between contacts the few sweeps of a kick do not: bodies come out
+/// faster than they went in. Such islands are to be solved again from nothing.
+namespace box2d
+{
+
+struct SolverArrays;
+struct World;
+
+class CarryGuard
+{
+public:
+    /// Bodies having been kicked, before anything is carried over.
+    void Note(const World& world, SolverArrays& arrays, const SolverContext& context);
+    /// Whether an island has won energy that neither its motors and springs nor what moves by
+    /// itself can have given.
+    bool HasWon(const World& world, const SolverArrays& arrays, const SolverContext& context);
+    /// Of the islands that have: gives the bodies back their velocities of Note, and takes the
+    /// impulses from their contacts.
+    void TakeBack(SolverArrays& arrays) const;
+    /// Whether the island of these bodies has.
+    bool HasWon(const RowSides& sides) const;
+
+private:
+    struct Island
+    {
+        double before = 0.0, after = 0.0; ///< kinetic energy; before, also what was given since [J]
+        bool driven = false;              ///< by what moves by itself
+        bool HasWon() const;
+    };
+
+    int32 IslandOf(const RowSides& sides) const;
+    bool HasWon(int32 island) const;
+    void NoteDriven(int32 island, const SolverBody& other);
+
+    Array<int32> m_islandOf; // by solver index; -1: of none
+    Array<Island> m_islands;
+    Array<SolverBody> m_before; // by solver index
+    Array<Vector3> m_speeds;    // of each joint's rows, before
+};
+
+} // namespace box2d
