@@ -263,7 +263,7 @@ TEST(SteadyMemory, IsEnoughForPilesAtRest)
 
 TEST(SteadyMemory, IsEnoughForChainsWithBalls)
 {
-    ExpectNoRequests(ChainsWithBalls);
+    ExpectNoRequests(ChainsWithBalls, kFewNewContacts);
 }
 
 TEST(SteadyMemory, IsEnoughForLoopsOfABridge)

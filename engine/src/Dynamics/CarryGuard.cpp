@@ -44,22 +44,11 @@ void ForContacts(SolverArrays& arrays, Function&& function)
     }
 }
 
-/// Of what gives way, the work that its impulses did between two speeds; none that they took [J].
-double WorkOf(const JointRows& rows, const Vector3& before, const Vector3& after)
-{
-    double work = 0.0;
-    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
-    {
-        work += b2Max(0.5 * double(rows.impulse[i]) * (before.at[i] + after.at[i]), 0.0);
-    }
-    return work;
-}
-
 } // namespace
 
 bool CarryGuard::Island::HasWon() const
 {
-    return !driven && after > (1.0 + kTolerance) * before;
+    return !exempt && after > (1.0 + kTolerance) * before;
 }
 
 int32 CarryGuard::IslandOf(const RowSides& sides) const
@@ -88,24 +77,33 @@ void CarryGuard::NoteDriven(int32 island, const SolverBody& other)
 {
     if (island != -1 && Moves(other))
     {
-        m_islands[std::size_t(island)].driven = true;
+        m_islands[std::size_t(island)].exempt = true;
+    }
+}
+
+void CarryGuard::Begin(const World& world)
+{
+    const std::size_t count = world.awakeBodies.size() + 1;
+    m_before.resize(count);
+    m_islands.resize(std::size_t(world.islands.Size()));
+    m_islandOf.assign(count, -1);
+    for (const b2Body* body : world.awakeBodies)
+    {
+        m_islandOf[std::size_t(Data(*body).SolverIndex())] = Data(*body).island;
     }
 }
 
 void CarryGuard::Note(const World& world, SolverArrays& arrays, const SolverContext& context)
 {
-    m_before = arrays.bodies;
-    m_islands.assign(std::size_t(world.islands.Size()), Island());
-    m_islandOf.assign(arrays.bodies.size(), -1);
+    std::copy(arrays.bodies.begin(), arrays.bodies.end(), m_before.begin());
+    std::fill(m_islands.begin(), m_islands.end(), Island());
     for (const b2Body* body : world.awakeBodies)
     {
         const BodyData& data = Data(*body);
-        const auto index = std::size_t(data.SolverIndex());
-        m_islandOf[index] = data.island;
         if (data.island != -1)
         {
             m_islands[std::size_t(data.island)].before +=
-                KineticEnergyOf(data, arrays.bodies[index]);
+                KineticEnergyOf(data, arrays.bodies[std::size_t(data.SolverIndex())]);
         }
     }
     ForContacts(arrays, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
@@ -123,21 +121,23 @@ void CarryGuard::Note(const World& world, SolverArrays& arrays, const SolverCont
         }
     });
     const JointSystem& joints = arrays.jointSystem;
-    m_speeds.resize(joints.Count());
     joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
-        m_speeds[joint] = rows.giving > 0 ? SpeedOf(context, rows) : Vector3{};
+        const int32 island = IslandOf(joints.Sides(joint));
         for (int32 i = 0; i < rows.bodies; ++i)
         {
             if (m_islandOf[std::size_t(rows.columns[i].body)] == -1)
             {
-                NoteDriven(IslandOf(joints.Sides(joint)), context.bodies[rows.columns[i].body]);
+                NoteDriven(island, context.bodies[rows.columns[i].body]);
             }
+        }
+        if (island != -1 && !joints.IsExact(joint))
+        {
+            m_islands[std::size_t(island)].exempt = true;
         }
     });
 }
 
-bool CarryGuard::HasWon(const World& world, const SolverArrays& arrays,
-                        const SolverContext& context)
+bool CarryGuard::HasWon(const World& world, const SolverArrays& arrays)
 {
     for (const b2Body* body : world.awakeBodies)
     {
@@ -153,8 +153,7 @@ bool CarryGuard::HasWon(const World& world, const SolverArrays& arrays,
         const int32 island = IslandOf(joints.Sides(joint));
         if (rows.giving > 0 && island != -1)
         {
-            m_islands[std::size_t(island)].before +=
-                WorkOf(rows, m_speeds[joint], SpeedOf(context, rows));
+            m_islands[std::size_t(island)].before += joints.MostWork(joint);
         }
     });
     return std::any_of(m_islands.begin(), m_islands.end(),

@@ -12,16 +12,18 @@ namespace box2d
 {
 
 struct SolverArrays;
-struct World;
+class World;
 
 class CarryGuard
 {
 public:
+    /// Once a step.
+    void Begin(const World& world);
     /// Bodies having been kicked, before anything is carried over.
     void Note(const World& world, SolverArrays& arrays, const SolverContext& context);
     /// Whether an island has won energy that neither its motors and springs nor what moves by
     /// itself can have given.
-    bool HasWon(const World& world, const SolverArrays& arrays, const SolverContext& context);
+    bool HasWon(const World& world, const SolverArrays& arrays);
     /// Of the islands that have: gives the bodies back their velocities of Note, and takes the
     /// impulses from their contacts.
     void TakeBack(SolverArrays& arrays) const;
@@ -32,7 +34,9 @@ private:
     struct Island
     {
         double before = 0.0, after = 0.0; ///< kinetic energy; before, also what was given since [J]
-        bool driven = false;              ///< by what moves by itself
+        /// Driven by what moves by itself, or swept over where nothing but what was carried over
+        /// holds it together.
+        bool exempt = false;
         bool HasWon() const;
     };
 
@@ -43,7 +47,6 @@ private:
     Array<int32> m_islandOf; // by solver index; -1: of none
     Array<Island> m_islands;
     Array<SolverBody> m_before; // by solver index
-    Array<Vector3> m_speeds;    // of each joint's rows, before
 };
 
 } // namespace box2d

@@ -12,12 +12,13 @@ namespace box2d
 inline constexpr float32 kNearlyClosed = 1e-4f;
 inline constexpr int32 kMostCloses = 3;
 
-/// What may be left after a drift of what was open before it. A small gap is closed at once. A
-/// large one, of joints that are only swept over or were made open, would give velocities that
-/// stay.
-inline float32 Left(float32 before)
+/// What is to be left after a drift of what was open before it: a small gap is closed at once, by
+/// velocities, which would stay if they closed a large one, of joints that are only swept over or
+/// were made open. Of that a share goes with each drift, by poses alone.
+inline float32 Lasting(float32 before)
 {
-    return b2Abs(before) <= kNearlyClosed ? 0.0f : 0.8f * before;
+    return b2Abs(before) <= kNearlyClosed ? 0.0f : before;
 }
+inline constexpr float32 kClosedShare = 0.2f;
 
 } // namespace box2d

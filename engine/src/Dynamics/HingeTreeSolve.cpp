@@ -22,7 +22,8 @@ constexpr int32 kMostPoseCloses = 12;
 /// no longer say where it goes.
 float32 Correction(float32 open, float32 before)
 {
-    return b2Clamp(open - Left(before), -b2_maxLinearCorrection, b2_maxLinearCorrection);
+    return b2Clamp(open - (1.0f - kClosedShare) * Lasting(before), -b2_maxLinearCorrection,
+                   b2_maxLinearCorrection);
 }
 
 /// The same for an angle of which the fourth power counts for nothing.

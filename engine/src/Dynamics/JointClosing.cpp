@@ -189,7 +189,7 @@ bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeSt
     {
         float32 widest = 0.0f;
         m_system.ForItems(part, [&](std::size_t joint) {
-            widest = b2Max(widest, WantClosed(joint, context, timeStep));
+            widest = b2Max(widest, WantClosed(joint, context, timeStep, 1.0f));
         });
         if (i > 0 && widest > first)
         {
@@ -203,7 +203,28 @@ bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeSt
             break;
         }
     }
+    DrawTogether(part, context, timeStep);
     return true;
+}
+
+/// What was open before the drift. Speeds that close it would stay.
+void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32 timeStep)
+{
+    bool any = false;
+    m_system.ForItems(part, [&](std::size_t joint) {
+        const JointRows& rows = m_system.Rows(joint);
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            const float32 open = k < rows.Rigid() ? Lasting(rows.error[k]) : 0.0f;
+            m_system.Lack(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
+            any = any || open != 0.0f;
+        }
+    });
+    if (any)
+    {
+        m_system.Solve(part);
+        m_system.Apply(part, context, timeStep, false);
+    }
 }
 
 /// By sweeps, only the poses are changed too.
@@ -234,7 +255,7 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
     {
         const auto i = std::size_t(joint);
         const Vector3 speed = SpeedOf(context, m_system.Rows(i));
-        widest = b2Max(widest, WantClosed(i, context, timeStep));
+        widest = b2Max(widest, WantClosed(i, context, timeStep, 1.0f - kClosedShare));
         for (int32 k = 0; k < JointRows::kMostRows; ++k)
         {
             m_speeds[i].at[k] = speed.at[k] + m_system.Lack(i).at[k];
@@ -263,8 +284,10 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
     return widest;
 }
 
-/// The change of speed that closes a joint in the time. Returns how far it is open.
-float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep)
+/// The change of speed that closes a joint in the time, up to a share of what lasts. Returns how
+/// far that is.
+float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
+                                float32 lasting)
 {
     JointRows& now = m_now;
     now.Clear();
@@ -273,7 +296,7 @@ float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context,
     Vector3 error = now.giving > 0 ? Beyond(joint, now, timeStep) : Vector3{};
     for (int32 k = 0; k < now.Rigid(); ++k)
     {
-        error.at[k] = double(now.error[k]) - double(Left(before[k]));
+        error.at[k] = double(now.error[k]) - double(lasting * Lasting(before[k]));
     }
     float32 widest = 0.0f;
     for (int32 k = 0; k < JointRows::kMostRows; ++k)

@@ -22,6 +22,7 @@ public:
     bool IsEmpty() const { return m_joints.empty(); }
     /// One call of SolveVelocities is enough.
     bool IsExact() const { return m_system.IsExact(); }
+    bool IsExact(std::size_t joint) const { return m_system.IsExact(joint); }
     std::size_t Count() const { return m_joints.size(); }
     const RowSides& Sides(std::size_t joint) const { return m_sides[joint]; }
 
@@ -70,6 +71,9 @@ public:
             function(i, m_system.Rows(i));
         }
     }
+    /// What motors, springs and limits of a joint can have done at most by the impulses of a kick:
+    /// an impulse is given to something that is slower than wanted [J].
+    double MostWork(std::size_t joint) const;
     /// Makes the speeds of all rows what they should be; what no contact touches, the first time.
     void SolveVelocities(const SolverContext& context, bool first);
     /// Before a drift.
@@ -146,10 +150,12 @@ private:
     void KickPart(int32 part, const SolverContext& context, float32 time, const BodyKick* kicks);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
     bool Close(int32 part, const SolverContext& context, float32 timeStep);
+    void DrawTogether(int32 part, const SolverContext& context, float32 timeStep);
     bool HasGained(int32 part, const SolverContext& context, float32 timeStep) const;
     void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
-    float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
+    float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
+                       float32 lasting);
 
     void Start(const SolverContext& context, std::size_t joint, float32 share);
     void BuildTrees();

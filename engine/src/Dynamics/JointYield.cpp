@@ -17,10 +17,81 @@ namespace
 
 /// Impulses that are bounded as a vector count as the same within this share of the bound.
 constexpr float32 kSameImpulse = 1e-4f;
+constexpr int32 kMostNewtonSteps = 20;   ///< five are the rule
+constexpr double kLeastResponse = 1e-12; ///< of one direction, as a share of the other
 
 float32 WantedOf(const JointRows::Law& law)
 {
     return b2Clamp(law.wanted, law.slowest, law.fastest);
+}
+
+/// A symmetric matrix of two rows.
+struct Pair
+{
+    double xx, xy, yy;
+};
+
+/// How impulses of the first two rows change their speeds.
+Pair ResponseOf(const JointRows& rows)
+{
+    Pair k{double(rows.laws[0].softness), 0.0, double(rows.laws[1].softness)};
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        const double m = c.invMass;
+        const double i = c.invInertia;
+        k.xx += m * double(c.x[0] * c.x[0] + c.y[0] * c.y[0]) + i * double(c.w[0] * c.w[0]);
+        k.xy += m * double(c.x[0] * c.x[1] + c.y[0] * c.y[1]) + i * double(c.w[0] * c.w[1]);
+        k.yy += m * double(c.x[1] * c.x[1] + c.y[1] * c.y[1]) + i * double(c.w[1] * c.w[1]);
+    }
+    return k;
+}
+
+/// Of impulses of a length, the one with which what lacks, g - K x with g = lacking + K now, is
+/// along it: (K + s) x = g, s >= 0. Newton's method for 1 / |x(s)| = 1 / most, in the axes of K
+/// (More and Sorensen, "Computing a Trust Region Step", 1983), converges from below. If an impulse
+/// that is no longer leaves nothing to lack, that one; else a little longer than `most`.
+b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, float32 most)
+{
+    const double half = 0.5 * (k.xx - k.yy);
+    const double root = std::sqrt(half * half + k.xy * k.xy);
+    const double large = 0.5 * (k.xx + k.yy) + root;
+    if (!(large > 0.0) || most == 0.0f)
+    {
+        return now;
+    }
+    const double small = b2Max((k.xx * k.yy - k.xy * k.xy) / large, 0.0);
+    // The axis of the larger, from the column that is not nearly zero.
+    double c = half >= 0.0 ? root + half : k.xy;
+    double s = half >= 0.0 ? k.xy : root - half;
+    const double length = std::sqrt(c * c + s * s);
+    c = length > 0.0 ? c / length : 1.0;
+    s = length > 0.0 ? s / length : 0.0;
+    const double gx = double(lacking.x) + k.xx * double(now.x) + k.xy * double(now.y);
+    const double gy = double(lacking.y) + k.xy * double(now.x) + k.yy * double(now.y);
+    const double g1 = c * gx + s * gy;
+    const double g2 = c * gy - s * gx;
+    const double bound = double(most);
+    double shift = b2Max(std::sqrt(g1 * g1 + g2 * g2) / bound - large, 0.0);
+    double x1 = 0.0, x2 = 0.0;
+    for (int32 i = 0; i < kMostNewtonSteps; ++i)
+    {
+        const double d1 = large + shift;
+        const double d2 = b2Max(small + shift, kLeastResponse * large);
+        x1 = g1 / d1;
+        x2 = g2 / d2;
+        const double square = x1 * x1 + x2 * x2;
+        const double size = std::sqrt(square);
+        if (size <= bound * (1.0 + 1e-6))
+        {
+            break;
+        }
+        shift += square / (x1 * x1 / d1 + x2 * x2 / d2) * (size - bound) / bound;
+    }
+    const double size = std::sqrt(x1 * x1 + x2 * x2);
+    const double scale =
+        shift > 0.0 && size > 0.0 ? (1.0 + double(kSameImpulse)) * bound / size : 1.0;
+    return b2Vec2(float32(scale * (c * x1 - s * x2)), float32(scale * (s * x1 + c * x2)));
 }
 
 b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
@@ -116,6 +187,24 @@ double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, d
         break;
     }
     return 0.0;
+}
+
+double JointSystem::MostWork(std::size_t joint) const
+{
+    const JointRows& rows = m_system.Rows(joint);
+    double work = 0.0;
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const JointRows::Law& law = rows.laws[i];
+        const Yield yield = m_yields[joint].of[i];
+        const float32 within = rows.disc && i < 2 ? rows.impulse[i] : law.Within(rows.impulse[i]);
+        const float32 bound = yield == Yield::Slowest   ? law.slowest
+                              : yield == Yield::Fastest ? law.fastest
+                                                        : 0.0f;
+        work += b2Max(double(within) * double(law.wanted), 0.0) +
+                b2Max(double(rows.impulse[i] - within) * double(bound), 0.0);
+    }
+    return work;
 }
 
 /// Whether anything has changed, so that all has to be solved again.
@@ -233,24 +322,11 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
     b2Vec2 wanted = impulse;
     if (yields.of[0] != Yield::Holds)
     {
-        double k[3] = {double(rows.laws[0].softness), 0.0, double(rows.laws[1].softness)};
-        for (int32 side = 0; side < rows.bodies; ++side)
-        {
-            const JointRows::Column& c = rows.columns[side];
-            const double m = c.invMass;
-            const double i = c.invInertia;
-            k[0] += m * double(c.x[0] * c.x[0] + c.y[0] * c.y[0]) + i * double(c.w[0] * c.w[0]);
-            k[1] += m * double(c.x[0] * c.x[1] + c.y[0] * c.y[1]) + i * double(c.w[0] * c.w[1]);
-            k[2] += m * double(c.x[1] * c.x[1] + c.y[1] * c.y[1]) + i * double(c.w[1] * c.w[1]);
-        }
+        const Pair k = ResponseOf(rows);
         const b2Vec2 lacking(
             rows.laws[0].wanted - rows.laws[0].softness * impulse.x - float32(speed.at[0]),
             rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
-        // Along what lacks, as far as the softest direction lets it: it comes to rest only where
-        // the impulse is against the slip.
-        const double half = 0.5 * (k[0] - k[2]);
-        const double largest = 0.5 * (k[0] + k[2]) + std::sqrt(half * half + k[1] * k[1]);
-        wanted += (largest > 0.0 ? float32(1.0 / largest) : 0.0f) * lacking;
+        wanted = SlippingImpulse(k, impulse, lacking, most);
     }
     const bool slips = wanted.LengthSquared() > most * most;
     const Yield next = slips ? Yield::Most : Yield::Holds;

@@ -26,7 +26,8 @@ namespace
 /// Sweeps have done enough for a pile when its contacts come together by less than this share of
 /// what weight does in a kick.
 constexpr float32 kRestTolerance = 0.01f;
-constexpr int32 kMostBounces = 64; ///< sweeps over what bounces in a row
+constexpr int32 kSweepsFromNothing = 8; ///< at least, where nothing is carried over
+constexpr int32 kMostBounces = 64;      ///< sweeps over what bounces in a row
 
 /// As in a whole step the sweeps of a kick turn once, and the next kick goes on the way that this
 /// one ended. A kick of one sweep turns with every second kick, which is the same.
@@ -309,6 +310,7 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_context.inverseStep *= float32(count);
     m_arrays.jointSystem.Update(m_world.graph);
     m_arrays.contactSystem.Begin(m_world);
+    m_arrays.carryGuard.Begin(m_world);
     m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
                                m_world.inverseStep, m_arrays.kicks.data());
     m_arrays.jointSystem.ForTreeBodies([this](const BodyData& body) {
@@ -363,7 +365,7 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
         }
     });
     CarryGuard& guard = m_arrays.carryGuard;
-    const bool guards = m_arrays.colorCount > 0;
+    const bool guards = m_arrays.colorCount > 0 || joints.HasRows();
     if (guards)
     {
         guard.Note(m_world, m_arrays, m_context);
@@ -374,11 +376,11 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
     Sweep(iterations);
-    if (guards && guard.HasWon(m_world, m_arrays, m_context))
+    if (guards && guard.HasWon(m_world, m_arrays))
     {
         guard.TakeBack(m_arrays);
         joints.StartAgain(kick, [&](const RowSides& sides) { return guard.HasWon(sides); });
-        Sweep(iterations);
+        Sweep(b2Max(iterations, kSweepsFromNothing));
     }
     ++m_kick;
     m_arrays.contactSystem.SolveVelocities(
