@@ -73,30 +73,50 @@ bool CarryGuard::HasWon(const RowSides& sides) const
     return HasWon(IslandOf(sides));
 }
 
-void CarryGuard::NoteDriven(int32 island, const SolverBody& other)
+void CarryGuard::Exempt(int32 island, bool really)
 {
-    if (island != -1 && Moves(other))
+    if (island != -1 && really)
     {
         m_islands[std::size_t(island)].exempt = true;
     }
 }
 
-void CarryGuard::Begin(const World& world)
+void CarryGuard::Begin(const World& world, SolverArrays& arrays)
 {
     const std::size_t count = world.awakeBodies.size() + 1;
     m_before.resize(count);
-    m_islands.resize(std::size_t(world.islands.Size()));
+    m_islands.assign(std::size_t(world.islands.Size()), Island());
     m_islandOf.assign(count, -1);
     for (const b2Body* body : world.awakeBodies)
     {
         m_islandOf[std::size_t(Data(*body).SolverIndex())] = Data(*body).island;
     }
+    ForContacts(arrays, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
+        const auto a = std::size_t(block.bodyA[lane]);
+        const auto b = std::size_t(block.bodyB[lane]);
+        const bool belt = block.tangentSpeed[lane] != 0.0f;
+        Exempt(m_islandOf[a], belt || (m_islandOf[b] == -1 && Moves(arrays.bodies[b])));
+        Exempt(m_islandOf[b], belt || (m_islandOf[a] == -1 && Moves(arrays.bodies[a])));
+    });
+    const JointSystem& joints = arrays.jointSystem;
+    joints.ForRowed([&](std::size_t joint, const JointRows&) {
+        const int32 island = IslandOf(joints.Sides(joint));
+        Exempt(island, !joints.IsExact(joint));
+        for (b2Body* body : {joints.At(joint).GetBodyA(), joints.At(joint).GetBodyB()})
+        {
+            const auto index = std::size_t(Data(*body).SolverIndex());
+            Exempt(island, m_islandOf[index] == -1 && Moves(arrays.bodies[index]));
+        }
+    });
 }
 
-void CarryGuard::Note(const World& world, SolverArrays& arrays, const SolverContext& context)
+void CarryGuard::Note(const World& world, const SolverArrays& arrays)
 {
     std::copy(arrays.bodies.begin(), arrays.bodies.end(), m_before.begin());
-    std::fill(m_islands.begin(), m_islands.end(), Island());
+    for (Island& island : m_islands)
+    {
+        island.before = island.after = 0.0;
+    }
     for (const b2Body* body : world.awakeBodies)
     {
         const BodyData& data = Data(*body);
@@ -106,35 +126,6 @@ void CarryGuard::Note(const World& world, SolverArrays& arrays, const SolverCont
                 KineticEnergyOf(data, arrays.bodies[std::size_t(data.SolverIndex())]);
         }
     }
-    ForContacts(arrays, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
-        const int32 a = block.bodyA[lane];
-        const int32 b = block.bodyB[lane];
-        const int32 islandA = m_islandOf[std::size_t(a)];
-        const int32 islandB = m_islandOf[std::size_t(b)];
-        if (islandA == -1 || islandB == -1)
-        {
-            SolverBody belt;
-            belt.w = block.tangentSpeed[lane];
-            NoteDriven(islandA != -1 ? islandA : islandB, belt);
-            NoteDriven(islandA, arrays.bodies[std::size_t(b)]);
-            NoteDriven(islandB, arrays.bodies[std::size_t(a)]);
-        }
-    });
-    const JointSystem& joints = arrays.jointSystem;
-    joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
-        const int32 island = IslandOf(joints.Sides(joint));
-        for (int32 i = 0; i < rows.bodies; ++i)
-        {
-            if (m_islandOf[std::size_t(rows.columns[i].body)] == -1)
-            {
-                NoteDriven(island, context.bodies[rows.columns[i].body]);
-            }
-        }
-        if (island != -1 && !joints.IsExact(joint))
-        {
-            m_islands[std::size_t(island)].exempt = true;
-        }
-    });
 }
 
 bool CarryGuard::HasWon(const World& world, const SolverArrays& arrays)

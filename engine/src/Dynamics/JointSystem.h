@@ -24,6 +24,7 @@ public:
     bool IsExact() const { return m_system.IsExact(); }
     bool IsExact(std::size_t joint) const { return m_system.IsExact(joint); }
     std::size_t Count() const { return m_joints.size(); }
+    b2Joint& At(std::size_t joint) const { return *m_joints[joint]; }
     const RowSides& Sides(std::size_t joint) const { return m_sides[joint]; }
 
     /// At the start of a step: takes up the impulses that the joints were left with, times `share`.

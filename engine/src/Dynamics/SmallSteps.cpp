@@ -310,9 +310,12 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_context.inverseStep *= float32(count);
     m_arrays.jointSystem.Update(m_world.graph);
     m_arrays.contactSystem.Begin(m_world);
-    m_arrays.carryGuard.Begin(m_world);
     m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
                                m_world.inverseStep, m_arrays.kicks.data());
+    if (m_arrays.jointSystem.HasRows())
+    {
+        m_arrays.carryGuard.Begin(m_world, m_arrays);
+    }
     m_arrays.jointSystem.ForTreeBodies([this](const BodyData& body) {
         m_arrays.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
     });
@@ -365,10 +368,10 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
         }
     });
     CarryGuard& guard = m_arrays.carryGuard;
-    const bool guards = m_arrays.colorCount > 0 || joints.HasRows();
+    const bool guards = joints.HasRows();
     if (guards)
     {
-        guard.Note(m_world, m_arrays, m_context);
+        guard.Note(m_world, m_arrays);
     }
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
