@@ -238,8 +238,9 @@ void ContactSystem::Gather(SolverArrays& arrays)
             m_piles[std::size_t(pile)].contacts.push_back(place);
         }
     });
-    for (std::size_t i = 0; i < arrays.jointSystem.Count(); ++i)
-    {
+    // What a tree does by itself touches none of the contacts, though an island that has not been
+    // taken apart yet may still hold both.
+    arrays.jointSystem.ForRowed([&](std::size_t i, const JointRows&) {
         const RowSides& sides = arrays.jointSystem.Sides(i);
         for (const BodyData* body : sides.sides)
         {
@@ -251,7 +252,7 @@ void ContactSystem::Gather(SolverArrays& arrays)
                 break;
             }
         }
-    }
+    });
 }
 
 /// Builds the system anew if it was for others. Whether there is one.

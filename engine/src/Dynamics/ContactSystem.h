@@ -18,7 +18,8 @@ class World;
 class ContactSystem
 {
 public:
-    /// Once a step, when the blocks are prepared: which islands are small enough.
+    /// Once a step, when the blocks are prepared and the joints have begun: which islands are small
+    /// enough.
     void Begin(World& world);
     /// After sweeps over all contacts: the velocities of the islands in which a contact's normal
     /// speed is off by more than `tolerance` [m/s].

@@ -309,9 +309,9 @@ void StepSolver::BeginSmallSteps(int32 count)
     FindFlying();
     m_context.inverseStep *= float32(count);
     m_arrays.jointSystem.Update(m_world.graph);
-    m_arrays.contactSystem.Begin(m_world);
     m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
                                m_world.inverseStep, m_arrays.kicks.data());
+    m_arrays.contactSystem.Begin(m_world);
     if (m_arrays.jointSystem.HasRows())
     {
         m_arrays.carryGuard.Begin(m_world, m_arrays);
