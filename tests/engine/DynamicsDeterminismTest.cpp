@@ -108,7 +108,7 @@ TEST(DynamicsDeterminism, TheSameSceneGivesTheSameBitsWhereverItsMemoryLies)
 // Those of another build. Whoever changes what small steps compute changes this number.
 TEST(DynamicsDeterminism, SmallStepsGiveTheBitsOfEveryCompiler)
 {
-    EXPECT_EQ(RunScene(false, 4), 8178593154245333481ull);
+    EXPECT_EQ(RunScene(false, 4), 517538182666913280ull);
 }
 
 } // namespace

@@ -222,8 +222,8 @@ void BulletBetweenPlates(SmallScene& s)
 }
 
 /// Where bodies touch that did not before there may be more contacts than there ever were, or more
-/// in one pile: a few more arrays grow, but not with every contact.
-constexpr int kFewNewContacts = 8;
+/// in one pile: each of a dozen arrays may grow once, but not with every contact.
+constexpr int kFewNewContacts = 16;
 
 void ExpectNoRequests(void (*fill)(SmallScene&), int few = 0)
 {

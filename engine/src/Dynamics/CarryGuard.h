@@ -7,8 +7,7 @@
 /// start from nothing only lower the kinetic energy that the kick has left. Those that start from
 /// the impulses of an impact, which the present kick does not ask for, first have to take them
 /// back, and where joints stand between contacts the few sweeps of a kick do not: bodies come out
-/// faster than they went in. Such islands are to be solved again from nothing. Where there are only
-/// contacts, a kick's sweeps have never failed to.
+/// faster than they went in. Such islands are to be solved again from nothing.
 namespace box2d
 {
 

@@ -135,10 +135,14 @@ void JointSystem::KickPart(int32 part, const SolverContext& context, float32 tim
 
 void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)
 {
-    if (!m_parts[std::size_t(part)].factored)
+    Part& p = m_parts[std::size_t(part)];
+    m_system.ForItems(part, [&](std::size_t joint) {
+        p.factored = (m_gives[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
+    });
+    if (!p.factored)
     {
-        m_system.ForItems(part, [&](std::size_t joint) { SetActive(joint); });
         m_system.Factor(part, ComplianceOf(part));
+        p.factored = true;
     }
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
         m_opened[place] = context.bodies[body.SolverIndex()];
@@ -155,10 +159,10 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
         context.bodies[body.SolverIndex()] = m_opened[place];
     });
     giveBack();
-    m_parts[std::size_t(part)].damped = true;
+    p.damped = true;
     m_system.Factor(part, kDamped);
     (void)Close(part, context, timeStep);
-    m_parts[std::size_t(part)].damped = false;
+    p.damped = false;
     giveBack();
 }
 

@@ -136,6 +136,7 @@ private:
     float32 CarriedOver(std::size_t joint, int32 row, float32 share) const;
     static double WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse);
     void SetActive(std::size_t joint);
+    bool SetActiveToClose(std::size_t joint);
     void WantSpeeds(std::size_t joint, const SolverContext& context);
     bool Reconsider(std::size_t joint, const SolverContext& context);
     bool Reconsider(const SolverContext& context, std::size_t joint, int32 row, float32 speed);

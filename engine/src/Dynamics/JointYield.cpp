@@ -160,6 +160,25 @@ void JointSystem::SetActive(std::size_t joint)
     m_system.SetActive(joint, active);
 }
 
+/// When joints are closed only what is rigid, and what is at a limit, takes part: motors and
+/// springs give what they may in the kicks, and would give it a second time. Whether that are other
+/// rows than in the kick.
+bool JointSystem::SetActiveToClose(std::size_t joint)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    uint8 active = uint8((1u << rows.Rigid()) - 1u);
+    bool other = false;
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const Yield yield = m_yields[joint].of[i];
+        const bool bounded = yield == Yield::Slowest || yield == Yield::Fastest;
+        active = uint8(active | unsigned(bounded) << i);
+        other = other || yield == Yield::Holds;
+    }
+    m_system.SetActive(joint, active);
+    return other;
+}
+
 void JointSystem::WantSpeeds(std::size_t joint, const SolverContext& context)
 {
     const JointRows& rows = m_system.Rows(joint);

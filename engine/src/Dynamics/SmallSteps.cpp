@@ -312,10 +312,7 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
                                m_world.inverseStep, m_arrays.kicks.data());
     m_arrays.contactSystem.Begin(m_world);
-    if (m_arrays.jointSystem.HasRows())
-    {
-        m_arrays.carryGuard.Begin(m_world, m_arrays);
-    }
+    m_arrays.carryGuard.Begin(m_world, m_arrays);
     m_arrays.jointSystem.ForTreeBodies([this](const BodyData& body) {
         m_arrays.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
     });
@@ -368,7 +365,7 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
         }
     });
     CarryGuard& guard = m_arrays.carryGuard;
-    const bool guards = joints.HasRows();
+    const bool guards = m_arrays.colorCount > 0 || joints.HasRows();
     if (guards)
     {
         guard.Note(m_world, m_arrays);
