@@ -33,6 +33,32 @@ TEST(SmallStepsMotor, ReachesItsSpeedAtOnceWhenItIsStrong)
     EXPECT_NEAR(s.joint->GetMotorTorque(), 0.0f, 1e-3f);
 }
 
+/// An arm of two, each held 5 m from its centre, that stretches and folds: the upper joint's motor
+/// would need twice the torque that it has.
+TEST(SmallStepsMotor, GivesNoMoreThanItHasWhereItsFrameTurns)
+{
+    SmallScene s(b2Vec2(0.0f, 0.0f));
+    b2Body* upper = s.Part(5.0f, 0.0f, 0.4f, 0.4f);
+    b2Body* lower = s.Part(15.0f, 0.0f, 0.8f, 0.8f);
+    s.Hinge(s.Post(), upper, 0.0f, 0.0f);
+    b2RevoluteJoint* motor = s.Hinge(upper, lower, 10.0f, 0.0f);
+    motor->EnableMotor(true);
+    motor->SetMotorSpeed(6.8f);
+    motor->SetMaxMotorTorque(600.0f);
+    double most = 0.0;
+    bool slows = false;
+    for (int step = 0; step < 60; ++step)
+    {
+        const float32 before = motor->GetJointSpeed();
+        s.Step();
+        const float32 fastest = b2Max(before, b2Max(motor->GetJointSpeed(), 6.8f));
+        most += 600.0 * double(fastest * kStep);
+        slows = slows || (step > 10 && motor->GetJointSpeed() < 6.5f);
+        ASSERT_LE(s.Energy(), 1.001 * most) << "step " << step;
+    }
+    EXPECT_TRUE(slows);
+}
+
 TEST(SmallStepsMotor, GivesTheTorqueItHasUntilItReachesItsSpeed)
 {
     Bearing s;

@@ -21,20 +21,18 @@ namespace
 
 using namespace stability;
 
-/// The goal is that no world fails. What is known to is bounded by shares, not by numbers, for any
-/// change of the engine's bits makes other worlds of the same kind fail. Without joints no world
-/// may gain energy, and none of all may lose a body to what is no number.
+/// The goal is that no world fails. Of those with joints some still win energy, which is bounded by
+/// shares, not by numbers, for any change of the engine's bits makes others of the same kind fail.
+/// None may lose a body, and none without joints may win energy.
 struct Open
 {
     int subSteps;
-    /// Of the worlds with joints: pulleys whose ropes get short, and light bodies on levers many
-    /// times as long as they are. The more small steps, the sooner they burst.
+    /// Of the worlds with joints. One step: light bodies on levers many times as long as they are.
+    /// Small steps: impacts within a step, after which springs and motors count from the next on,
+    /// and motors at such levers.
     double gain;
-    /// Of all: light bodies that heavy ones press through a wall, mostly one without thickness.
-    double leave;
 };
-constexpr Open kOpen[] = {
-    {1, 0.08, 0.10}, {2, 0.06, 0.10}, {4, 0.06, 0.10}, {8, 0.06, 0.10}, {16, 0.12, 0.10}};
+constexpr Open kOpen[] = {{1, 0.08}, {2, 0.03}, {4, 0.03}, {8, 0.03}, {16, 0.03}};
 
 struct Tally
 {
@@ -96,7 +94,19 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
                     open.subSteps, t.worlds, t.gain, t.leave, t.widest);
         // One world of few says nothing about a share.
         EXPECT_LE(t.gain, 1.0 + open.gain * t.jointed) << open.subSteps << " sub-steps" << t.which;
-        EXPECT_LE(t.leave, 1.0 + open.leave * t.worlds) << open.subSteps << " sub-steps" << t.which;
+        EXPECT_EQ(t.leave, 0) << open.subSteps << " sub-steps" << t.which;
+    }
+}
+
+/// Of kinds that once burst, each of a reason that was found and mended: impulses of an impact
+/// carried over to the next kick, a rope near its end, a motor that had more torque than it was
+/// given where its frame turned, one that pulled at a long lever across the way it slipped, bodies
+/// that another island's joints were taken for, rough rods thrown back at walls.
+TEST(RandomWorlds, ThatOnceBurstAreWell)
+{
+    for (const int number : {44, 224, 324, 426, 448, 743, 774, 927, 943, 1442, 2167})
+    {
+        EXPECT_EQ(WhyFailed(RunWorld(PlanWorld(number))), "") << Replay(number);
     }
 }
 

@@ -61,7 +61,9 @@ void Containment::Hold()
     for (b2Contact* contact : m_world.awakeContacts)
     {
         const ContactData& c = Data(*contact);
-        if ((c.flags & kContactObstacle) != 0 && c.IsEnabled() && !c.IsSensor())
+        // Only of what touches has a listener been asked.
+        const bool letThrough = c.IsTouching() && !c.IsEnabled();
+        if ((c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor())
         {
             Hold(c);
         }

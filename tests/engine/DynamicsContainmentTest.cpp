@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+/// What is pressed against a wall stays on its side, and an impact gives back no more than it took.
+namespace
+{
+
+using namespace dynamics;
+
+class Containment : public testing::TestWithParam<int32>
+{};
+
+b2Fixture* AddEdge(b2Body* body, const b2Vec2& from, const b2Vec2& to)
+{
+    b2EdgeShape edge;
+    edge.Set(from, to);
+    return Scene::Add(body, edge, 0.3f, 0.0f);
+}
+
+/// Light bullets of all angles between a wall without thickness and a heavy box that falls on them.
+void Press(int32 subSteps, b2BodyType type, float32 wallSpeed)
+{
+    for (int i = 0; i < 40; ++i)
+    {
+        Scene scene(b2Vec2(0.0f, 0.0f));
+        scene.world.SetSubStepCount(subSteps);
+        b2Body* wall = scene.Body(type, 5.0f, 0.0f);
+        AddEdge(wall, b2Vec2(0.0f, -1000.0f), b2Vec2(0.0f, 1000.0f));
+        wall->SetLinearVelocity(b2Vec2(wallSpeed, 0.0f));
+        b2Body* light =
+            scene.Body(b2_dynamicBody, 3.9f, 0.03f * float32(i % 10), 0.17f * float32(i));
+        Scene::AddBox(light, 0.7f, 0.2f);
+        light->SetBullet(true);
+        light->SetLinearVelocity(b2Vec2(10.0f, 0.0f));
+        b2Body* heavy = scene.Body(b2_dynamicBody, 2.5f, 0.0f, 0.3f * float32(i));
+        Scene::AddBox(heavy, 0.3f, 0.2f);
+        b2MassData mass;
+        heavy->GetMassData(&mass);
+        mass.mass *= 300.0f;
+        mass.I *= 300.0f;
+        heavy->SetMassData(&mass);
+        heavy->SetLinearVelocity(b2Vec2(15.0f, 0.0f));
+        for (int step = 0; step < 180; ++step)
+        {
+            heavy->ApplyForceToCenter(b2Vec2(30.0f * heavy->GetMass(), 0.0f), true);
+            scene.world.Step(kStep, 4, 2);
+            ASSERT_LT(light->GetPosition().x, wall->GetPosition().x) << i << ", step " << step;
+            ASSERT_LT(heavy->GetPosition().x, wall->GetPosition().x) << i << ", step " << step;
+        }
+    }
+}
+
+TEST_P(Containment, KeepsWhatIsLightBetweenAThinWallAndAPress)
+{
+    Press(GetParam(), b2_staticBody, 0.0f);
+}
+
+TEST_P(Containment, KeepsItBeforeAWallThatMoves)
+{
+    Press(GetParam(), b2_kinematicBody, -1.0f);
+}
+
+TEST_P(Containment, LetsThroughWhatTheListenerLetsThrough)
+{
+    struct OneWay : b2ContactListener
+    {
+        void PreSolve(b2Contact* contact, const b2Manifold*) override
+        {
+            contact->SetEnabled(false);
+        }
+    } listener;
+    Scene scene;
+    scene.world.SetSubStepCount(GetParam());
+    scene.world.SetContactListener(&listener);
+    AddEdge(scene.Body(b2_staticBody, 0.0f, 0.0f), b2Vec2(-5.0f, 0.0f), b2Vec2(5.0f, 0.0f));
+    b2Body* ball = scene.Ball(0.0f, 2.0f, 0.3f);
+    for (int step = 0; step < 120; ++step)
+    {
+        scene.world.Step(kStep, 8, 3);
+    }
+    EXPECT_LT(ball->GetPosition().y, -5.0f);
+}
+
+// The centre of mass is between the shapes, where there may be a wall. This one is slanted, so that
+// the boxes around it and the shapes overlap, and they are looked at.
+TEST_P(Containment, LetsABodyMoveThatHasAWallBetweenItsShapes)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    scene.world.SetSubStepCount(GetParam());
+    AddEdge(scene.Body(b2_staticBody, 0.0f, 0.0f), b2Vec2(-10.0f, -10.0f), b2Vec2(10.0f, 10.0f));
+    const b2Vec2 away = std::sqrt(0.5f) * b2Vec2(-1.0f, 1.0f);
+    b2Body* body = scene.Body(b2_dynamicBody, 0.2f * away.x, 0.2f * away.y);
+    for (const float32 side : {-1.0f, 1.0f})
+    {
+        b2CircleShape ball;
+        ball.m_p = side * away;
+        ball.m_radius = 0.4f;
+        Scene::Add(body, ball, 0.0f, 0.0f);
+    }
+    body->SetLinearVelocity(-0.5f * away);
+    for (int step = 0; step < 40; ++step)
+    {
+        scene.world.Step(kStep, 8, 3);
+    }
+    EXPECT_EQ(scene.world.GetContactCount(), 2);
+    EXPECT_LT(b2Dot(body->GetPosition(), away), -0.1f);
+    EXPECT_NEAR(b2Dot(body->GetLinearVelocity(), away), -0.5f, 1e-4f);
+}
+
+/// Rods that spin, thrown at a rough wall that throws them back.
+TEST_P(Containment, ImpactsWinNoEnergyByFriction)
+{
+    double widest = 0.0;
+    for (int i = 0; i < 200; ++i)
+    {
+        Scene scene(b2Vec2(0.0f, 0.0f));
+        scene.world.SetSubStepCount(GetParam());
+        b2Body* wall = scene.Body(b2_staticBody, 5.0f, 0.0f);
+        AddEdge(wall, b2Vec2(0.0f, -50.0f), b2Vec2(0.0f, 50.0f))->SetFriction(0.9f);
+        b2Body* rod = scene.Body(b2_dynamicBody, 0.0f, 0.0f, 0.1f * float32(i));
+        Scene::AddBox(rod, 0.6f, 0.05f, 0.9f, 0.8f);
+        rod->SetLinearVelocity(b2Vec2(40.0f, -30.0f + 0.3f * float32(i)));
+        rod->SetAngularVelocity(-20.0f + 0.2f * float32(i));
+        const auto energy = [&] {
+            return 0.5 * double(rod->GetMass()) * double(rod->GetLinearVelocity().LengthSquared()) +
+                   0.5 * double(rod->GetInertia()) * double(rod->GetAngularVelocity()) *
+                       double(rod->GetAngularVelocity());
+        };
+        double before = energy();
+        for (int step = 0; step < 40; ++step)
+        {
+            scene.world.Step(kStep, 8, 3);
+            widest = std::fmax(widest, energy() / before - 1.0);
+            before = energy();
+        }
+    }
+    EXPECT_LT(widest, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(SubSteps, Containment, testing::Values(1, 4));
+
+} // namespace
