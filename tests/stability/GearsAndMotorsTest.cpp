@@ -81,10 +81,7 @@ constexpr double kSlip = 1e-3;
 /// By how much a motor may exceed what it has, for rounding.
 constexpr double kRounding = 1e-4;
 
-/// `sweeps`: whether sweeps have to find how the load is shared. They are as many as iterations, in
-/// all, so eight small steps and more have one each, and do not come to rest; but nothing is ever
-/// faster than the motor would be.
-void JudgeTrain(const Train& train, const std::string& name, bool sweeps = false)
+void JudgeTrain(const Train& train, const std::string& name)
 {
     Trial& trial = train.trial;
     const int32 n = trial.world.GetSubStepCount();
@@ -99,10 +96,9 @@ void JudgeTrain(const Train& train, const std::string& name, bool sweeps = false
         }
         torque = Worst(double(b2Abs(train.hinges[0]->GetMotorTorque())), torque);
     });
-    const bool few = sweeps && n > kRecommended;
-    Judge(name + ", slip of the gears", n, slip, "rad", Bound(n, few ? 0.05 : kSlip, 0.05));
-    Judge(name + ", creep in 10 s", n, rest.Way(), "rad", few ? kNoBound : 1e-3);
-    Judge(name + ", trembling", n, speed, "rad/s", few ? double(Train::kSpeed) : 0.01);
+    Judge(name + ", slip of the gears", n, slip, "rad", Bound(n, kSlip, 0.05));
+    Judge(name + ", creep in 10 s", n, rest.Way(), "rad", 1e-3);
+    Judge(name + ", trembling", n, speed, "rad/s", 0.01);
     Judge(name + ", torque above the motor's", n, torque / double(Train::kTorque) - 1.0, "",
           kRounding);
 }
@@ -133,7 +129,7 @@ TEST_P(GearsAndMotors, JammedByABarTheTrainStands)
     last->GetFixtureList()->SetFilterData(all);
     b2Body* bar = trial.Post(12.0f, 0.0f);
     Scene::AddBox(bar, 1.2f, 0.1f); // its end is in the way of the corners
-    JudgeTrain(train, "gears, a bar in the last one", true);
+    JudgeTrain(train, "gears, a bar in the last one");
 }
 
 TEST_P(GearsAndMotors, TwoMotorsAgainstEachOtherStand)
@@ -232,8 +228,7 @@ TEST_P(GearsAndMotors, SliderPushesARowOfBoxesAgainstAWall)
         const double way = double(motor->GetMotorSpeed()) / 60.0 - 2.0 * double(b2_polygonRadius);
         Judge(name + ", into the first box", GetParam(), 1000.0 * into, "mm", 1000.0 * way);
         Judge(name + ", way in a step", GetParam(), jump, "m", 0.1); // the motor's is 0.03
-        Judge(name + ", force missing", GetParam(), 1.0 - motor->GetMotorForce() / force, "",
-              GetParam() <= kRecommended ? 0.01 : kNoBound);
+        Judge(name + ", force missing", GetParam(), 1.0 - motor->GetMotorForce() / force, "", 0.01);
     }
 }
 

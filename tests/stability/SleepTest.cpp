@@ -178,7 +178,7 @@ TEST_P(Sleep, ComesToPiles)
         Trial trial(GetParam());
         trial.Ground();
         Stack(trial, 0.0f, height);
-        JudgeRest(trial, "stack of " + std::to_string(height), kNoBound);
+        JudgeRest(trial, "stack of " + std::to_string(height), GetParam() > 1 ? kSoon : kNoBound);
     }
     {
         Trial trial(GetParam());
@@ -222,7 +222,8 @@ TEST_P(Sleep, ComesToMachinesAndChains)
         JudgeRest(trial, "chain of 20 hanging", kSoon);
     }
     // A bridge of planks that the air slows down, with some slack and with none at all. The second
-    // is pulled so hard that it buzzes: small steps hold it straight however long it hangs there.
+    // is pulled so hard that it buzzes for ever, by some centimetres a second,
+    // but for the recommended number of small steps.
     for (const float32 slack : {0.5f, 0.0f})
     {
         Trial trial(GetParam());
@@ -241,7 +242,8 @@ TEST_P(Sleep, ComesToMachinesAndChains)
         def.localAnchorA.Set(0.5f, 0.0f);
         trial.world.CreateJoint(&def);
         slack > 0.0f ? JudgeRest(trial, "bridge of 15 planks", 4.0 * kSoon)
-                     : JudgeRest(trial, "bridge without slack", kNoBound);
+                     : JudgeRest(trial, "bridge without slack",
+                                 GetParam() == kRecommended ? 4.0 * kSoon : kNoBound);
     }
     {
         Trial trial(GetParam());
