@@ -14,8 +14,29 @@ bool Flag(const Json& json, const char* name)
     return json.is_object() && json.contains(name) && json[name] == true;
 }
 
-Json EngineJson(const BenchFigures& e, const BenchFigures& first)
+/// The speed-up, and whether the goals that this row has are met.
+void AddGoals(Json& json, const BenchResult& result, const BenchFigures& e)
 {
+    const double speedUp = SpeedUp(result, e);
+    const double speedUpGoal = SpeedUpGoal(result.scene, e);
+    const double memoryGoal = MemoryGoal(result.scene, e);
+    if (speedUp > 0.0)
+    {
+        json["speedUp"] = speedUp;
+    }
+    if (speedUp > 0.0 && speedUpGoal > 0.0)
+    {
+        json["speedUpGoalMet"] = speedUp >= speedUpGoal;
+    }
+    if (memoryGoal > 0.0)
+    {
+        json["memoryGoalMet"] = e.memory <= memoryGoal;
+    }
+}
+
+Json EngineJson(const BenchResult& result, const BenchFigures& e)
+{
+    const BenchFigures& first = result.engines.front();
     Json json{
         {"engine", e.engine}, {"ours", e.isOurs}, {"threads", e.threads}, {"verdict", e.verdict}};
     if (!e.failure.empty())
@@ -41,6 +62,7 @@ Json EngineJson(const BenchFigures& e, const BenchFigures& first)
                  {"bits", e.bits}});
     json[IsLikePeers(first) ? "wallRatio" : "wallRatioNotComparable"] = WallRatio(first, e);
     json[IsLikePeers(first) ? "cpuRatio" : "cpuRatioNotComparable"] = CpuRatio(first, e);
+    AddGoals(json, result, e);
     return json;
 }
 
@@ -81,6 +103,14 @@ Json SceneJson(const BenchScene& scene)
     {
         json["goalSeconds"] = scene.goalSeconds;
     }
+    if (scene.goalSpeedUp > 0.0)
+    {
+        json["goalSpeedUpOfTwoThreads"] = scene.goalSpeedUp;
+    }
+    if (scene.goalMemory > 0.0)
+    {
+        json["goalMemoryKilobytes"] = scene.goalMemory;
+    }
     if (!scene.curve.empty())
     {
         json.update({{"curve", scene.curve}, {"count", scene.count}});
@@ -100,6 +130,8 @@ BenchScene SceneFrom(const Json& json)
     scene.what = Text(json, "what");
     scene.goalTimesFaster = Number(json, "goalTimesFaster", 0.0);
     scene.goalSeconds = Number(json, "goalSeconds", 0.0);
+    scene.goalSpeedUp = Number(json, "goalSpeedUpOfTwoThreads", 0.0);
+    scene.goalMemory = Number(json, "goalMemoryKilobytes", 0.0);
     scene.curve = Text(json, "curve");
     scene.count = Number(json, "count", 0.0);
     scene.found = Text(json, "found");
@@ -157,7 +189,7 @@ std::string BenchJson(const std::vector<BenchResult>& results)
         scene["engines"] = Json::array();
         for (const BenchFigures& engine : result.engines)
         {
-            scene["engines"].push_back(EngineJson(engine, result.engines.front()));
+            scene["engines"].push_back(EngineJson(result, engine));
         }
         scenes.push_back(std::move(scene));
     }

@@ -28,9 +28,10 @@ std::string ContactsText(const BenchFigures& figures)
 
 std::string Head(bool withThreads)
 {
-    return Format("%-15s %-16s %s%9s %9s %9s %8s  %9s %9s %8s %8s %8s %9s  %s\n", "scene", "engine",
-                  withThreads ? "threads speed-up " : "", "mean", "median", "p99", "/median", "CPU",
-                  "wall/ours", "CPU/ours", "goal", "contacts", "memory", "verdict");
+    return Format("%-15s %-16s %s%9s %9s %9s %8s  %9s %9s %8s %8s %8s %9s  %7s  %s\n", "scene",
+                  "engine", withThreads ? "threads speed-up   goal " : "", "mean", "median", "p99",
+                  "/median", "CPU", "wall/ours", "CPU/ours", "goal", "contacts", "memory", "goal",
+                  "verdict");
 }
 
 std::string GoalText(const BenchScene& scene, const BenchFigures& figures)
@@ -42,13 +43,23 @@ std::string GoalText(const BenchScene& scene, const BenchFigures& figures)
     return IsGoalPeer(figures.engine) ? RatioText(scene.goalTimesFaster) : "";
 }
 
-/// The wall time of one thread over that of these; empty where there is nothing to compare.
-std::string SpeedUp(const BenchResult& result, const BenchFigures& figures)
+/// Threads, what they win, with a sign where that is below the goal, and the goal.
+std::string ThreadsText(const BenchResult& result, const BenchFigures& figures)
 {
-    const auto one = std::find_if(result.engines.begin(), result.engines.end(),
-                                  [](const BenchFigures& e) { return e.isOurs && e.threads == 1; });
-    const bool known = figures.isOurs && figures.threads > 1 && one != result.engines.end();
-    return known ? RatioText(WallRatio(figures, *one)) : "";
+    const double speedUp = SpeedUp(result, figures);
+    const double goal = SpeedUpGoal(result.scene, figures);
+    const char sign = speedUp > 0.0 && speedUp < goal ? '!' : ' ';
+    return Format("%7d %8s%c %5s ", figures.threads, RatioText(speedUp).c_str(), sign,
+                  RatioText(goal).c_str());
+}
+
+/// The memory, with a sign where that is beyond the goal, and the goal.
+std::string MemoryText(const BenchScene& scene, const BenchFigures& figures)
+{
+    const double goal = MemoryGoal(scene, figures);
+    const char sign = goal > 0.0 && figures.memory > goal ? '!' : ' ';
+    const std::string goalText = goal > 0.0 ? Format("%.1f MB", goal / 1024.0) : "";
+    return Format("%6.1f MB%c %7s", figures.memory / 1024.0, sign, goalText.c_str());
 }
 
 /// Of a peer's row.
@@ -62,8 +73,7 @@ std::string Row(const BenchResult& result, const BenchFigures& figures, bool wit
 {
     const BenchFigures& first = result.engines.front();
     const std::string scene = &figures == &first ? result.scene.name : "";
-    const std::string threads =
-        withThreads ? Format("%7d %8s ", figures.threads, SpeedUp(result, figures).c_str()) : "";
+    const std::string threads = withThreads ? ThreadsText(result, figures) : "";
     if (!figures.failure.empty())
     {
         return Format("%-15s %-16s %s%s\n", scene.c_str(), figures.engine.c_str(), threads.c_str(),
@@ -71,12 +81,13 @@ std::string Row(const BenchResult& result, const BenchFigures& figures, bool wit
     }
     const std::string wall = figures.isOurs ? "" : PeerRatio(first, WallRatio(first, figures));
     const std::string cpu = figures.isOurs ? "" : PeerRatio(first, CpuRatio(first, figures));
-    return Format("%-15s %-16s %s%9s %9s %9s %9s %9s %9s %8s %8s %8s %6.1f MB  %s\n", scene.c_str(),
+    return Format("%-15s %-16s %s%9s %9s %9s %9s %9s %9s %8s %8s %8s %s  %s\n", scene.c_str(),
                   figures.engine.c_str(), threads.c_str(), TimeText(figures.mean).c_str(),
                   TimeText(figures.median).c_str(), TimeText(figures.p99).c_str(),
                   SpreadText(figures).c_str(), TimeText(figures.cpu).c_str(), wall.c_str(),
                   cpu.c_str(), GoalText(result.scene, figures).c_str(),
-                  ContactsText(figures).c_str(), figures.memory / 1024.0, figures.verdict.c_str());
+                  ContactsText(figures).c_str(), MemoryText(result.scene, figures).c_str(),
+                  figures.verdict.c_str());
 }
 
 bool HasThreads(const std::vector<BenchResult>& results)
@@ -161,8 +172,8 @@ std::string RatioText(double ratio)
         return "";
     }
     return ratio >= 999.5   ? ChartNumber(std::stod(Format("%.3g", ratio))) + "x"
-           : ratio >= 9.95  ? Format("%.0fx", ratio)
-           : ratio >= 0.095 ? Format("%.1fx", ratio)
+           : ratio >= 99.95 ? Format("%.0fx", ratio)
+           : ratio >= 9.995 ? Format("%.1fx", ratio)
                             : Format("%.2fx", ratio);
 }
 

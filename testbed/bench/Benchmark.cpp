@@ -200,6 +200,8 @@ BenchScene ParseBenchScene(const std::string& line)
         const double number = std::strtod(value.c_str(), nullptr);
         scene.goalTimesFaster = key == "faster" ? number : scene.goalTimesFaster;
         scene.goalSeconds = key == "seconds" ? number : scene.goalSeconds;
+        scene.goalSpeedUp = key == "speed-up" ? number : scene.goalSpeedUp;
+        scene.goalMemory = key == "memory" ? number : scene.goalMemory;
         scene.count = key == "count" ? number : scene.count;
         scene.onlyForCurve = scene.onlyForCurve || key == "only-curve";
         scene.curve = key == "curve" || key == "only-curve" ? value : scene.curve;
@@ -311,6 +313,24 @@ double WallRatio(const BenchFigures& ours, const BenchFigures& other)
 {
     return IsComparable(ours) && IsComparable(other) && ours.mean > 0.0 ? other.mean / ours.mean
                                                                         : 0.0;
+}
+
+double SpeedUp(const BenchResult& result, const BenchFigures& figures)
+{
+    const auto one = std::find_if(result.engines.begin(), result.engines.end(),
+                                  [](const BenchFigures& e) { return e.isOurs && e.threads == 1; });
+    const bool known = figures.isOurs && figures.threads > 1 && one != result.engines.end();
+    return known ? WallRatio(figures, *one) : 0.0;
+}
+
+double SpeedUpGoal(const BenchScene& scene, const BenchFigures& figures)
+{
+    return figures.isOurs && figures.threads == 2 ? scene.goalSpeedUp : 0.0;
+}
+
+double MemoryGoal(const BenchScene& scene, const BenchFigures& figures)
+{
+    return figures.isOurs ? scene.goalMemory : 0.0;
 }
 
 bool IsLikePeers(const BenchFigures& ours)

@@ -20,6 +20,8 @@ struct BenchScene
     std::string what;             ///< in a few words
     double goalTimesFaster = 0.0; ///< than Box2D 2.4; 0: no such goal
     double goalSeconds = 0.0;     ///< CPU time of a step; 0: no such goal
+    double goalSpeedUp = 0.0;     ///< of two threads of ours over one; 0: no such goal
+    double goalMemory = 0.0;      ///< growth of our process at most [kB]; 0: no such goal
     std::string curve;            ///< scenes of one curve differ only in `count`; empty: none
     double count = 0.0;
     bool onlyForCurve = false;   ///< run for the curve or when named, else not
@@ -97,6 +99,14 @@ bool IsComparable(const BenchFigures& figures);
 double CpuRatio(const BenchFigures& ours, const BenchFigures& other);
 double WallRatio(const BenchFigures& ours, const BenchFigures& other);
 
+/// The wall time of one thread of ours over that of these threads of ours; 0 where there is nothing
+/// to compare.
+double SpeedUp(const BenchResult& result, const BenchFigures& figures);
+
+/// The goals of this row: of ours, and the speed-up of two threads; 0: none.
+double SpeedUpGoal(const BenchScene& scene, const BenchFigures& figures);
+double MemoryGoal(const BenchScene& scene, const BenchFigures& figures);
+
 /// Whether ours ended like the sound peers, as Judge found: if not, a ratio is no gain, and is
 /// shown in brackets only.
 bool IsLikePeers(const BenchFigures& ours);
@@ -113,7 +123,7 @@ Result<std::vector<BenchResult>> ParseBenchJson(const std::string& text, const s
 
 /// 7.26 ms, 350 us: three digits and a unit that fits.
 std::string TimeText(double seconds);
-/// 2.6x, 31x, 12,300x; empty for 0.
+/// 2.61x, 31.4x, 12,300x: three digits, so that 6.95 does not read like a goal of 7; empty for 0.
 std::string RatioText(double ratio);
 
 } // namespace boxreel

@@ -259,6 +259,12 @@ Result<Request> CheckBench(BenchOptions options)
         return Unusable("--from shows all that was run before; leave '" + options.scenes.front() +
                         "' out, or --from.");
     }
+    if (!options.from.empty() &&
+        (options.rounds != BenchOptions().rounds || options.threads != BenchOptions().threads))
+    {
+        return Unusable("--from shows what was run before; leave --rounds and --threads out, or "
+                        "--from.");
+    }
     return Request(std::move(options));
 }
 

@@ -305,6 +305,14 @@ int List()
         {
             std::printf("seconds=%g ", scene.goalSeconds);
         }
+        if (scene.goalSpeedUp > 0.0)
+        {
+            std::printf("speed-up=%g ", scene.goalSpeedUp);
+        }
+        if (scene.goalMemory > 0.0)
+        {
+            std::printf("memory=%g ", scene.goalMemory);
+        }
         if (!scene.curve.empty())
         {
             std::printf("%s=%s count=%d ", scene.onlyForCurve ? "only-curve" : "curve",

@@ -346,18 +346,26 @@ Scene& Append(Scenes& scenes, Scene scene, double goalTimesFaster)
 
 void AddLargeScenes(Scenes& scenes)
 {
-    Append(scenes, Make("large-pyramid", "pyramid of base 100, 5050 boxes", BuildLargePyramid, 300),
-           7.0)
-        .bounds = {-110.0, -0.2, 110.0, 110.0};
+    constexpr double speedUp = 1.6;
+    Scene& pyramid = Append(
+        scenes, Make("large-pyramid", "pyramid of base 100, 5050 boxes", BuildLargePyramid, 300),
+        7.0);
+    pyramid.bounds = {-110.0, -0.2, 110.0, 110.0};
+    pyramid.goalSpeedUp = speedUp;
+    pyramid.goalMemory = 15.0 * 1024.0;
     Append(scenes, Make("pyramids", "100 pyramids of base 10", BuildPyramids, 300), 7.0).bounds = {
         -81.0, -0.2, 81.0, 130.0};
-    Append(scenes, Make("tumbler", "2000 boxes in a turning drum", BuildTumbler, 600), 9.0)
-        .bounds = {-15.0, -5.0, 15.0, 25.0};
+    Scene& tumbler =
+        Append(scenes, Make("tumbler", "2000 boxes in a turning drum", BuildTumbler, 600), 9.0);
+    tumbler.bounds = {-15.0, -5.0, 15.0, 25.0};
+    tumbler.goalSpeedUp = speedUp;
     Append(scenes,
            Make("joint-grid", "10,000 circles on 19,794 revolute joints", BuildJointGrid, 300), 2.5)
         .bounds = {-200.0, -300.0, 300.0, 200.0};
-    Append(scenes, Make("rain", "5000 circles into a container", BuildRain, 600), 8.0).bounds = {
-        -20.0, -0.1, 20.0, 200.0};
+    Scene& rain =
+        Append(scenes, Make("rain", "5000 circles into a container", BuildRain, 600), 8.0);
+    rain.bounds = {-20.0, -0.1, 20.0, 200.0};
+    rain.goalSpeedUp = speedUp;
     Append(scenes, Make("ragdolls", "300 ragdolls of 10 bodies", BuildRagdolls, 600), 12.0)
         .bounds = {-20.1, -0.2, 20.1, 300.0};
     Scene& bullets =

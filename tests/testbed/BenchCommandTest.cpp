@@ -15,6 +15,7 @@ namespace boxreel
 namespace
 {
 
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -76,12 +77,18 @@ TEST_F(BenchCommand, RefusesFiguresThatAreNoFigures)
     ExpectRefusal({"--from", "absent.json"}, "Cannot read 'absent.json'");
 }
 
+TEST_F(BenchCommand, RefusesToRunWhatWasRunBefore)
+{
+    ExpectRefusal({"--json", "--from", "run.json", "--rounds", "5"}, "leave --rounds");
+    ExpectRefusal({"--from", "run.json", "--threads", "1,2"}, "leave --rounds and --threads out");
+}
+
 TEST_F(BenchCommand, DrawsAnEarlierRunInBothFormats)
 {
     const Outcome outcome = Run({"--from", "run.json", "--chart", "a.png", "--chart", "a.svg"});
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "");
-    EXPECT_THAT(outcome.output, HasSubstr("7.0x"));
+    EXPECT_THAT(outcome.output, HasSubstr("7.00x"));
     EXPECT_THAT(folder.Files(), ElementsAre("a.png", "a.svg", "run.json"));
     EXPECT_TRUE(ReadPng(folder / "a.png"));
     EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr("</svg>"));
@@ -105,8 +112,10 @@ TEST_F(BenchCommand, RunsASceneOnAllEnginesAndPrintsWhatItCanReadAgain)
 {
     const Outcome outcome = Run({"asleep-200", "--rounds", "1", "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_THAT(outcome.output, HasSubstr("\"engine\": \"boxreel "));
-    EXPECT_THAT(outcome.output, HasSubstr("\"verdict\": \"sound\""));
+    EXPECT_THAT(
+        outcome.output,
+        ContainsRegex("\"engine\": \"boxreel [^\"]*\",[[:space:]]*\"ours\": true,[[:space:]]*"
+                      "\"threads\": 1,[[:space:]]*\"verdict\": \"sound\""));
     std::ofstream(folder / "again.json") << outcome.output;
     EXPECT_EQ(Run({"--from", "again.json", "--json"}).output, outcome.output);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "BenchSupport.h"
+
 #include <bench/BenchChart.h>
-#include <bench/Benchmark.h>
 
 #include <gmock/gmock.h>
 
@@ -18,56 +19,17 @@ constexpr const char* kLine =
     R"("escaped":0,"awake":0,"overlap":0.018,"meanHeight":12.6,"highest":30,"meanSpeed":0.1,)"
     R"("bodies":5001,"found":7,"foundSum":2.5,"bits":"0f"})";
 
-BenchFigures Figures(const std::string& engine, double cpu, double contacts, double height)
-{
-    BenchFigures figures;
-    figures.engine = engine;
-    figures.isOurs = engine.rfind("boxreel", 0) == 0;
-    figures.mean = figures.median = figures.p99 = figures.cpu = cpu;
-    figures.contacts = contacts;
-    figures.meanHeight = height;
-    figures.bits = "00";
-    return figures;
-}
-
-BenchScene SceneNamed(const std::string& name)
-{
-    BenchScene scene;
-    scene.name = name;
-    scene.what = "5000 circles";
-    return scene;
-}
-
-/// Ours, Box2D five times slower and Chipmunk twice as fast.
-BenchResult Rain()
-{
-    BenchResult result{SceneNamed("rain"),
-                       {Figures("boxreel 1.0", 0.004, 100, 5),
-                        Figures("Box2D 2.4.1", 0.02, 104, 5.1),
-                        Figures("Chipmunk 7", 0.002, 97, 5)}};
-    result.scene.goalTimesFaster = 8.0;
-    Judge(result);
-    return result;
-}
-
-BenchResult Point(const std::string& curve, double count, double ours, double peer)
-{
-    BenchResult result{SceneNamed(curve + "-" + std::to_string(int(count))),
-                       {Figures("boxreel 1.0", ours, 1, 1), Figures("Box2D 2.4.1", peer, 1, 1)}};
-    result.scene.curve = curve;
-    result.scene.count = count;
-    Judge(result);
-    return result;
-}
-
 TEST(Benchmark, ReadsWhatAProgramSaysOfItsScenes)
 {
-    const BenchScene scene = ParseBenchScene(
-        "static-20\tin a few words\tfaster=7.5 only-curve=static count=20 found=hits like=speeds");
+    const BenchScene scene =
+        ParseBenchScene("static-20\tin a few words\tfaster=7.5 speed-up=1.6 memory=15360 "
+                        "only-curve=static count=20 found=hits like=speeds");
     EXPECT_EQ(scene.name, "static-20");
     EXPECT_EQ(scene.what, "in a few words");
     EXPECT_EQ(scene.goalTimesFaster, 7.5);
     EXPECT_EQ(scene.goalSeconds, 0.0);
+    EXPECT_EQ(scene.goalSpeedUp, 1.6);
+    EXPECT_EQ(scene.goalMemory, 15360.0);
     EXPECT_EQ(scene.curve, "static");
     EXPECT_EQ(scene.count, 20.0);
     EXPECT_TRUE(scene.onlyForCurve);
@@ -289,8 +251,8 @@ TEST(Benchmark, ShowsTheRatioOfARunThatEndsOtherwiseInBracketsOnly)
     result.engines[0].contacts = 1000;
     Judge(result);
     const std::string table = BenchTable({result});
-    EXPECT_THAT(table, HasSubstr(" (5.0x) "));
-    EXPECT_THAT(table, Not(HasSubstr(" 5.0x ")));
+    EXPECT_THAT(table, HasSubstr(" (5.00x) "));
+    EXPECT_THAT(table, Not(HasSubstr(" 5.00x ")));
     EXPECT_THAT(table, HasSubstr("other contacts"));
     const std::string json = BenchJson({result});
     EXPECT_THAT(json, HasSubstr("\"cpuRatioNotComparable\": 5.0"));
@@ -308,7 +270,8 @@ TEST(Benchmark, ShowsTimesWithUnitsRatiosAndGoalsInATable)
     result.engines.push_back(failed);
     Judge(result);
     const std::string table = BenchTable({result});
-    for (const char* text : {"4.00 ms", "5.0x", "8.0x", "2.25!", "0.5x", "failed", "104", "sound"})
+    for (const char* text :
+         {"4.00 ms", "5.00x", "8.00x", "2.25!", "0.50x", "failed", "104", "sound"})
     {
         EXPECT_THAT(table, HasSubstr(text));
     }
@@ -324,7 +287,7 @@ TEST(Benchmark, ShowsTheSpeedUpOfThreads)
     Judge(result);
     const std::string table = BenchTable({result});
     EXPECT_THAT(table, HasSubstr("threads speed-up"));
-    EXPECT_THAT(table, HasSubstr("      2     1.6x"));
+    EXPECT_THAT(table, HasSubstr("      2    1.60x        "));
 }
 
 TEST(Benchmark, SaysHowACurveGrows)
@@ -332,7 +295,7 @@ TEST(Benchmark, SaysHowACurveGrows)
     const std::string table =
         BenchTable({Point("static", 200, 1.0, 2.0), Point("static", 2000, 1.1, 30.0),
                     Point("static", 20000, 1.2, 300.0)});
-    EXPECT_THAT(table, HasSubstr("static-20000 takes 1.2x the CPU time of static-200\n"));
+    EXPECT_THAT(table, HasSubstr("static-20000 takes 1.20x the CPU time of static-200\n"));
     EXPECT_THAT(table, HasSubstr("static-20000 takes 150x the CPU time of static-200\n"));
     EXPECT_THAT(BenchTable({Point("static", 200, 1.0, 2.0)}), Not(HasSubstr("takes")));
 
@@ -365,6 +328,8 @@ TEST(Benchmark, ReadsItsOwnJsonBack)
     rain.engines[2].memory = 1000.0;
     rain.scene.comparesSpeeds = true;
     rain.scene.goalSeconds = 1e-6;
+    rain.scene.goalSpeedUp = 1.6;
+    rain.scene.goalMemory = 15360.0;
     Judge(rain);
     const std::vector<BenchResult> results{rain, Point("asleep", 200, 1.0, 2.0)};
     const std::string json = BenchJson(results);
@@ -404,12 +369,12 @@ TEST(BenchChart, ShowsRatiosGoalsAndWhatIsNotCompared)
     EXPECT_EQ(rain[0].value, 5.0);
     EXPECT_EQ(rain[0].mark, 8.0);
     EXPECT_EQ(rain[1].value, 0.5);
-    EXPECT_EQ(rain[0].label, "5.0\u00d7");
+    EXPECT_EQ(rain[0].label, "5.00\u00d7");
     EXPECT_TRUE(std::isnan(rain[1].mark)) << "the goals are against Box2D";
     const std::vector<ChartBar>& box = chart->groups[1].bars;
     EXPECT_EQ(box[0].mark, 2.0) << "the peer's time over the goal's";
     EXPECT_TRUE(std::isnan(box[0].value));
-    EXPECT_EQ(box[0].label, "not compared: boxreel other contacts (5.0\u00d7)");
+    EXPECT_EQ(box[0].label, "not compared: boxreel other contacts (5.00\u00d7)");
     EXPECT_TRUE(std::isnan(box[1].value));
     EXPECT_EQ(box[1].label, "not compared: 9 escaped");
 }

@@ -300,6 +300,8 @@ TEST(CommandLine, BenchTakesSeveralChartsAndThreadCountsAndLeavesScenesToThemsel
     EXPECT_THAT(Refusal("bench --threads 1,,2"), HasSubstr("--threads"));
     EXPECT_THAT(Refusal("bench --curve rain"), HasSubstr("'rain'"));
     EXPECT_THAT(Refusal("bench --from a.json rain"), HasSubstr("'rain'"));
+    EXPECT_THAT(Refusal("bench --from a.json --rounds 5"), HasSubstr("leave --rounds"));
+    EXPECT_THAT(Refusal("bench --from a.json --threads 2"), HasSubstr("--threads out"));
     EXPECT_THAT(Refusal("bench --chart"), HasSubstr("--chart needs a value"));
 }
 
