@@ -118,7 +118,8 @@ inline void LoadPairs(const float* from, Float4& first, Float4& second)
 }
 
 /// Four rows of four numbers become their four columns, and back.
-inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
+BOX2D_INLINE void LoadRows(const float* base, int stride, const std::int32_t* rows,
+                           Float4 (&columns)[4])
 {
     __m128 a = _mm_loadu_ps(base + stride * rows[0]);
     __m128 b = _mm_loadu_ps(base + stride * rows[1]);
@@ -130,7 +131,8 @@ inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Fl
     columns[2].v = c;
     columns[3].v = d;
 }
-inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float4 (&columns)[4])
+BOX2D_INLINE void StoreRows(float* base, int stride, const std::int32_t* rows,
+                            const Float4 (&columns)[4])
 {
     __m128 a = columns[0].v;
     __m128 b = columns[1].v;
@@ -237,7 +239,8 @@ inline void Transpose(Float4 (&m)[4])
     m[2].v = vcombine_f32(vget_high_f32(ab.val[0]), vget_high_f32(cd.val[0]));
     m[3].v = vcombine_f32(vget_high_f32(ab.val[1]), vget_high_f32(cd.val[1]));
 }
-inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
+BOX2D_INLINE void LoadRows(const float* base, int stride, const std::int32_t* rows,
+                           Float4 (&columns)[4])
 {
     for (int i = 0; i < 4; ++i)
     {
@@ -245,7 +248,8 @@ inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Fl
     }
     Transpose(columns);
 }
-inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float4 (&columns)[4])
+BOX2D_INLINE void StoreRows(float* base, int stride, const std::int32_t* rows,
+                            const Float4 (&columns)[4])
 {
     Float4 m[4] = {columns[0], columns[1], columns[2], columns[3]};
     Transpose(m);
@@ -350,14 +354,16 @@ inline void LoadPairs(const float* from, Float4& first, Float4& second)
     first = EachLane([&](int i) { return from[2 * i]; });
     second = EachLane([&](int i) { return from[2 * i + 1]; });
 }
-inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float4 (&columns)[4])
+BOX2D_INLINE void LoadRows(const float* base, int stride, const std::int32_t* rows,
+                           Float4 (&columns)[4])
 {
     for (int i = 0; i < 4; ++i)
     {
         columns[i] = EachLane([&](int row) { return base[stride * rows[row] + i]; });
     }
 }
-inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float4 (&columns)[4])
+BOX2D_INLINE void StoreRows(float* base, int stride, const std::int32_t* rows,
+                            const Float4 (&columns)[4])
 {
     for (int row = 0; row < 4; ++row)
     {
@@ -369,6 +375,94 @@ inline void StoreRows(float* base, int stride, const std::int32_t* rows, const F
 }
 
 #endif
+
+/// One number with the same interface, so that what is alone is solved by the same source.
+struct Float1
+{
+    static constexpr int kLanes = 1;
+    float v;
+
+    static Float1 Load(const float* from) { return {*from}; }
+    static Float1 Set(float value) { return {value}; }
+    void Store(float* to) const { *to = v; }
+};
+struct Mask1
+{
+    bool v;
+};
+
+inline Float1 operator+(Float1 a, Float1 b)
+{
+    return {a.v + b.v};
+}
+inline Float1 operator-(Float1 a, Float1 b)
+{
+    return {a.v - b.v};
+}
+inline Float1 operator*(Float1 a, Float1 b)
+{
+    return {a.v * b.v};
+}
+inline Float1 operator/(Float1 a, Float1 b)
+{
+    return {a.v / b.v};
+}
+inline Float1 operator-(Float1 a)
+{
+    return {-a.v};
+}
+inline Float1 Min(Float1 a, Float1 b)
+{
+    return {a.v < b.v ? a.v : b.v};
+}
+inline Float1 Max(Float1 a, Float1 b)
+{
+    return {a.v > b.v ? a.v : b.v};
+}
+inline Mask1 AtLeast(Float1 a, Float1 b)
+{
+    return {a.v >= b.v};
+}
+inline Float1 Sqrt(Float1 a)
+{
+    return {std::sqrt(a.v)};
+}
+inline bool Any(Mask1 a)
+{
+    return a.v;
+}
+inline Mask1 Not(Mask1 a)
+{
+    return {!a.v};
+}
+inline Mask1 Or(Mask1 a, Mask1 b)
+{
+    return {a.v || b.v};
+}
+inline Mask1 And(Mask1 a, Mask1 b)
+{
+    return {a.v && b.v};
+}
+inline Float1 Select(Mask1 which, Float1 yes, Float1 no)
+{
+    return which.v ? yes : no;
+}
+BOX2D_INLINE void LoadRows(const float* base, int stride, const std::int32_t* rows,
+                           Float1 (&columns)[4])
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        columns[i].v = base[stride * rows[0] + i];
+    }
+}
+BOX2D_INLINE void StoreRows(float* base, int stride, const std::int32_t* rows,
+                            const Float1 (&columns)[4])
+{
+    for (int i = 0; i < 4; ++i)
+    {
+        base[stride * rows[0] + i] = columns[i].v;
+    }
+}
 
 #if defined(__AVX2__) && !defined(BOX2D_PLAIN_SIMD)
 
@@ -462,7 +556,8 @@ inline void TransposeHalves(__m256& a, __m256& b, __m256& c, __m256& d)
     c = _mm256_shuffle_ps(ab1, cd1, _MM_SHUFFLE(1, 0, 1, 0));
     d = _mm256_shuffle_ps(ab1, cd1, _MM_SHUFFLE(3, 2, 3, 2));
 }
-inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Float8 (&columns)[4])
+BOX2D_INLINE void LoadRows(const float* base, int stride, const std::int32_t* rows,
+                           Float8 (&columns)[4])
 {
     for (int i = 0; i < 4; ++i)
     {
@@ -470,7 +565,8 @@ inline void LoadRows(const float* base, int stride, const std::int32_t* rows, Fl
     }
     TransposeHalves(columns[0].v, columns[1].v, columns[2].v, columns[3].v);
 }
-inline void StoreRows(float* base, int stride, const std::int32_t* rows, const Float8 (&columns)[4])
+BOX2D_INLINE void StoreRows(float* base, int stride, const std::int32_t* rows,
+                            const Float8 (&columns)[4])
 {
     __m256 m[4] = {columns[0].v, columns[1].v, columns[2].v, columns[3].v};
     TransposeHalves(m[0], m[1], m[2], m[3]);

@@ -10,6 +10,7 @@
 namespace box2d
 {
 
+struct JointLane;
 struct JointRows;
 
 struct FixtureAccess
@@ -36,15 +37,11 @@ struct JointAccess
         return new (memory) Joint(static_cast<const Definition*>(def));
     }
     static void Destruct(b2Joint& j) { j.~b2Joint(); }
-    static void Prepare(b2Joint& j, const SolverContext& context) { j.Prepare(context); }
-    static void SolveVelocity(b2Joint& j, const SolverContext& context)
+    static void FillLane(b2Joint& j, const SolverContext& context, JointLane& lane)
     {
-        j.SolveVelocity(context);
+        j.FillLane(context, lane);
     }
-    static bool SolvePosition(b2Joint& j, const SolverContext& context)
-    {
-        return j.SolvePosition(context);
-    }
+    static void KeepImpulses(b2Joint& j, const JointLane& lane) { j.KeepImpulses(lane); }
     static void FillRows(b2Joint& j, const SolverContext& context, JointRows& rows)
     {
         j.FillRows(context, rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled for AVX2, like HingeBlocksAvx2.cpp; called where the processor has it. It must not call
+// Compiled for AVX2, like JointBlocksAvx2.cpp; called where the processor has it. It must not call
 // inline functions that other sources use too: the linker keeps one copy of each, and could keep
 // this one.
 #include "ContactBlockPrepare.h"

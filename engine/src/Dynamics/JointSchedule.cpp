@@ -7,7 +7,6 @@
 #include "../Common/ThreadPool.h"
 
 #include <Box2D/Dynamics/Joints/b2GearJoint.h>
-#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <algorithm>
@@ -19,8 +18,8 @@ namespace box2d
 namespace
 {
 
-/// Fewer hinges than this are solved one by one: a block costs as much as that.
-constexpr int32 kLeastLanes = 3;
+/// Fewer of a kind than this are solved one by one: a block costs as much as that.
+constexpr std::ptrdiff_t kLeastLanes = 3;
 /// Blocks that one thread takes at a time.
 constexpr int32 kBlockGrain = 8;
 
@@ -78,14 +77,10 @@ Array<Array<b2Joint*>> JointSchedule::Levels() const
     for (std::size_t i = 0; i + 1 < m_levels.size(); ++i)
     {
         Array<b2Joint*>& joints = levels.emplace_back();
-        for (int32 k = m_levels[i].firstBlock; k < m_levels[i + 1].firstBlock; ++k)
+        for (int32 k = m_levels[i]; k < m_levels[i + 1]; ++k)
         {
-            const HingeBlock& block = m_blocks[std::size_t(k)];
+            const JointBlock& block = m_blocks[std::size_t(k)];
             joints.insert(joints.end(), block.joint, block.joint + block.count);
-        }
-        for (int32 k = m_levels[i].firstSingle; k < m_levels[i + 1].firstSingle; ++k)
-        {
-            joints.push_back(m_singles[std::size_t(k)]);
         }
     }
     return levels;
@@ -126,7 +121,7 @@ void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<int32>& 
                              const Array<int32>& counts)
 {
     m_blocks.clear();
-    m_singles.clear();
+    m_numbers.clear();
     m_levels.clear();
     Array<int32> ends;
     int32 end = 0;
@@ -148,101 +143,154 @@ void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<int32>& 
     }
     if (!m_levels.empty())
     {
-        m_levels.push_back({int32(m_blocks.size()), int32(m_singles.size())});
+        m_levels.push_back(int32(m_blocks.size()));
     }
 }
 
 void JointSchedule::AddLevel(b2Joint* const* begin, b2Joint* const* end)
 {
-    m_levels.push_back({int32(m_blocks.size()), int32(m_singles.size())});
-    const auto isHinge = [](const b2Joint* joint) { return joint->GetType() == e_revoluteJoint; };
-    const auto hinges = std::count_if(begin, end, isHinge);
-    const bool wide = hinges >= kLeastLanes;
-    HingeBlock* block = nullptr;
-    for (b2Joint* const* joint = begin; joint != end; ++joint)
+    m_levels.push_back(int32(m_blocks.size()));
+    for (int32 type = e_unknownJoint + 1; type <= e_motorJoint; ++type)
     {
-        if (!wide || !isHinge(*joint))
-        {
-            m_singles.push_back(*joint);
-            continue;
-        }
-        if (block == nullptr || block->count == kHingeLanes)
-        {
-            block = &m_blocks.emplace_back();
-        }
-        block->joint[block->count++] = static_cast<b2RevoluteJoint*>(*joint);
+        AddKind(b2JointType(type), begin, end);
     }
 }
 
-template <class OneBlock, class OneJoint>
-void JointSchedule::ForLevels(ThreadPool* threads, OneBlock&& oneBlock, OneJoint&& oneJoint)
+void JointSchedule::AddKind(b2JointType type, b2Joint* const* begin, b2Joint* const* end)
 {
+    const auto isOfKind = [type](const b2Joint* joint) { return joint->GetType() == type; };
+    const bool wide = std::count_if(begin, end, isOfKind) >= kLeastLanes;
+    JointBlock* block = nullptr;
+    for (b2Joint* const* joint = begin; joint != end; ++joint)
+    {
+        if (!isOfKind(*joint))
+        {
+            continue;
+        }
+        if (block == nullptr || block->count == block->width)
+        {
+            block = &m_blocks.emplace_back();
+            block->type = type;
+            block->width = wide ? kJointLanes : 1;
+            block->numbers = m_numbers.size();
+            m_numbers.resize(m_numbers.size() +
+                             std::size_t(KernelsOf(*block).numberCount * block->width));
+        }
+        block->joint[block->count++] = *joint;
+    }
+}
+
+template <class Function>
+void JointSchedule::ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& one)
+{
+    ParallelFor(threads, end - begin, kBlockGrain, [&](int32 first, int32 last) {
+        for (int32 i = first; i < last; ++i)
+        {
+            one(m_blocks[std::size_t(begin + i)]);
+        }
+    });
+}
+
+template <class Function>
+void JointSchedule::ForLevels(ThreadPool* threads, Function&& one)
+{
+    if (threads == nullptr)
+    {
+        std::for_each(m_blocks.begin(), m_blocks.end(), one);
+        return;
+    }
     for (std::size_t i = 0; i + 1 < m_levels.size(); ++i)
     {
-        const Level& level = m_levels[i];
-        const Level& next = m_levels[i + 1];
-        ParallelFor(threads, next.firstBlock - level.firstBlock, kBlockGrain,
-                    [&](int32 begin, int32 end) {
-                        for (int32 k = begin; k < end; ++k)
-                        {
-                            oneBlock(m_blocks[std::size_t(level.firstBlock + k)]);
-                        }
-                    });
-        for (int32 k = level.firstSingle; k < next.firstSingle; ++k)
+        ForBlocks(m_levels[i], m_levels[i + 1], threads, one);
+    }
+}
+
+namespace
+{
+
+/// Puts the bodies of a pair into a lane, their masses being the first of the lane's numbers.
+void FillPair(const b2Body& bodyA, const b2Body& bodyB, int lane, int32* a, int32* b, uint8& movesA,
+              uint8& movesB, float32 (&masses)[4])
+{
+    const BodyData& dataA = Data(bodyA);
+    const BodyData& dataB = Data(bodyB);
+    a[lane] = dataA.SolverIndex();
+    b[lane] = dataB.SolverIndex();
+    masses[0] = dataA.SolverInvMass();
+    masses[1] = dataA.SolverInvInertia();
+    masses[2] = dataB.SolverInvMass();
+    masses[3] = dataB.SolverInvInertia();
+    movesA = uint8(movesA | int(Moves(masses[0], masses[1])) << lane);
+    movesB = uint8(movesB | int(Moves(masses[2], masses[3])) << lane);
+}
+
+} // namespace
+
+void JointSchedule::Fill(JointBlock& block, const SolverContext& context)
+{
+    block.features = block.movesA = block.movesB = block.movesC = block.movesD = 0;
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        b2Joint* joint = block.joint[lane];
+        b2Joint* first = joint;
+        float32 masses[4];
+        if (block.type == e_gearJoint)
         {
-            oneJoint(*m_singles[std::size_t(k)]);
+            auto* gear = static_cast<b2GearJoint*>(joint);
+            first = gear->GetJoint1();
+            b2Joint* second = gear->GetJoint2();
+            FillPair(*second->GetBodyA(), *second->GetBodyB(), lane, block.bodyC, block.bodyD,
+                     block.movesC, block.movesD, masses);
         }
+        FillPair(*first->GetBodyA(), *first->GetBodyB(), lane, block.bodyA, block.bodyB,
+                 block.movesA, block.movesB, masses);
+        JointLane out = {NumbersOf(block) + lane, block.width};
+        out.Write(masses);
+        out.first += std::size(masses) * std::size_t(block.width);
+        JointAccess::FillLane(*joint, context, out);
+        block.features = uint8(block.features | out.features);
     }
 }
 
 void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
 {
-    ParallelFor(threads, int32(m_blocks.size()), kBlockGrain, [&](int32 begin, int32 end) {
-        for (int32 i = begin; i < end; ++i)
-        {
-            PrepareHinges(m_blocks[std::size_t(i)], context);
-        }
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock& block) { Fill(block, context); });
+    ForLevels(threads, [&](JointBlock& block) {
+        KernelsOf(block).warmStart(block, NumbersOf(block), bodies);
     });
-    ForLevels(
-        threads, [&](HingeBlock& block) { WarmStartHinges(block, context.bodies); },
-        [&](b2Joint& joint) { JointAccess::Prepare(joint, context); });
 }
 
 void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads)
 {
-    ForLevels(
-        threads, [&](HingeBlock& block) { SolveHingeVelocities(block, context.bodies); },
-        [&](b2Joint& joint) { JointAccess::SolveVelocity(joint, context); });
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
+    ForLevels(threads, [&](JointBlock& block) {
+        KernelsOf(block).solveVelocities(block, NumbersOf(block), bodies);
+    });
 }
 
 void JointSchedule::StoreImpulses(ThreadPool* threads)
 {
-    ParallelFor(threads, int32(m_blocks.size()), kBlockGrain, [&](int32 begin, int32 end) {
-        for (int32 i = begin; i < end; ++i)
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock& block) {
+        float32* own = NumbersOf(block) + kMassNumbers * block.width;
+        for (int lane = 0; lane < block.count; ++lane)
         {
-            StoreHingeImpulses(m_blocks[std::size_t(i)]);
+            JointAccess::KeepImpulses(*block.joint[lane], {own + lane, block.width});
         }
     });
 }
 
 bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* threads)
 {
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
     std::atomic<bool> joined = true;
-    ForLevels(
-        threads,
-        [&](HingeBlock& block) {
-            if (!SolveHingePositions(block, context.bodies) &&
-                joined.load(std::memory_order_relaxed))
-            {
-                joined.store(false, std::memory_order_relaxed);
-            }
-        },
-        [&](b2Joint& joint) {
-            if (!JointAccess::SolvePosition(joint, context))
-            {
-                joined.store(false, std::memory_order_relaxed);
-            }
-        });
+    ForLevels(threads, [&](JointBlock& block) {
+        if (!KernelsOf(block).solvePositions(block, NumbersOf(block), bodies) &&
+            joined.load(std::memory_order_relaxed))
+        {
+            joined.store(false, std::memory_order_relaxed);
+        }
+    });
     return joined;
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "HingeBlocks.h"
-
-class b2Joint;
+#include "JointBlocks.h"
 
 /// The order in which joints are solved, and what of it can be done at once. Joints are solved in
 /// the order of their creation, each with what those before it have left of its bodies: in a chain
@@ -36,23 +34,22 @@ public:
     bool SolvePositions(const SolverContext& context, ThreadPool* threads);
 
 private:
-    /// Up to the next level's, of either list.
-    struct Level
-    {
-        int32 firstBlock, firstSingle;
-    };
-
     void Build(const Array<b2Joint*>& joints);
     void SortInto(const Array<b2Joint*>& joints, const Array<int32>& levels,
                   const Array<int32>& counts);
     void AddLevel(b2Joint* const* begin, b2Joint* const* end);
-    template <class OneBlock, class OneJoint>
-    void ForLevels(ThreadPool* threads, OneBlock&& oneBlock, OneJoint&& oneJoint);
+    void AddKind(b2JointType type, b2Joint* const* begin, b2Joint* const* end);
+    template <class Function>
+    void ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& one);
+    template <class Function>
+    void ForLevels(ThreadPool* threads, Function&& one);
+    void Fill(JointBlock& block, const SolverContext& context);
+    float32* NumbersOf(const JointBlock& block) { return m_numbers.data() + block.numbers; }
 
-    Array<HingeBlock> m_blocks;
-    Array<b2Joint*> m_singles;
-    Array<Level> m_levels; // and one more for the end
-    int32 m_version = -1;  // of the graph's list
+    Array<JointBlock> m_blocks; // level by level
+    Array<float32> m_numbers;   // of the blocks
+    Array<int32> m_levels;      // their first blocks, and one more for the end
+    int32 m_version = -1;       // of the graph's list
 };
 
 } // namespace box2d

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../Solver.h"
+#include "../JointLanes.h"
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -31,45 +31,6 @@ struct JointFrame
         return b2Mul(dataB.rotation, local - dataB.localCenter);
     }
     b2Vec2 Offset() const { return CenterOffset(dataA, dataB); }
-
-    /// Velocity of B's point seen from A's.
-    b2Vec2 PointSpeed(const b2Vec2& armA, const b2Vec2& armB) const
-    {
-        return b.v + b2Cross(b.w, armB) - a.v - b2Cross(a.w, armA);
-    }
-    void ApplyImpulse(const b2Vec2& impulse, const b2Vec2& armA, const b2Vec2& armB) const
-    {
-        a.v -= mA * impulse;
-        a.w -= iA * b2Cross(armA, impulse);
-        b.v += mB * impulse;
-        b.w += iB * b2Cross(armB, impulse);
-    }
-    void ApplyAngularImpulse(float32 impulse) const
-    {
-        a.w -= iA * impulse;
-        b.w += iB * impulse;
-    }
-    /// The same on positions, for corrections.
-    void Move(const b2Vec2& impulse, const b2Vec2& armA, const b2Vec2& armB) const
-    {
-        a.d -= mA * impulse;
-        Rotate(a, iA, -iA * b2Cross(armA, impulse));
-        b.d += mB * impulse;
-        Rotate(b, iB, iB * b2Cross(armB, impulse));
-    }
-    void Turn(float32 impulse) const
-    {
-        Rotate(a, iA, -iA * impulse);
-        Rotate(b, iB, iB * impulse);
-    }
-    /// A body that cannot be turned keeps its bits, however many joints it has.
-    static void Rotate(SolverBody& body, float32 invInertia, float32 angle)
-    {
-        if (invInertia > 0.0f)
-        {
-            body.Rotate(angle);
-        }
-    }
 
     const BodyData& dataA;
     const BodyData& dataB;
@@ -107,6 +68,17 @@ inline Softness MakeSoftness(float32 frequencyHz, float32 dampingRatio, float32 
 inline float32 InverseOrZero(float32 value)
 {
     return value > 0.0f ? 1.0f / value : 0.0f;
+}
+
+/// For a kind's numbers; see JointBlocks.h.
+inline Vector<float32> InLanes(const b2Vec2& v)
+{
+    return {v.x, v.y};
+}
+
+inline float32 Flag(bool flag)
+{
+    return flag ? 1.0f : 0.0f;
 }
 
 /// How an impulse along `axis` changes the relative speed along it:
@@ -183,6 +155,18 @@ inline b2Mat22 PointMatrix(const JointFrame& f, const b2Vec2& rA, const b2Vec2& 
     const float32 k12 = -f.iA * rA.x * rA.y - f.iB * rB.x * rB.y;
     const float32 k22 = mass + f.iA * rA.x * rA.x + f.iB * rB.x * rB.x;
     return b2Mat22(k11, k12, k12, k22);
+}
+
+inline float32 InverseDeterminant(const b2Mat22& m)
+{
+    const float32 determinant = b2Cross(m.ex, m.ey);
+    return determinant != 0.0f ? 1.0f / determinant : 0.0f;
+}
+
+/// The numbers of a symmetric matrix.
+inline PairMasses<float32>::Matrix InLanes(const b2Mat22& m)
+{
+    return {m.ex.x, m.ex.y, m.ey.y};
 }
 
 } // namespace box2d

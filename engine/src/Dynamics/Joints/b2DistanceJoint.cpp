@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
 
+#include "DistanceLanes.h"
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
@@ -25,56 +26,40 @@ b2DistanceJoint::b2DistanceJoint(const b2DistanceJointDef* def)
       m_length(def->length), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio)
 {}
 
-void b2DistanceJoint::Prepare(const box2d::SolverContext& context)
+void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
-    m_offset = f.Offset();
-    m_axis = m_offset + m_armB - m_armA;
+    const b2Vec2 armA = f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = f.ArmB(m_localAnchorB);
+    const b2Vec2 offset = f.Offset();
+    m_axis = offset + armB - armA;
     const float32 length = m_axis.Normalize();
     if (length == 0.0f)
     {
         m_axis.SetZero(); // no direction to push in
     }
-    const float32 k = box2d::AxisMatrix(f, m_axis, m_armA, m_armB);
+    const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
     const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
                                                      box2d::InverseOrZero(k), context.timeStep);
-    m_gamma = soft.gamma;
-    m_bias = (length - m_length) * soft.biasRate;
-    m_mass = box2d::InverseOrZero(k + m_gamma);
     box2d::Carry(m_impulse, box2d::CarryOver(context));
-    f.ApplyImpulse(m_impulse * m_axis, m_armA, m_armB);
+
+    using Lanes = box2d::DistanceLanes<float32>;
+    lane.features = m_frequencyHz > 0.0f ? Lanes::kSpring : 0;
+    lane.Write(Lanes{.impulse = m_impulse,
+                     .axis = box2d::InLanes(m_axis),
+                     .armA = box2d::InLanes(armA),
+                     .armB = box2d::InLanes(armB),
+                     .offset = box2d::InLanes(offset),
+                     .mass = box2d::InverseOrZero(k + soft.gamma),
+                     .bias = (length - m_length) * soft.biasRate,
+                     .gamma = soft.gamma,
+                     .length = m_length,
+                     .isSpring = box2d::Flag(m_frequencyHz > 0.0f)});
 }
 
-void b2DistanceJoint::SolveVelocity(const box2d::SolverContext& context)
+void b2DistanceJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const float32 speed = b2Dot(m_axis, f.PointSpeed(m_armA, m_armB));
-    const float32 impulse = -m_mass * (speed + m_bias + m_gamma * m_impulse);
-    m_impulse += impulse;
-    f.ApplyImpulse(impulse * m_axis, m_armA, m_armB);
-}
-
-bool b2DistanceJoint::SolvePosition(const box2d::SolverContext& context)
-{
-    if (m_frequencyHz > 0.0f)
-    {
-        return true; // the spring does it
-    }
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
-    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
-    b2Vec2 axis = m_offset + f.b.d - f.a.d + armB - armA;
-    const float32 length = axis.Normalize();
-    const float32 error =
-        b2Clamp(length - m_length, -b2_maxLinearCorrection, b2_maxLinearCorrection);
-    const float32 k = box2d::AxisMatrix(f, axis, armA, armB);
-    if (length > 0.0f && k > 0.0f)
-    {
-        f.Move((-error / k) * axis, armA, armB);
-    }
-    return b2Abs(error) < b2_linearSlop;
+    m_impulse = lane[0];
 }
 
 void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2FrictionJoint.h>
 
+#include "FrictionLanes.h"
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
@@ -21,36 +22,30 @@ b2FrictionJoint::b2FrictionJoint(const b2FrictionJointDef* def)
       m_maxForce(def->maxForce), m_maxTorque(def->maxTorque)
 {}
 
-void b2FrictionJoint::Prepare(const box2d::SolverContext& context)
+void b2FrictionJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
     box2d::Carry(m_impulse, box2d::CarryOver(context));
     box2d::Carry(m_angularImpulse, box2d::CarryOver(context));
-    f.ApplyImpulse(m_impulse, m_armA, m_armB);
-    f.ApplyAngularImpulse(m_angularImpulse);
-}
 
-void b2FrictionJoint::SolveVelocity(const box2d::SolverContext& context)
-{
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const float32 maxTurn = context.timeStep * m_maxTorque;
-    const float32 turn = b2Clamp(
-        m_angularImpulse - box2d::InverseOrZero(f.iA + f.iB) * (f.b.w - f.a.w), -maxTurn, maxTurn);
-    f.ApplyAngularImpulse(turn - m_angularImpulse);
-    m_angularImpulse = turn;
-
-    const b2Vec2 wanted =
-        m_impulse + box2d::PointMatrix(f, m_armA, m_armB).Solve(-f.PointSpeed(m_armA, m_armB));
-    const b2Vec2 total = box2d::ClampLength(wanted, context.timeStep * m_maxForce);
-    f.ApplyImpulse(total - m_impulse, m_armA, m_armB);
-    m_impulse = total;
+    const b2Vec2 armA = f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = f.ArmB(m_localAnchorB);
+    const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
+    lane.Write(box2d::FrictionLanes<float32>{.impulse = box2d::InLanes(m_impulse),
+                                             .angularImpulse = m_angularImpulse,
+                                             .most = context.timeStep * m_maxForce,
+                                             .mostAngular = context.timeStep * m_maxTorque,
+                                             .armA = box2d::InLanes(armA),
+                                             .armB = box2d::InLanes(armB),
+                                             .matrix = box2d::InLanes(matrix),
+                                             .inverse = box2d::InverseDeterminant(matrix),
+                                             .angularMass = box2d::InverseOrZero(f.iA + f.iB)});
 }
 
-bool b2FrictionJoint::SolvePosition(const box2d::SolverContext&)
+void b2FrictionJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    return true;
+    m_impulse.Set(lane[0], lane[1]);
+    m_angularImpulse = lane[2];
 }
 
 void b2FrictionJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -3,6 +3,7 @@
 
 #include "../Access.h"
 #include "../JointDefinitions.h"
+#include "GearLanes.h"
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
@@ -15,7 +16,7 @@
 //   slider:  q = dot(axis, pBody - pFrame)           Jv = n,  Jw(body) = rBody x n, Jw(frame) = (d
 //   + rFrame) x n K = sum over the sides of  weight^2 (m Jv^2 + i Jw^2)  of body and frame,  weight
 //   1 and ratio
-// Up to four bodies take part, so the constraint is solved alone, outside the colours.
+// Up to four bodies take part, those of the two joints.
 
 b2GearJoint::Side b2GearJoint::MakeSide(b2Joint* joint)
 {
@@ -158,69 +159,59 @@ float32 b2GearJoint::SharedMatrix() const
     return sum;
 }
 
-void b2GearJoint::Apply(const box2d::SolverContext& context, float32 impulse,
-                        bool onPositions) const
+namespace
 {
-    for (const Side* side : {&m_side1, &m_side2})
+
+/// What of a side stays the same during a step.
+box2d::GearLanes<float32>::Side SideOf(const BodyData& frame, const BodyData& body, bool slides,
+                                       const b2Vec2& localAnchorFrame,
+                                       const b2Vec2& localAnchorBody)
+{
+    box2d::GearLanes<float32>::Side side = {};
+    if (slides)
     {
-        const float32 share = side == &m_side1 ? impulse : m_ratio * impulse;
-        const BodyData& frame = Data(*side->frame);
-        const BodyData& body = Data(*side->body);
-        box2d::SolverBody& f = context.bodies[frame.SolverIndex()];
-        box2d::SolverBody& b = context.bodies[body.SolverIndex()];
-        const b2Vec2 pushFrame = (-share * frame.SolverInvMass()) * side->axis;
-        const b2Vec2 pushBody = (share * body.SolverInvMass()) * side->axis;
-        const float32 turnFrame = -share * frame.SolverInvInertia() * side->armFrame;
-        const float32 turnBody = share * body.SolverInvInertia() * side->armBody;
-        if (onPositions)
-        {
-            f.d += pushFrame;
-            f.Rotate(turnFrame);
-            b.d += pushBody;
-            b.Rotate(turnBody);
-        }
-        else
-        {
-            f.v += pushFrame;
-            f.w += turnFrame;
-            b.v += pushBody;
-            b.w += turnBody;
-        }
+        side.armA = box2d::InLanes(b2Mul(frame.rotation, localAnchorFrame - frame.localCenter));
+        side.armB = box2d::InLanes(b2Mul(body.rotation, localAnchorBody - body.localCenter));
+        side.offset = box2d::InLanes(box2d::CenterOffset(frame, body));
+        side.slides = 1.0f;
     }
+    return side;
 }
 
-void b2GearJoint::Prepare(const box2d::SolverContext& context)
+} // namespace
+
+void b2GearJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    Measure(m_side1, nullptr);
-    Measure(m_side2, nullptr);
-    m_mass = EffectiveMass();
     box2d::Carry(m_impulse, box2d::CarryOver(context));
-    Apply(context, m_impulse, false);
-}
-
-void b2GearJoint::SolveVelocity(const box2d::SolverContext& context)
-{
-    float32 speed = 0.0f;
-    for (const Side* side : {&m_side1, &m_side2})
+    box2d::GearLanes<float32> gear = {};
+    double coordinate[2];
+    for (Side* side : {&m_side1, &m_side2})
     {
-        const box2d::SolverBody& f = context.bodies[Data(*side->frame).SolverIndex()];
-        const box2d::SolverBody& b = context.bodies[Data(*side->body).SolverIndex()];
-        const float32 rate =
-            b2Dot(side->axis, b.v - f.v) + side->armBody * b.w - side->armFrame * f.w;
-        speed += side == &m_side1 ? rate : m_ratio * rate;
+        const int index = side == &m_side1 ? 0 : 1;
+        Measure(*side, nullptr);
+        coordinate[index] = Coordinate(*side, nullptr);
+        box2d::GearLanes<float32>::Side& to = gear.sides[index];
+        to = SideOf(Data(*side->frame), Data(*side->body), side->slides, side->localAnchorFrame,
+                    side->localAnchorBody);
+        to.axis = box2d::InLanes(side->axis);
+        to.armFrame = side->armFrame;
+        to.armBody = side->armBody;
+        to.start = side->slides ? float32(coordinate[index]) : 0.0f;
     }
-    const float32 impulse = -m_mass * speed;
-    m_impulse += impulse;
-    Apply(context, impulse, false);
+    const BodyData& frame2 = Data(*m_side2.frame);
+    const BodyData& body2 = Data(*m_side2.body);
+    gear.impulse = m_impulse;
+    gear.second = {frame2.SolverInvMass(), frame2.SolverInvInertia(), body2.SolverInvMass(),
+                   body2.SolverInvInertia()};
+    gear.ratio = m_ratio;
+    gear.mass = EffectiveMass();
+    gear.error = float32(coordinate[0] + double(m_ratio) * coordinate[1] - m_constant);
+    lane.Write(gear);
 }
 
-bool b2GearJoint::SolvePosition(const box2d::SolverContext& context)
+void b2GearJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const double coordinate =
-        Coordinate(m_side1, &context) + double(m_ratio) * Coordinate(m_side2, &context);
-    const float32 error = float32(coordinate - m_constant);
-    Apply(context, -m_mass * error, true);
-    return b2Abs(error) < b2_linearSlop;
+    m_impulse = lane[0];
 }
 
 void b2GearJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "MotorLanes.h"
 
 // Like friction, but towards a velocity that makes good a share of the error in one step:
 //   Cdot + factor / h * C = 0,  C the distance from where body B's origin and angle should be.
@@ -22,40 +23,36 @@ b2MotorJoint::b2MotorJoint(const b2MotorJointDef* def)
       m_correctionFactor(def->correctionFactor)
 {}
 
-void b2MotorJoint::Prepare(const box2d::SolverContext& context)
+void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_linearOffset);
-    m_armB = f.ArmB(b2Vec2(0.0f, 0.0f));
-    m_linearError = f.Offset() + m_armB - m_armA;
-    m_angularError = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_angularOffset));
     box2d::Carry(m_impulse, box2d::CarryOver(context));
     box2d::Carry(m_angularImpulse, box2d::CarryOver(context));
-    f.ApplyImpulse(m_impulse, m_armA, m_armB);
-    f.ApplyAngularImpulse(m_angularImpulse);
-}
 
-void b2MotorJoint::SolveVelocity(const box2d::SolverContext& context)
-{
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 armA = f.ArmA(m_linearOffset);
+    const b2Vec2 armB = f.ArmB(b2Vec2(0.0f, 0.0f));
+    const b2Vec2 error = f.Offset() + armB - armA;
+    const double angle = f.dataB.pose.angle - f.dataA.pose.angle - double(m_angularOffset);
     const float32 rate = context.inverseStep * m_correctionFactor;
-    const float32 maxTurn = context.timeStep * m_maxTorque;
-    const float32 angularSpeed = f.b.w - f.a.w + rate * m_angularError;
-    const float32 turn = b2Clamp(
-        m_angularImpulse - box2d::InverseOrZero(f.iA + f.iB) * angularSpeed, -maxTurn, maxTurn);
-    f.ApplyAngularImpulse(turn - m_angularImpulse);
-    m_angularImpulse = turn;
-
-    const b2Vec2 speed = f.PointSpeed(m_armA, m_armB) + rate * m_linearError;
-    const b2Vec2 wanted = m_impulse + box2d::PointMatrix(f, m_armA, m_armB).Solve(-speed);
-    const b2Vec2 total = box2d::ClampLength(wanted, context.timeStep * m_maxForce);
-    f.ApplyImpulse(total - m_impulse, m_armA, m_armB);
-    m_impulse = total;
+    const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
+    lane.Write(
+        box2d::MotorLanes<float32>{.friction = {.impulse = box2d::InLanes(m_impulse),
+                                                .angularImpulse = m_angularImpulse,
+                                                .most = context.timeStep * m_maxForce,
+                                                .mostAngular = context.timeStep * m_maxTorque,
+                                                .armA = box2d::InLanes(armA),
+                                                .armB = box2d::InLanes(armB),
+                                                .matrix = box2d::InLanes(matrix),
+                                                .inverse = box2d::InverseDeterminant(matrix),
+                                                .angularMass = box2d::InverseOrZero(f.iA + f.iB)},
+                                   .bias = box2d::InLanes(rate * error),
+                                   .angularBias = rate * float32(angle)});
 }
 
-bool b2MotorJoint::SolvePosition(const box2d::SolverContext&)
+void b2MotorJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    return true;
+    m_impulse.Set(lane[0], lane[1]);
+    m_angularImpulse = lane[2];
 }
 
 void b2MotorJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "MouseLanes.h"
 
 #include <Box2D/Dynamics/b2World.h>
 
@@ -29,42 +30,32 @@ b2MouseJoint::b2MouseJoint(const b2MouseJointDef* def)
                      "negative damping.");
 }
 
-void b2MouseJoint::Prepare(const box2d::SolverContext& context)
+void b2MouseJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
+
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armB = f.ArmB(m_localAnchorB);
+    const b2Vec2 arm = f.ArmB(m_localAnchorB);
     const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
                                                      box2d::InverseOrZero(f.mB), context.timeStep);
-    m_gamma = soft.gamma;
-    const b2Vec2 error(float32(f.dataB.pose.x - double(m_target.x)) + m_armB.x,
-                       float32(f.dataB.pose.y - double(m_target.y)) + m_armB.y);
-    m_bias = soft.biasRate * error;
-    // What is dragged about should not spin for long: a little of its turning is taken away each
-    // step.
-    f.b.w *= 0.98f;
-    box2d::Carry(m_impulse, box2d::CarryOver(context));
-    f.b.v += f.mB * m_impulse;
-    f.b.w += f.iB * b2Cross(m_armB, m_impulse);
+    const b2Vec2 error(float32(f.dataB.pose.x - double(m_target.x)) + arm.x,
+                       float32(f.dataB.pose.y - double(m_target.y)) + arm.y);
+    const float32 k11 = f.mB + f.iB * arm.y * arm.y + soft.gamma;
+    const float32 k12 = -f.iB * arm.x * arm.y;
+    const float32 k22 = f.mB + f.iB * arm.x * arm.x + soft.gamma;
+    const b2Mat22 matrix(k11, k12, k12, k22);
+    lane.Write(box2d::MouseLanes<float32>{.impulse = box2d::InLanes(m_impulse),
+                                          .most = context.timeStep * m_maxForce,
+                                          .arm = box2d::InLanes(arm),
+                                          .matrix = box2d::InLanes(matrix),
+                                          .inverse = box2d::InverseDeterminant(matrix),
+                                          .bias = box2d::InLanes(soft.biasRate * error),
+                                          .gamma = soft.gamma});
 }
 
-void b2MouseJoint::SolveVelocity(const box2d::SolverContext& context)
+void b2MouseJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 speed = f.b.v + b2Cross(f.b.w, m_armB) + m_bias + m_gamma * m_impulse;
-    const float32 k11 = f.mB + f.iB * m_armB.y * m_armB.y + m_gamma;
-    const float32 k12 = -f.iB * m_armB.x * m_armB.y;
-    const float32 k22 = f.mB + f.iB * m_armB.x * m_armB.x + m_gamma;
-    const b2Vec2 wanted = m_impulse + b2Mat22(k11, k12, k12, k22).Solve(-speed);
-    const b2Vec2 total = box2d::ClampLength(wanted, context.timeStep * m_maxForce);
-    const b2Vec2 impulse = total - m_impulse;
-    m_impulse = total;
-    f.b.v += f.mB * impulse;
-    f.b.w += f.iB * b2Cross(m_armB, impulse);
-}
-
-bool b2MouseJoint::SolvePosition(const box2d::SolverContext&)
-{
-    return true;
+    m_impulse.Set(lane[0], lane[1]);
 }
 
 void b2MouseJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

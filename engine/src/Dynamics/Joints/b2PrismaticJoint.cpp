@@ -4,61 +4,13 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "PrismaticLanes.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
 //   across:   C1 = dot(t, d),                 Cdot1 = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x
 //   t) wA turning:  C2 = aB - aA - reference,       Cdot2 = wB - wA along:    the same as across
 //   with a for t, for the motor and the limit
 // Across and turning are solved together, along by itself.
-
-namespace
-{
-
-/// The two coupled rows and how far the arms reach across and along the axis.
-struct Rows
-{
-    b2Vec2 axis, across;
-    float32 axisA, axisB;     // (d + rA) x a, rB x a
-    float32 acrossA, acrossB; // (d + rA) x t, rB x t
-
-    Rows(const b2Vec2& a, const b2Vec2& reachA, const b2Vec2& armB)
-        : axis(a), across(b2Cross(1.0f, a)), axisA(b2Cross(reachA, axis)),
-          axisB(b2Cross(armB, axis)), acrossA(b2Cross(reachA, across)),
-          acrossB(b2Cross(armB, across))
-    {}
-
-    b2Mat22 Matrix(const box2d::JointFrame& f) const
-    {
-        const float32 k11 = f.mA + f.mB + f.iA * acrossA * acrossA + f.iB * acrossB * acrossB;
-        const float32 k12 = f.iA * acrossA + f.iB * acrossB;
-        const float32 k22 = f.iA + f.iB;
-        return b2Mat22(k11, k12, k12, k22 > 0.0f ? k22 : 1.0f); // two bodies that cannot turn
-    }
-    float32 AxialMatrix(const box2d::JointFrame& f) const
-    {
-        return f.mA + f.mB + f.iA * axisA * axisA + f.iB * axisB * axisB;
-    }
-    float32 AxialSpeed(const box2d::JointFrame& f) const
-    {
-        return b2Dot(axis, f.b.v - f.a.v) + axisB * f.b.w - axisA * f.a.w;
-    }
-    void ApplyAxial(const box2d::JointFrame& f, float32 impulse) const
-    {
-        f.a.v -= (f.mA * impulse) * axis;
-        f.a.w -= f.iA * axisA * impulse;
-        f.b.v += (f.mB * impulse) * axis;
-        f.b.w += f.iB * axisB * impulse;
-    }
-    void Apply(const box2d::JointFrame& f, const b2Vec2& impulse) const
-    {
-        f.a.v -= (f.mA * impulse.x) * across;
-        f.a.w -= f.iA * (acrossA * impulse.x + impulse.y);
-        f.b.v += (f.mB * impulse.x) * across;
-        f.b.w += f.iB * (acrossB * impulse.x + impulse.y);
-    }
-};
-
-} // namespace
 
 void b2PrismaticJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor, const b2Vec2& axis)
 {
@@ -83,93 +35,66 @@ b2PrismaticJoint::b2PrismaticJoint(const b2PrismaticJointDef* def)
     }
 }
 
-void b2PrismaticJoint::Prepare(const box2d::SolverContext& context)
+void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
-    m_offset = f.Offset();
-    m_axis = b2Mul(f.dataA.rotation, m_localAxisA);
-    m_translation = b2Dot(m_axis, m_offset + m_armB - m_armA);
-    m_angleError = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
-    const Rows rows(m_axis, m_offset + m_armB, m_armB);
-    m_axialMass = box2d::InverseOrZero(rows.AxialMatrix(f));
-
     const float32 share = box2d::CarryOver(context);
     box2d::Carry(m_impulse, share);
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
     box2d::Carry(m_lowerImpulse, m_enableLimit ? share : 0.0f);
     box2d::Carry(m_upperImpulse, m_enableLimit ? share : 0.0f);
-    rows.ApplyAxial(f, m_motorImpulse + m_lowerImpulse - m_upperImpulse);
-    rows.Apply(f, m_impulse);
+
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 armA = f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = f.ArmB(m_localAnchorB);
+    const b2Vec2 offset = f.Offset();
+    m_axis = b2Mul(f.dataA.rotation, m_localAxisA);
+    const float32 translation = b2Dot(m_axis, offset + armB - armA);
+    const double angle = f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle);
+    const float32 axisA = b2Cross(offset + armB, m_axis);
+    const float32 axisB = b2Cross(armB, m_axis);
+    const b2Vec2 across = b2Cross(1.0f, m_axis);
+    const float32 acrossA = b2Cross(offset + armB, across);
+    const float32 acrossB = b2Cross(armB, across);
+    const float32 k11 = f.mA + f.mB + f.iA * acrossA * acrossA + f.iB * acrossB * acrossB;
+    const float32 k12 = f.iA * acrossA + f.iB * acrossB;
+    const float32 k22 = f.iA + f.iB;
+    const b2Mat22 matrix(k11, k12, k12, k22 > 0.0f ? k22 : 1.0f); // two that cannot turn
+    const float32 k = f.mA + f.mB + f.iA * axisA * axisA + f.iB * axisB * axisB;
+    const float32 toLower = b2Max(translation - m_lowerTranslation, 0.0f);
+    const float32 toUpper = b2Max(m_upperTranslation - translation, 0.0f);
+
+    using Lanes = box2d::PrismaticLanes<float32>;
+    lane.features =
+        uint8((m_enableMotor ? Lanes::kMotor : 0) | (m_enableLimit ? Lanes::kLimits : 0));
+    lane.Write(Lanes{.impulse = box2d::InLanes(m_impulse),
+                     .motorImpulse = m_motorImpulse,
+                     .lowerImpulse = m_lowerImpulse,
+                     .upperImpulse = m_upperImpulse,
+                     .axis = box2d::InLanes(m_axis),
+                     .levers = {axisA, axisB, acrossA, acrossB},
+                     .matrix = box2d::InLanes(matrix),
+                     .inverse = box2d::InverseDeterminant(matrix),
+                     .armA = box2d::InLanes(armA),
+                     .armB = box2d::InLanes(armB),
+                     .offset = box2d::InLanes(offset),
+                     .angleError = float32(angle),
+                     .axialMass = box2d::InverseOrZero(k),
+                     .hasMotor = box2d::Flag(m_enableMotor),
+                     .hasLimits = box2d::Flag(m_enableLimit),
+                     .motorSpeed = m_motorSpeed,
+                     .mostMotor = context.timeStep * m_maxMotorForce,
+                     .lower = m_lowerTranslation,
+                     .upper = m_upperTranslation,
+                     .lowerSpeed = toLower * context.inverseStep,
+                     .upperSpeed = toUpper * context.inverseStep});
 }
 
-void b2PrismaticJoint::SolveVelocity(const box2d::SolverContext& context)
+void b2PrismaticJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const Rows rows(m_axis, m_offset + m_armB, m_armB);
-    if (m_enableMotor)
-    {
-        const float32 limit = context.timeStep * m_maxMotorForce;
-        const float32 wanted = m_motorImpulse + m_axialMass * (m_motorSpeed - rows.AxialSpeed(f));
-        const float32 total = b2Clamp(wanted, -limit, limit);
-        rows.ApplyAxial(f, total - m_motorImpulse);
-        m_motorImpulse = total;
-    }
-    if (m_enableLimit)
-    {
-        const float32 aboveLower =
-            b2Max(m_translation - m_lowerTranslation, 0.0f) * context.inverseStep;
-        const float32 lower =
-            b2Max(m_lowerImpulse - m_axialMass * (rows.AxialSpeed(f) + aboveLower), 0.0f);
-        rows.ApplyAxial(f, lower - m_lowerImpulse);
-        m_lowerImpulse = lower;
-
-        const float32 belowUpper =
-            b2Max(m_upperTranslation - m_translation, 0.0f) * context.inverseStep;
-        const float32 upper =
-            b2Max(m_upperImpulse - m_axialMass * (belowUpper - rows.AxialSpeed(f)), 0.0f);
-        rows.ApplyAxial(f, m_upperImpulse - upper);
-        m_upperImpulse = upper;
-    }
-    const b2Vec2 speed(b2Dot(rows.across, f.b.v - f.a.v) + rows.acrossB * f.b.w -
-                           rows.acrossA * f.a.w,
-                       f.b.w - f.a.w);
-    const b2Vec2 impulse = rows.Matrix(f).Solve(-speed);
-    m_impulse += impulse;
-    rows.Apply(f, impulse);
-}
-
-bool b2PrismaticJoint::SolvePosition(const box2d::SolverContext& context)
-{
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
-    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
-    const b2Vec2 reachA = m_offset + f.b.d - f.a.d + armB; // d + rA
-    const b2Vec2 d = reachA - armA;
-    const Rows rows(b2Mul(f.a.q, m_axis), reachA, armB);
-
-    float32 limitError = 0.0f;
-    if (m_enableLimit)
-    {
-        const float32 translation = b2Dot(rows.axis, d);
-        const float32 inside = b2Clamp(translation, m_lowerTranslation, m_upperTranslation);
-        limitError = b2Abs(translation - inside);
-        const float32 push =
-            b2Clamp(inside - translation, -b2_maxLinearCorrection, b2_maxLinearCorrection);
-        const float32 impulse = push * box2d::InverseOrZero(rows.AxialMatrix(f));
-        f.a.d -= (f.mA * impulse) * rows.axis;
-        f.a.Rotate(-f.iA * rows.axisA * impulse);
-        f.b.d += (f.mB * impulse) * rows.axis;
-        f.b.Rotate(f.iB * rows.axisB * impulse);
-    }
-    const b2Vec2 error(b2Dot(rows.across, d), m_angleError + f.b.angle - f.a.angle);
-    const b2Vec2 impulse = rows.Matrix(f).Solve(-error);
-    f.a.d -= (f.mA * impulse.x) * rows.across;
-    f.a.Rotate(-f.iA * (rows.acrossA * impulse.x + impulse.y));
-    f.b.d += (f.mB * impulse.x) * rows.across;
-    f.b.Rotate(f.iB * (rows.acrossB * impulse.x + impulse.y));
-    return b2Max(b2Abs(error.x), limitError) <= b2_linearSlop && b2Abs(error.y) <= b2_angularSlop;
+    m_impulse.Set(lane[0], lane[1]);
+    m_motorImpulse = lane[2];
+    m_lowerImpulse = lane[3];
+    m_upperImpulse = lane[4];
 }
 
 void b2PrismaticJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -3,6 +3,7 @@
 
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "PulleyLanes.h"
 
 // With u = xA + rA - groundA, uB likewise, nA = u / |u|:
 //   C    = |uA| + ratio |uB| - constant
@@ -13,19 +14,15 @@
 namespace
 {
 
-/// Nearer than this to its ground anchor a rope has no direction, and stays as long as it is there:
-/// what its end does within pulls at nothing.
-constexpr float32 kShortest = 10.0f * b2_linearSlop;
-
 float32 RopeLength(const b2Vec2& rope)
 {
-    return b2Max(rope.Length(), kShortest);
+    return b2Max(rope.Length(), box2d::kShortestRope);
 }
 
 b2Vec2 RopeDirection(const b2Vec2& rope)
 {
     const float32 length = rope.Length();
-    return length > kShortest ? (1.0f / length) * rope : b2Vec2(0.0f, 0.0f);
+    return length > box2d::kShortestRope ? (1.0f / length) * rope : b2Vec2(0.0f, 0.0f);
 }
 
 /// From the ground anchor to the body's centre of mass.
@@ -70,69 +67,42 @@ b2PulleyJoint::b2PulleyJoint(const b2PulleyJointDef* def)
     (void)B2_REQUIRE(def->ratio > b2_epsilon, "A pulley's ratio must be above 0.");
 }
 
-void b2PulleyJoint::Prepare(const box2d::SolverContext& context)
+void b2PulleyJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
-    m_ropeA = b2Vec2(float32(f.dataA.pose.x - double(m_groundAnchorA.x)),
-                     float32(f.dataA.pose.y - double(m_groundAnchorA.y)));
-    m_ropeB = b2Vec2(float32(f.dataB.pose.x - double(m_groundAnchorB.x)),
-                     float32(f.dataB.pose.y - double(m_groundAnchorB.y)));
-    m_axisA = RopeDirection(m_ropeA + m_armA);
-    m_axisB = RopeDirection(m_ropeB + m_armB);
-    m_mass = box2d::InverseOrZero(PulleyMatrix(f, m_ratio, m_axisA, m_armA, m_axisB, m_armB));
     box2d::Carry(m_impulse, box2d::CarryOver(context));
-    Pull(context, m_impulse);
+
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 armA = f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = f.ArmB(m_localAnchorB);
+    const box2d::SolverBody unmoved;
+    const b2Vec2 ropeA = RopeOf(f.dataA, unmoved, m_groundAnchorA);
+    const b2Vec2 ropeB = RopeOf(f.dataB, unmoved, m_groundAnchorB);
+    m_axisA = RopeDirection(ropeA + armA);
+    m_axisB = RopeDirection(ropeB + armB);
+    const float32 k = PulleyMatrix(f, m_ratio, m_axisA, armA, m_axisB, armB);
+    lane.Write(box2d::PulleyLanes<float32>{.impulse = m_impulse,
+                                           .axisA = box2d::InLanes(m_axisA),
+                                           .axisB = box2d::InLanes(m_axisB),
+                                           .armA = box2d::InLanes(armA),
+                                           .armB = box2d::InLanes(armB),
+                                           .ropeA = box2d::InLanes(ropeA),
+                                           .ropeB = box2d::InLanes(ropeB),
+                                           .ratio = m_ratio,
+                                           .mass = box2d::InverseOrZero(k),
+                                           .lengthA = b2Max(m_lengthA, box2d::kShortestRope),
+                                           .lengthB = b2Max(m_lengthB, box2d::kShortestRope)});
 }
 
-void b2PulleyJoint::Pull(const box2d::SolverContext& context, float32 impulse) const
+void b2PulleyJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 onA = -impulse * m_axisA;
-    const b2Vec2 onB = (-m_ratio * impulse) * m_axisB;
-    f.a.v += f.mA * onA;
-    f.a.w += f.iA * b2Cross(m_armA, onA);
-    f.b.v += f.mB * onB;
-    f.b.w += f.iB * b2Cross(m_armB, onB);
-}
-
-void b2PulleyJoint::SolveVelocity(const box2d::SolverContext& context)
-{
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const float32 speed = b2Dot(m_axisA, f.a.v + b2Cross(f.a.w, m_armA)) +
-                          m_ratio * b2Dot(m_axisB, f.b.v + b2Cross(f.b.w, m_armB));
-    const float32 impulse = m_mass * speed;
-    m_impulse += impulse;
-    Pull(context, impulse);
+    m_impulse = lane[0];
 }
 
 /// By how much the rope is longer than it should be.
 float32 b2PulleyJoint::Stretch(const b2Vec2& ropeA, const b2Vec2& ropeB) const
 {
-    return RopeLength(ropeA) - b2Max(m_lengthA, kShortest) +
-           m_ratio * (RopeLength(ropeB) - b2Max(m_lengthB, kShortest));
-}
-
-bool b2PulleyJoint::SolvePosition(const box2d::SolverContext& context)
-{
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
-    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
-    const b2Vec2 ropeA = m_ropeA + f.a.d + armA;
-    const b2Vec2 ropeB = m_ropeB + f.b.d + armB;
-    const b2Vec2 axisA = RopeDirection(ropeA);
-    const b2Vec2 axisB = RopeDirection(ropeB);
-    const float32 error = Stretch(ropeA, ropeB);
-    const float32 push =
-        -error * box2d::InverseOrZero(PulleyMatrix(f, m_ratio, axisA, armA, axisB, armB));
-    const b2Vec2 onA = push * axisA;
-    const b2Vec2 onB = (m_ratio * push) * axisB;
-    f.a.d += f.mA * onA;
-    f.a.Rotate(f.iA * b2Cross(armA, onA));
-    f.b.d += f.mB * onB;
-    f.b.Rotate(f.iB * b2Cross(armB, onB));
-    return b2Abs(error) < b2_linearSlop;
+    return RopeLength(ropeA) - b2Max(m_lengthA, box2d::kShortestRope) +
+           m_ratio * (RopeLength(ropeB) - b2Max(m_lengthB, box2d::kShortestRope));
 }
 
 void b2PulleyJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

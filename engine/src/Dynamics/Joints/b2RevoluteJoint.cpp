@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "RevoluteLanes.h"
 
 // The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in
 // PointMatrix. About the hinge: the motor drives wB - wA to its speed within its torque; a limit is
@@ -26,85 +27,58 @@ b2RevoluteJoint::b2RevoluteJoint(const b2RevoluteJointDef* def)
       m_motorSpeed(def->motorSpeed), m_maxMotorTorque(def->maxMotorTorque)
 {}
 
-void b2RevoluteJoint::Prepare(const box2d::SolverContext& context)
+void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    Ready(f, context);
-    f.ApplyImpulse(m_impulse, m_armA, m_armB);
-    f.ApplyAngularImpulse(m_motorImpulse + m_lowerImpulse - m_upperImpulse);
-}
-
-void b2RevoluteJoint::Ready(const box2d::JointFrame& f, const box2d::SolverContext& context)
-{
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
-    m_offset = f.Offset();
-    m_angle = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
-    m_axialMass = box2d::InverseOrZero(f.iA + f.iB);
-
     const float32 share = box2d::CarryOver(context);
     box2d::Carry(m_impulse, share);
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
     box2d::Carry(m_lowerImpulse, m_enableLimit ? share : 0.0f);
     box2d::Carry(m_upperImpulse, m_enableLimit ? share : 0.0f);
-}
 
-float32 b2RevoluteJoint::SpeedToLower(const box2d::SolverContext& context) const
-{
-    return b2Max(m_angle - m_lowerAngle, 0.0f) * context.inverseStep;
-}
-
-float32 b2RevoluteJoint::SpeedToUpper(const box2d::SolverContext& context) const
-{
-    return b2Max(m_upperAngle - m_angle, 0.0f) * context.inverseStep;
-}
-
-void b2RevoluteJoint::SolveVelocity(const box2d::SolverContext& context)
-{
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    if (m_enableMotor)
-    {
-        const float32 limit = context.timeStep * m_maxMotorTorque;
-        const float32 speed = f.b.w - f.a.w - m_motorSpeed;
-        const float32 total = b2Clamp(m_motorImpulse - m_axialMass * speed, -limit, limit);
-        f.ApplyAngularImpulse(total - m_motorImpulse);
-        m_motorImpulse = total;
-    }
-    if (m_enableLimit)
-    {
-        const float32 lower =
-            b2Max(m_lowerImpulse - m_axialMass * (f.b.w - f.a.w + SpeedToLower(context)), 0.0f);
-        f.ApplyAngularImpulse(lower - m_lowerImpulse);
-        m_lowerImpulse = lower;
+    const b2Vec2 armA = f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = f.ArmB(m_localAnchorB);
+    const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
 
-        const float32 upper =
-            b2Max(m_upperImpulse - m_axialMass * (f.a.w - f.b.w + SpeedToUpper(context)), 0.0f);
-        f.ApplyAngularImpulse(m_upperImpulse - upper);
-        m_upperImpulse = upper;
+    using Lanes = box2d::RevoluteLanes<float32>;
+    Lanes lanes;
+    lanes.impulse = box2d::InLanes(m_impulse);
+    lanes.motorImpulse = m_motorImpulse;
+    lanes.lowerImpulse = m_lowerImpulse;
+    lanes.upperImpulse = m_upperImpulse;
+    lanes.armA = box2d::InLanes(armA);
+    lanes.armB = box2d::InLanes(armB);
+    lanes.offset = box2d::InLanes(f.Offset());
+    lanes.matrix = box2d::InLanes(matrix);
+    lanes.inverse = box2d::InverseDeterminant(matrix);
+    lanes.hasMotor = box2d::Flag(m_enableMotor);
+    lanes.hasLimits = box2d::Flag(m_enableLimit);
+    if (!m_enableMotor && !m_enableLimit)
+    {
+        lane.Write(lanes, sizeof(Lanes) / sizeof(float32) - Lanes::kAxialNumbers);
+        return;
     }
-    const b2Vec2 impulse =
-        box2d::PointMatrix(f, m_armA, m_armB).Solve(-f.PointSpeed(m_armA, m_armB));
-    m_impulse += impulse;
-    f.ApplyImpulse(impulse, m_armA, m_armB);
+    lane.features =
+        uint8((m_enableMotor ? Lanes::kMotor : 0) | (m_enableLimit ? Lanes::kLimits : 0));
+    const float32 angle =
+        float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
+    lanes.axial = {.mass = box2d::InverseOrZero(f.iA + f.iB),
+                   .motorSpeed = m_motorSpeed,
+                   .mostMotor = context.timeStep * m_maxMotorTorque,
+                   .angle = angle,
+                   .lower = m_lowerAngle,
+                   .upper = m_upperAngle,
+                   .lowerSpeed = b2Max(angle - m_lowerAngle, 0.0f) * context.inverseStep,
+                   .upperSpeed = b2Max(m_upperAngle - angle, 0.0f) * context.inverseStep};
+    lane.Write(lanes);
 }
 
-bool b2RevoluteJoint::SolvePosition(const box2d::SolverContext& context)
+void b2RevoluteJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    float32 angularError = 0.0f;
-    if (m_enableLimit)
-    {
-        const float32 angle = m_angle + f.b.angle - f.a.angle;
-        const float32 inside = b2Clamp(angle, m_lowerAngle, m_upperAngle);
-        angularError = b2Abs(angle - inside);
-        f.Turn(m_axialMass *
-               b2Clamp(inside - angle, -b2_maxAngularCorrection, b2_maxAngularCorrection));
-    }
-    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
-    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
-    const b2Vec2 error = m_offset + f.b.d - f.a.d + armB - armA;
-    f.Move(box2d::PointMatrix(f, armA, armB).Solve(-error), armA, armB);
-    return error.Length() <= b2_linearSlop && angularError <= b2_angularSlop;
+    m_impulse.Set(lane[0], lane[1]);
+    m_motorImpulse = lane[2];
+    m_lowerImpulse = lane[3];
+    m_upperImpulse = lane[4];
 }
 
 void b2RevoluteJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "RopeLanes.h"
 
 // The distance joint as an inequality:  C = |d| - L <= 0. While the rope is slack, the anchors may
 // part at most as fast as they would pull it taut in this step.
@@ -13,45 +14,35 @@ b2RopeJoint::b2RopeJoint(const b2RopeJointDef* def)
       m_maxLength(def->maxLength)
 {}
 
-void b2RopeJoint::Prepare(const box2d::SolverContext& context)
+void b2RopeJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
-    m_offset = f.Offset();
-    m_axis = m_offset + m_armB - m_armA;
+    const b2Vec2 armA = f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = f.ArmB(m_localAnchorB);
+    const b2Vec2 offset = f.Offset();
+    m_axis = offset + armB - armA;
     m_length = m_axis.Length();
     if (m_axis.Normalize() == 0.0f)
     {
         m_axis.SetZero();
     }
-    m_mass =
-        m_length > 0.0f ? box2d::InverseOrZero(box2d::AxisMatrix(f, m_axis, m_armA, m_armB)) : 0.0f;
+    const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
     box2d::Carry(m_impulse, box2d::CarryOver(context));
-    f.ApplyImpulse(m_impulse * m_axis, m_armA, m_armB);
+
+    lane.Write(box2d::RopeLanes<float32>{.impulse = m_impulse,
+                                         .axis = box2d::InLanes(m_axis),
+                                         .armA = box2d::InLanes(armA),
+                                         .armB = box2d::InLanes(armB),
+                                         .offset = box2d::InLanes(offset),
+                                         .mass = m_length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
+                                         .slack = b2Max(m_maxLength - m_length, 0.0f) *
+                                                  context.inverseStep,
+                                         .maxLength = m_maxLength});
 }
 
-void b2RopeJoint::SolveVelocity(const box2d::SolverContext& context)
+void b2RopeJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const float32 slack = b2Max(m_maxLength - m_length, 0.0f) * context.inverseStep;
-    const float32 speed = b2Dot(m_axis, f.PointSpeed(m_armA, m_armB)) - slack;
-    const float32 total = b2Min(m_impulse - m_mass * speed, 0.0f);
-    f.ApplyImpulse((total - m_impulse) * m_axis, m_armA, m_armB);
-    m_impulse = total;
-}
-
-bool b2RopeJoint::SolvePosition(const box2d::SolverContext& context)
-{
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
-    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
-    b2Vec2 axis = m_offset + f.b.d - f.a.d + armB - armA;
-    const float32 length = axis.Normalize();
-    const float32 error = b2Clamp(length - m_maxLength, 0.0f, b2_maxLinearCorrection);
-    f.Move((-error * box2d::InverseOrZero(box2d::AxisMatrix(f, axis, armA, armB))) * axis, armA,
-           armB);
-    return length - m_maxLength < b2_linearSlop;
+    m_impulse = lane[0];
 }
 
 void b2RopeJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -4,24 +4,11 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "WeldLanes.h"
 
 // A hinge whose angle is held too. Rigid: the three rows are solved together, with
 //   K = [ PointMatrix   k ; k^T   iA + iB ],   k = (-iA rA.y - iB rB.y, iA rA.x + iB rB.x).
 // Soft: the angle is a spring, solved before the point.
-
-namespace
-{
-
-b2Mat33 FullMatrix(const box2d::JointFrame& f, const b2Vec2& rA, const b2Vec2& rB)
-{
-    const b2Mat22 point = box2d::PointMatrix(f, rA, rB);
-    const float32 kx = -f.iA * rA.y - f.iB * rB.y;
-    const float32 ky = f.iA * rA.x + f.iB * rB.x;
-    return b2Mat33(b2Vec3(point.ex.x, point.ex.y, kx), b2Vec3(point.ey.x, point.ey.y, ky),
-                   b2Vec3(kx, ky, f.iA + f.iB));
-}
-
-} // namespace
 
 void b2WeldJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
 {
@@ -38,69 +25,36 @@ b2WeldJoint::b2WeldJoint(const b2WeldJointDef* def)
       m_dampingRatio(def->dampingRatio)
 {}
 
-void b2WeldJoint::Prepare(const box2d::SolverContext& context)
+void b2WeldJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
+    box2d::Carry(m_angularImpulse, box2d::CarryOver(context));
+
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
-    m_offset = f.Offset();
-    m_angleError = float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
+    const double angle = f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle);
     const float32 inertia = f.iA + f.iB;
     const box2d::Softness soft = box2d::MakeSoftness(
         m_frequencyHz, m_dampingRatio, box2d::InverseOrZero(inertia), context.timeStep);
-    m_gamma = soft.gamma;
-    m_bias = m_angleError * soft.biasRate;
-    m_angularMass = inertia > 0.0f ? 1.0f / (inertia + m_gamma) : 0.0f;
 
-    box2d::Carry(m_impulse, box2d::CarryOver(context));
-    box2d::Carry(m_angularImpulse, box2d::CarryOver(context));
-    f.ApplyImpulse(m_impulse, m_armA, m_armB);
-    f.ApplyAngularImpulse(m_angularImpulse);
+    using Lanes = box2d::WeldLanes<float32>;
+    const bool isRigid = !(m_frequencyHz > 0.0f) && inertia > 0.0f;
+    lane.features = isRigid ? Lanes::kRigid : Lanes::kSoft;
+    lane.Write(Lanes{.impulse = box2d::InLanes(m_impulse),
+                     .angularImpulse = m_angularImpulse,
+                     .armA = box2d::InLanes(f.ArmA(m_localAnchorA)),
+                     .armB = box2d::InLanes(f.ArmB(m_localAnchorB)),
+                     .offset = box2d::InLanes(f.Offset()),
+                     .angleError = float32(angle),
+                     .isRigid = box2d::Flag(isRigid),
+                     .angularMass = inertia > 0.0f ? 1.0f / (inertia + soft.gamma) : 0.0f,
+                     .bias = float32(angle) * soft.biasRate,
+                     .gamma = soft.gamma});
 }
 
-void b2WeldJoint::SolveVelocity(const box2d::SolverContext& context)
+void b2WeldJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    if (m_frequencyHz > 0.0f || m_angularMass == 0.0f)
-    {
-        const float32 turn = -m_angularMass * (f.b.w - f.a.w + m_bias + m_gamma * m_angularImpulse);
-        m_angularImpulse += turn;
-        f.ApplyAngularImpulse(turn);
-        const b2Vec2 push =
-            box2d::PointMatrix(f, m_armA, m_armB).Solve(-f.PointSpeed(m_armA, m_armB));
-        m_impulse += push;
-        f.ApplyImpulse(push, m_armA, m_armB);
-        return;
-    }
-    const b2Vec2 speed = f.PointSpeed(m_armA, m_armB);
-    const b2Vec3 impulse =
-        FullMatrix(f, m_armA, m_armB).Solve33(b2Vec3(-speed.x, -speed.y, f.a.w - f.b.w));
-    m_impulse += b2Vec2(impulse.x, impulse.y);
-    m_angularImpulse += impulse.z;
-    f.ApplyImpulse(b2Vec2(impulse.x, impulse.y), m_armA, m_armB);
-    f.ApplyAngularImpulse(impulse.z);
-}
-
-bool b2WeldJoint::SolvePosition(const box2d::SolverContext& context)
-{
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
-    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
-    const b2Vec2 error = m_offset + f.b.d - f.a.d + armB - armA;
-    if (m_frequencyHz > 0.0f || m_angularMass == 0.0f)
-    {
-        f.Move(box2d::PointMatrix(f, armA, armB).Solve(-error), armA, armB);
-        return error.Length() <= b2_linearSlop;
-    }
-    const float32 angularError = m_angleError + f.b.angle - f.a.angle;
-    const b2Vec3 impulse =
-        FullMatrix(f, armA, armB).Solve33(b2Vec3(-error.x, -error.y, -angularError));
-    const b2Vec2 push(impulse.x, impulse.y);
-    f.a.d -= f.mA * push;
-    f.a.Rotate(-f.iA * (b2Cross(armA, push) + impulse.z));
-    f.b.d += f.mB * push;
-    f.b.Rotate(f.iB * (b2Cross(armB, push) + impulse.z));
-    return error.Length() <= b2_linearSlop && b2Abs(angularError) <= b2_angularSlop;
+    m_impulse.Set(lane[0], lane[1]);
+    m_angularImpulse = lane[2];
 }
 
 void b2WeldJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

@@ -4,42 +4,12 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "WheelLanes.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
 //   rigid:   C = dot(t, d),   Cdot = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x t) wA
 //   spring:  the same with a for t, made soft
 //   motor:   wB - wA driven to its speed
-
-namespace
-{
-
-/// One direction in which the anchors are held.
-struct Row
-{
-    b2Vec2 direction;
-    float32 crossA, crossB; // (d + rA) x direction, rB x direction
-
-    Row(const b2Vec2& along, const b2Vec2& reachA, const b2Vec2& armB)
-        : direction(along), crossA(b2Cross(reachA, along)), crossB(b2Cross(armB, along))
-    {}
-    float32 Matrix(const box2d::JointFrame& f) const
-    {
-        return f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
-    }
-    float32 Speed(const box2d::JointFrame& f) const
-    {
-        return b2Dot(direction, f.b.v - f.a.v) + crossB * f.b.w - crossA * f.a.w;
-    }
-    void Apply(const box2d::JointFrame& f, float32 impulse) const
-    {
-        f.a.v -= (f.mA * impulse) * direction;
-        f.a.w -= f.iA * crossA * impulse;
-        f.b.v += (f.mB * impulse) * direction;
-        f.b.w += f.iB * crossB * impulse;
-    }
-};
-
-} // namespace
 
 void b2WheelJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor, const b2Vec2& axis)
 {
@@ -62,68 +32,53 @@ b2WheelJoint::b2WheelJoint(const b2WheelJointDef* def)
     }
 }
 
-void b2WheelJoint::Prepare(const box2d::SolverContext& context)
+void b2WheelJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    m_armA = f.ArmA(m_localAnchorA);
-    m_armB = f.ArmB(m_localAnchorB);
-    m_offset = f.Offset();
-    m_axis = b2Mul(f.dataA.rotation, m_localAxisA);
-    const Row spring(m_axis, m_offset + m_armB, m_armB);
-    const Row rigid(b2Cross(1.0f, m_axis), m_offset + m_armB, m_armB);
-    const float32 k = spring.Matrix(f);
-    const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
-                                                     box2d::InverseOrZero(k), context.timeStep);
-    m_gamma = soft.gamma;
-    m_bias = b2Dot(m_axis, m_offset + m_armB - m_armA) * soft.biasRate;
-    m_springMass = m_frequencyHz > 0.0f ? box2d::InverseOrZero(k + m_gamma) : 0.0f;
-    m_motorMass = box2d::InverseOrZero(f.iA + f.iB);
-
     const float32 share = box2d::CarryOver(context);
     box2d::Carry(m_impulse, share);
     box2d::Carry(m_springImpulse, m_frequencyHz > 0.0f ? share : 0.0f);
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
-    rigid.Apply(f, m_impulse);
-    spring.Apply(f, m_springImpulse);
-    f.ApplyAngularImpulse(m_motorImpulse);
+
+    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
+    const b2Vec2 armA = f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = f.ArmB(m_localAnchorB);
+    const b2Vec2 offset = f.Offset();
+    m_axis = b2Mul(f.dataA.rotation, m_localAxisA);
+    const float32 k = box2d::AxisMatrix(f, m_axis, offset + armB, armB);
+    const b2Vec2 across = b2Cross(1.0f, m_axis);
+    const float32 kAcross = box2d::AxisMatrix(f, across, offset + armB, armB);
+    const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
+                                                     box2d::InverseOrZero(k), context.timeStep);
+
+    using Lanes = box2d::WheelLanes<float32>;
+    lane.features = m_enableMotor ? Lanes::kMotor : 0;
+    lane.Write(
+        Lanes{.impulse = m_impulse,
+              .springImpulse = m_springImpulse,
+              .motorImpulse = m_motorImpulse,
+              .axis = box2d::InLanes(m_axis),
+              .axisA = b2Cross(offset + armB, m_axis),
+              .axisB = b2Cross(armB, m_axis),
+              .acrossA = b2Cross(offset + armB, across),
+              .acrossB = b2Cross(armB, across),
+              .armA = box2d::InLanes(armA),
+              .armB = box2d::InLanes(armB),
+              .offset = box2d::InLanes(offset),
+              .rigidMass = box2d::InverseOrZero(kAcross),
+              .springMass = m_frequencyHz > 0.0f ? box2d::InverseOrZero(k + soft.gamma) : 0.0f,
+              .bias = b2Dot(m_axis, offset + armB - armA) * soft.biasRate,
+              .gamma = soft.gamma,
+              .motorMass = box2d::InverseOrZero(f.iA + f.iB),
+              .hasMotor = box2d::Flag(m_enableMotor),
+              .motorSpeed = m_motorSpeed,
+              .mostMotor = context.timeStep * m_maxMotorTorque});
 }
 
-void b2WheelJoint::SolveVelocity(const box2d::SolverContext& context)
+void b2WheelJoint::KeepImpulses(const box2d::JointLane& lane)
 {
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const Row spring(m_axis, m_offset + m_armB, m_armB);
-    const float32 springImpulse =
-        -m_springMass * (spring.Speed(f) + m_bias + m_gamma * m_springImpulse);
-    m_springImpulse += springImpulse;
-    spring.Apply(f, springImpulse);
-    if (m_enableMotor)
-    {
-        const float32 limit = context.timeStep * m_maxMotorTorque;
-        const float32 speed = f.b.w - f.a.w - m_motorSpeed;
-        const float32 total = b2Clamp(m_motorImpulse - m_motorMass * speed, -limit, limit);
-        f.ApplyAngularImpulse(total - m_motorImpulse);
-        m_motorImpulse = total;
-    }
-    const Row rigid(b2Cross(1.0f, m_axis), m_offset + m_armB, m_armB);
-    const float32 impulse = -box2d::InverseOrZero(rigid.Matrix(f)) * rigid.Speed(f);
-    m_impulse += impulse;
-    rigid.Apply(f, impulse);
-}
-
-bool b2WheelJoint::SolvePosition(const box2d::SolverContext& context)
-{
-    const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = b2Mul(f.a.q, m_armA);
-    const b2Vec2 armB = b2Mul(f.b.q, m_armB);
-    const b2Vec2 reachA = m_offset + f.b.d - f.a.d + armB;
-    const Row rigid(b2Cross(1.0f, b2Mul(f.a.q, m_axis)), reachA, armB);
-    const float32 error = b2Dot(rigid.direction, reachA - armA);
-    const float32 impulse = -error * box2d::InverseOrZero(rigid.Matrix(f));
-    f.a.d -= (f.mA * impulse) * rigid.direction;
-    f.a.Rotate(-f.iA * rigid.crossA * impulse);
-    f.b.d += (f.mB * impulse) * rigid.direction;
-    f.b.Rotate(f.iB * rigid.crossB * impulse);
-    return b2Abs(error) <= b2_linearSlop;
+    m_impulse = lane[0];
+    m_springImpulse = lane[1];
+    m_motorImpulse = lane[2];
 }
 
 void b2WheelJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)

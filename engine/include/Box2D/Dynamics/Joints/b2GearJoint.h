@@ -36,9 +36,8 @@ protected:
     friend struct box2d::JointAccess;
     explicit b2GearJoint(const b2GearJointDef* def);
     b2GearJoint(const b2GearJointDef* def, const b2JointDef& base);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
@@ -66,7 +65,6 @@ protected:
     static void Measure(Side& side, const box2d::SolverContext* context);
     float32 EffectiveMass() const;
     float32 SharedMatrix() const;
-    void Apply(const box2d::SolverContext& context, float32 impulse, bool onPositions) const;
 
     b2Joint* m_joint1;
     b2Joint* m_joint2;
@@ -75,6 +73,4 @@ protected:
     double m_constant; ///< coordinate 1 + ratio * coordinate 2
     float32 m_ratio;
     float32 m_impulse = 0.0f; ///< of the last step
-
-    float32 m_mass = 0.0f; ///< effective, from Prepare
 };

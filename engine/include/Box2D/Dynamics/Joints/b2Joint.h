@@ -8,7 +8,7 @@ class b2Joint;
 
 namespace box2d
 {
-struct HingeAccess;
+struct JointLane;
 struct JointAccess;
 struct JointFrame;
 struct JointRows;
@@ -97,11 +97,10 @@ protected:
     explicit b2Joint(const b2JointDef* def);
     virtual ~b2Joint() = default;
 
-    // The solver's side. Prepare computes what stays the same during a step and applies the
-    // impulses of the last one; SolvePosition returns true when the error is below the tolerance.
-    virtual void Prepare(const box2d::SolverContext& context) = 0;
-    virtual void SolveVelocity(const box2d::SolverContext& context) = 0;
-    virtual bool SolvePosition(const box2d::SolverContext& context) = 0;
+    // The solver's side. FillLane writes what the solver reads of the joint during a step, the
+    // impulses of the last one included; KeepImpulses takes them back.
+    virtual void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) = 0;
+    virtual void KeepImpulses(const box2d::JointLane& lane) = 0;
     // In small steps all joints are solved together instead. Their rows follow from the present
     // poses and, for springs, from the velocities before a kick; the impulses are those of a step,
     // by row, of what gives way within its force and beyond it.

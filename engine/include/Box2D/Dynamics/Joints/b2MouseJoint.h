@@ -40,9 +40,8 @@ public:
 protected:
     friend struct box2d::JointAccess;
     explicit b2MouseJoint(const b2MouseJointDef* def);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
@@ -53,9 +52,4 @@ protected:
     float32 m_frequencyHz;
     float32 m_dampingRatio;
     b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f); ///< of the last step [N s]
-
-    // Of one step, from Prepare.
-    b2Vec2 m_armB;          ///< from the centre of mass to the point, in world axes
-    b2Vec2 m_bias;          ///< [m/s]
-    float32 m_gamma = 0.0f; ///< softness
 };

@@ -61,9 +61,8 @@ public:
 protected:
     friend struct box2d::JointAccess;
     explicit b2PrismaticJoint(const b2PrismaticJointDef* def);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
@@ -85,13 +84,5 @@ protected:
     float32 m_motorImpulse = 0.0f;
     float32 m_lowerImpulse = 0.0f;
     float32 m_upperImpulse = 0.0f;
-
-    // Of one step, from Prepare.
-    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
-    b2Vec2 m_armB;
-    b2Vec2 m_offset;              ///< from centre of mass A to B at the start of the step
-    b2Vec2 m_axis;                ///< in world axes
-    float32 m_translation = 0.0f; ///< at the start of the step
-    float32 m_angleError = 0.0f;  ///< at the start of the step
-    float32 m_axialMass = 0.0f;   ///< effective, along the axis
+    b2Vec2 m_axis; ///< in world axes, of the last step
 };

@@ -53,13 +53,11 @@ public:
 protected:
     friend struct box2d::JointAccess;
     explicit b2PulleyJoint(const b2PulleyJointDef* def);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
-    void Pull(const box2d::SolverContext& context, float32 impulse) const;
     float32 Stretch(const b2Vec2& ropeA, const b2Vec2& ropeB) const;
 
     b2Vec2 m_groundAnchorA;
@@ -70,13 +68,6 @@ protected:
     float32 m_lengthB;
     float32 m_ratio;
     float32 m_impulse = 0.0f; ///< of the last step, in A's rope [N s]
-
-    // Of one step, from Prepare.
-    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
-    b2Vec2 m_armB;
-    b2Vec2 m_ropeA; ///< from the ground anchor to centre of mass A at the start of the step
-    b2Vec2 m_ropeB;
-    b2Vec2 m_axisA; ///< unit vector from the ground anchor to the body's
+    b2Vec2 m_axisA;           ///< unit vector from the ground anchor to the body's, of the last step
     b2Vec2 m_axisB;
-    float32 m_mass = 0.0f; ///< effective
 };

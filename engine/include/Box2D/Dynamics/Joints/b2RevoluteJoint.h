@@ -56,19 +56,12 @@ public:
 
 protected:
     friend struct box2d::JointAccess;
-    friend struct box2d::HingeAccess;
     explicit b2RevoluteJoint(const b2RevoluteJointDef* def);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
-    /// Computes what stays the same during a step.
-    void Ready(const box2d::JointFrame& frame, const box2d::SolverContext& context);
-    /// The speeds that would reach the limits within the step [rad/s].
-    float32 SpeedToLower(const box2d::SolverContext& context) const;
-    float32 SpeedToUpper(const box2d::SolverContext& context) const;
 
     b2Vec2 m_localAnchorA;
     b2Vec2 m_localAnchorB;
@@ -85,11 +78,4 @@ protected:
     float32 m_motorImpulse = 0.0f;
     float32 m_lowerImpulse = 0.0f;
     float32 m_upperImpulse = 0.0f;
-
-    // Of one step, from Prepare.
-    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
-    b2Vec2 m_armB;
-    b2Vec2 m_offset;            ///< from centre of mass A to B at the start of the step
-    float32 m_angle = 0.0f;     ///< joint angle at the start of the step
-    float32 m_axialMass = 0.0f; ///< effective, about the hinge; 0 when neither body can turn
 };

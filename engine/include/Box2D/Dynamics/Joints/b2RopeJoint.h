@@ -34,9 +34,8 @@ public:
 protected:
     friend struct box2d::JointAccess;
     explicit b2RopeJoint(const b2RopeJointDef* def);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
@@ -45,12 +44,7 @@ protected:
     b2Vec2 m_localAnchorB;
     float32 m_maxLength;
     float32 m_impulse = 0.0f; ///< along the rope, of the last step [N s]; never positive
-
-    // Of one step, from Prepare.
-    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
-    b2Vec2 m_armB;
-    b2Vec2 m_offset;         ///< from centre of mass A to B at the start of the step
+    // Of the last step.
     b2Vec2 m_axis;           ///< unit vector from anchor A to anchor B
-    float32 m_length = 0.0f; ///< at the start of the step
-    float32 m_mass = 0.0f;   ///< effective, along the rope
+    float32 m_length = 0.0f; ///< at its start
 };

@@ -40,9 +40,8 @@ public:
 protected:
     friend struct box2d::JointAccess;
     explicit b2WeldJoint(const b2WeldJointDef* def);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
@@ -55,13 +54,4 @@ protected:
 
     b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f); ///< of the last step, of the point [N s]
     float32 m_angularImpulse = 0.0f;       ///< of the last step [N m s]
-
-    // Of one step, from Prepare.
-    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
-    b2Vec2 m_armB;
-    b2Vec2 m_offset;              ///< from centre of mass A to B at the start of the step
-    float32 m_angleError = 0.0f;  ///< at the start of the step
-    float32 m_angularMass = 0.0f; ///< effective; of the spring when it is soft
-    float32 m_gamma = 0.0f;       ///< softness of the spring
-    float32 m_bias = 0.0f;        ///< [rad/s]
 };

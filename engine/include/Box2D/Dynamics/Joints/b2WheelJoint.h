@@ -54,9 +54,8 @@ public:
 protected:
     friend struct box2d::JointAccess;
     explicit b2WheelJoint(const b2WheelJointDef* def);
-    void Prepare(const box2d::SolverContext& context) override;
-    void SolveVelocity(const box2d::SolverContext& context) override;
-    bool SolvePosition(const box2d::SolverContext& context) override;
+    void FillLane(const box2d::SolverContext& context, box2d::JointLane& lane) override;
+    void KeepImpulses(const box2d::JointLane& lane) override;
     void FillRows(const box2d::SolverContext& context, box2d::JointRows& rows) override;
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
@@ -74,14 +73,5 @@ protected:
     float32 m_impulse = 0.0f;
     float32 m_springImpulse = 0.0f;
     float32 m_motorImpulse = 0.0f;
-
-    // Of one step, from Prepare.
-    b2Vec2 m_armA; ///< from the centre of mass to the anchor, in world axes
-    b2Vec2 m_armB;
-    b2Vec2 m_offset;             ///< from centre of mass A to B at the start of the step
-    b2Vec2 m_axis;               ///< in world axes
-    float32 m_springMass = 0.0f; ///< effective, along the axis
-    float32 m_gamma = 0.0f;      ///< softness of the spring
-    float32 m_bias = 0.0f;       ///< [m/s]
-    float32 m_motorMass = 0.0f;  ///< effective, about the wheel
+    b2Vec2 m_axis; ///< in world axes, of the last step
 };

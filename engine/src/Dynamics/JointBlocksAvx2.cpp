@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Compiled for AVX2 and used where the processor has it; see ContactBlocksAvx2.cpp.
+#include "JointKernels.h"
+
+namespace box2d
+{
+
+const JointKernels& JointKernelsAvx2(b2JointType type)
+{
+    return kJointKernels<simd::Float8>[type];
+}
+
+} // namespace box2d

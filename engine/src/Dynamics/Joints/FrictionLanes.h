@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../JointLanes.h"
+
+/// The solver of b2FrictionJoint, whose source has the formulas; with a wanted speed that of
+/// b2MotorJoint as well.
+namespace box2d
+{
+namespace
+{
+
+template <class F>
+struct FrictionLanes
+{
+    static constexpr int kImpulses = 3;
+    static constexpr int kPlainImpulses = kImpulses;
+    static constexpr bool kHoldsPositions = false;
+
+    Vector<F> impulse;                     ///< [N s]
+    F angularImpulse;                      ///< [N m s]
+    F most, mostAngular;                   ///< of them
+    Vector<F> armA, armB;                  ///< at the start of the step [m]
+    typename PairMasses<F>::Matrix matrix; ///< of the point
+    F inverse;                             ///< 1 over its determinant
+    F angularMass;
+
+    void WarmStart(MovingPair<F>& pair, uint8) const
+    {
+        pair.Apply(impulse, armA, armB);
+        pair.ApplyAngular(angularImpulse);
+    }
+
+    void SolveVelocity(MovingPair<F>& pair, uint8)
+    {
+        SolveAngular(pair, pair.wB - pair.wA);
+        SolveLinear(pair, pair.PointSpeed(armA, armB));
+    }
+
+    void SolveAngular(MovingPair<F>& pair, F speed)
+    {
+        const F total = Clamp(angularImpulse - angularMass * speed, -mostAngular, mostAngular);
+        pair.ApplyAngular(total - angularImpulse);
+        angularImpulse = total;
+    }
+    void SolveLinear(MovingPair<F>& pair, const Vector<F>& speed)
+    {
+        const Vector<F> wanted = impulse + matrix.Solve(-speed, inverse);
+        const Vector<F> total = ClampLength(wanted, most);
+        pair.Apply(total - impulse, armA, armB);
+        impulse = total;
+    }
+};
+
+} // namespace
+} // namespace box2d

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../JointLanes.h"
+
+/// The solver of b2MouseJoint, whose source has the formulas. Body A takes no part.
+namespace box2d
+{
+namespace
+{
+
+template <class F>
+struct MouseLanes
+{
+    static constexpr int kImpulses = 2;
+    static constexpr int kPlainImpulses = kImpulses;
+    static constexpr bool kHoldsPositions = false;
+    /// What is dragged about should not spin for long: so much of its turning is kept a step.
+    static constexpr float32 kKeptSpin = 0.98f;
+
+    Vector<F> impulse; ///< [N s]
+    F most;            ///< of it
+    Vector<F> arm;     ///< at the start of the step [m]
+    typename PairMasses<F>::Matrix matrix;
+    F inverse; ///< 1 over its determinant
+    Vector<F> bias;
+    F gamma;
+
+    void WarmStart(MovingPair<F>& pair, uint8) const
+    {
+        pair.wB = pair.wB * F::Set(kKeptSpin);
+        Apply(pair, impulse);
+    }
+    void SolveVelocity(MovingPair<F>& pair, uint8)
+    {
+        const Vector<F> speed = pair.vB + Cross(pair.wB, arm) + bias + gamma * impulse;
+        const Vector<F> total = ClampLength(impulse + matrix.Solve(-speed, inverse), most);
+        Apply(pair, total - impulse);
+        impulse = total;
+    }
+    void Apply(MovingPair<F>& pair, const Vector<F>& push) const
+    {
+        pair.vB = pair.vB + pair.mB * push;
+        pair.wB = pair.wB + pair.iB * Cross(arm, push);
+    }
+};
+
+} // namespace
+} // namespace box2d

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../JointLanes.h"
+
+/// The solver of b2PulleyJoint, whose source has the formulas.
+namespace box2d
+{
+namespace
+{
+
+/// Nearer than this to its ground anchor a rope has no direction, and stays as long as it is there:
+/// what its end does within pulls at nothing [m].
+constexpr float32 kShortestRope = 10.0f * b2_linearSlop;
+
+template <class F>
+struct PulleyLanes
+{
+    static constexpr int kImpulses = 1;
+    static constexpr int kPlainImpulses = kImpulses;
+    static constexpr bool kHoldsPositions = true;
+
+    F impulse;              ///< in A's rope [N s]
+    Vector<F> axisA, axisB; ///< from the ground anchors to the bodies'
+    Vector<F> armA, armB;   ///< at the start of the step [m]
+    Vector<F> ropeA, ropeB; ///< from the ground anchors to the centres of mass, then [m]
+    F ratio;
+    F mass;             ///< effective
+    F lengthA, lengthB; ///< [m]
+
+    void WarmStart(MovingPair<F>& pair, uint8) const { Pull(pair, impulse); }
+
+    void SolveVelocity(MovingPair<F>& pair, uint8)
+    {
+        const F speed = Dot(axisA, pair.vA + Cross(pair.wA, armA)) +
+                        ratio * Dot(axisB, pair.vB + Cross(pair.wB, armB));
+        const F change = mass * speed;
+        impulse = impulse + change;
+        Pull(pair, change);
+    }
+
+    void Pull(MovingPair<F>& pair, F by) const
+    {
+        const Vector<F> onA = -by * axisA;
+        const Vector<F> onB = (-ratio * by) * axisB;
+        pair.vA = pair.vA + pair.mA * onA;
+        pair.wA = pair.wA + pair.iA * Cross(armA, onA);
+        pair.vB = pair.vB + pair.mB * onB;
+        pair.wB = pair.wB + pair.iB * Cross(armB, onB);
+    }
+
+    static Vector<F> Direction(const Vector<F>& rope)
+    {
+        const F zero = F::Set(0.0f);
+        const F length = Length(rope);
+        const auto near = AtLeast(F::Set(kShortestRope), length);
+        const F inverse = F::Set(1.0f) / Select(near, F::Set(1.0f), length);
+        return Select(near, Vector<F>{zero, zero}, inverse * rope);
+    }
+    static F RopeLength(const Vector<F>& rope) { return Max(Length(rope), F::Set(kShortestRope)); }
+
+    auto SolvePosition(PlacedPair<F>& pair, uint8) const
+    {
+        const Vector<F> turnedA = pair.a.Turn(armA);
+        const Vector<F> turnedB = pair.b.Turn(armB);
+        const Vector<F> nowA = ropeA + pair.a.d + turnedA;
+        const Vector<F> nowB = ropeB + pair.b.d + turnedB;
+        const Vector<F> alongA = Direction(nowA);
+        const Vector<F> alongB = Direction(nowB);
+        const F leverA = Cross(turnedA, alongA);
+        const F leverB = Cross(turnedB, alongB);
+        const F k = pair.mA + pair.iA * leverA * leverA +
+                    ratio * ratio * (pair.mB + pair.iB * leverB * leverB);
+        const F error = RopeLength(nowA) - lengthA + ratio * (RopeLength(nowB) - lengthB);
+        const F push = -error * InverseOrZero(k);
+        pair.a.d = pair.a.d + pair.mA * (push * alongA);
+        pair.b.d = pair.b.d + pair.mB * ((ratio * push) * alongB);
+        pair.Rotate(-Cross(turnedA, push * alongA), Cross(turnedB, (ratio * push) * alongB));
+        return AtLeast(F::Set(b2_linearSlop), Abs(error));
+    }
+};
+
+} // namespace
+} // namespace box2d
