@@ -25,22 +25,23 @@ using namespace dynamics;
 class Pit
 {
 public:
-    explicit Pit(int32 threads, int32 subSteps = 1)
+    explicit Pit(int32 threads, int32 subSteps = 1, int columns = 20)
     {
         scene.world.SetThreadCount(threads);
         scene.world.SetSubStepCount(subSteps);
         scene.Ground();
-        scene.Wall(-9.0f, 0.5f);
-        scene.Wall(9.0f, 0.5f);
+        const float32 half = 0.375f * float32(columns);
+        scene.Wall(-half - 1.5f, 0.5f);
+        scene.Wall(half + 1.5f, 0.5f);
         b2Body* bar = scene.Body(b2_kinematicBody, 0.0f, 4.0f);
         Scene::AddBox(bar, 4.0f, 0.2f);
         bar->SetAngularVelocity(1.5f);
         b2Body* gate = scene.Body(b2_staticBody, 0.0f, 2.0f);
         Scene::AddBox(gate, 5.0f, 1.0f)->SetSensor(true);
-        for (int i = 0; i < 400; ++i)
+        for (int i = 0; i < 20 * columns; ++i)
         {
-            const float32 x = -7.5f + 0.75f * float32(i % 20) + 0.01f * float32(i % 7);
-            const float32 y = 6.0f + 0.8f * float32(i / 20);
+            const float32 x = -half + 0.75f * float32(i % columns) + 0.01f * float32(i % 7);
+            const float32 y = 6.0f + 0.8f * float32(i / columns);
             b2Body* body = i % 3 == 0   ? scene.Ball(x, y, 0.3f)
                            : i % 3 == 1 ? scene.Box(x, y, 0.3f, 0.25f)
                                         : scene.Box(x, y, 0.35f, 0.1f);
@@ -98,6 +99,19 @@ TEST(DynamicsThreads, GiveTheSameBitsInAnyNumberAndWidth)
             }
             EXPECT_EQ(WhyBroken(pit.scene.world, true), "");
         }
+    }
+}
+
+/// Of each colour so many contacts touch that eight threads have a part each.
+TEST(DynamicsThreads, GiveTheSameBitsWhereEightShareAColour)
+{
+    for (const int32 subSteps : {1, 2})
+    {
+        Pit one(1, subSteps, 120);
+        Pit eight(8, subSteps, 120);
+        one.scene.Step(90);
+        eight.scene.Step(90);
+        EXPECT_EQ(eight.Hash(), one.Hash()) << subSteps << " sub-steps";
     }
 }
 
