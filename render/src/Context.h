@@ -2,32 +2,62 @@
 #pragma once
 
 #include <debugdraw/Result.h>
+#include <render/Backend.h>
 
 #include <memory>
 #include <string>
 
 /// A GL 3.3 core context without a window, behind the one interface that the renderer sees. Each
 /// back end is one Context*.cpp, which loads its library at run time: nothing of GL is linked. A
-/// context is current in one thread at a time; the default framebuffer is never drawn to.
+/// context is current in one thread at a time, and destroyed there; the default framebuffer is
+/// never drawn to.
 namespace boxreel
 {
 
 class Context
 {
 public:
+    Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
     virtual ~Context() = default;
 
     /// Directs the GL calls of this thread to this context; cheap when it is current already.
-    virtual Result<void> MakeCurrent() = 0;
+    Result<void> MakeCurrent();
 
     /// The address of a GL function, null when the library has none of that name.
     virtual void* ProcAddress(const char* name) const = 0;
 
     /// The back end's name for people, e.g. "OSMesa".
     virtual const char* BackEnd() const = 0;
+
+protected:
+    /// What its library says; another back end's library may have had the last word.
+    virtual bool IsCurrent() const = 0;
+    virtual Result<void> Bind() = 0;
+    virtual void Unbind() = 0;
+
+    /// What every destructor does first: a library keeps what is current.
+    void Leave();
 };
 
-/// Mesa's off-screen library. `library` is what the loader is asked for.
-Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library = "libOSMesa.so.8");
+/// What the loader is asked for; other names in tests.
+struct ContextLibraries
+{
+    std::string osMesa = "libOSMesa.so.8";
+    std::string egl = "libEGL.so.1";
+};
+
+/// The back end that was asked for, or the first that works. When none does, an Error (Absent) with
+/// a line for each that was tried: its library, what went wrong, the remedy.
+Result<std::unique_ptr<Context>> CreateContext(Backend backend,
+                                               const ContextLibraries& libraries = {});
+
+/// Mesa's off-screen library.
+Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library);
+
+/// EGL without a surface. With `onGpu` false what would draw on anything but a software rasteriser
+/// is refused, with `onGpu` true the opposite.
+Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bool onGpu);
 
 } // namespace boxreel

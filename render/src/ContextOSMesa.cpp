@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Context.h"
-
-#include <dlfcn.h>
+#include "ContextLibrary.h"
 
 #include <array>
 
@@ -24,6 +23,8 @@ constexpr int kMinorVersion = 0x37;
 constexpr int kFormatRgba = 0x1908;
 constexpr unsigned kUnsignedByte = 0x1401;
 
+const std::string kPackages = "libosmesa6";
+
 /// The library's functions, by the names it exports.
 struct OSMesa
 {
@@ -35,19 +36,11 @@ struct OSMesa
 
     bool Load(void* library)
     {
-        return Find(library, "OSMesaCreateContextAttribs", createContextAttribs) &&
-               Find(library, "OSMesaDestroyContext", destroyContext) &&
-               Find(library, "OSMesaMakeCurrent", makeCurrent) &&
-               Find(library, "OSMesaGetCurrentContext", getCurrentContext) &&
-               Find(library, "OSMesaGetProcAddress", getProcAddress);
-    }
-
-private:
-    template <class Function>
-    static bool Find(void* library, const char* name, Function& function)
-    {
-        function = reinterpret_cast<Function>(dlsym(library, name));
-        return function != nullptr;
+        return FindFunction(library, "OSMesaCreateContextAttribs", createContextAttribs) &&
+               FindFunction(library, "OSMesaDestroyContext", destroyContext) &&
+               FindFunction(library, "OSMesaMakeCurrent", makeCurrent) &&
+               FindFunction(library, "OSMesaGetCurrentContext", getCurrentContext) &&
+               FindFunction(library, "OSMesaGetProcAddress", getProcAddress);
     }
 };
 
@@ -55,22 +48,28 @@ class OSMesaContext final : public Context
 {
 public:
     OSMesaContext(const OSMesa& mesa, void* context) : m_mesa(mesa), m_context(context) {}
-    OSMesaContext(const OSMesaContext&) = delete;
-    OSMesaContext& operator=(const OSMesaContext&) = delete;
-    ~OSMesaContext() override { m_mesa.destroyContext(m_context); }
-
-    Result<void> MakeCurrent() override
+    ~OSMesaContext() override
     {
-        if (m_mesa.getCurrentContext() == m_context ||
-            m_mesa.makeCurrent(m_context, m_pixel.data(), kUnsignedByte, 1, 1))
+        Leave();
+        m_mesa.destroyContext(m_context);
+    }
+
+    void* ProcAddress(const char* name) const override { return m_mesa.getProcAddress(name); }
+    const char* BackEnd() const override { return "OSMesa"; }
+
+protected:
+    bool IsCurrent() const override { return m_mesa.getCurrentContext() == m_context; }
+
+    Result<void> Bind() override
+    {
+        if (m_mesa.makeCurrent(m_context, m_pixel.data(), kUnsignedByte, 1, 1))
         {
             return {};
         }
         return Error{ErrorKind::Failed, "OSMesa refused to make its GL context current"};
     }
 
-    void* ProcAddress(const char* name) const override { return m_mesa.getProcAddress(name); }
-    const char* BackEnd() const override { return "OSMesa"; }
+    void Unbind() override { m_mesa.makeCurrent(nullptr, nullptr, 0, 0, 0); }
 
 private:
     OSMesa m_mesa;
@@ -83,23 +82,19 @@ private:
 
 Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library)
 {
-    // Local, so that its GL symbols never meet those of another GL library in this process; and
-    // never closed, because Mesa's worker threads and thread-local data outlive a context.
-    void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr)
+    const Result<void*> handle = OpenContextLibrary(library, kPackages);
+    if (!handle)
     {
-        const char* const reason = dlerror();
-        return Error{ErrorKind::Absent, "cannot draw: the library " + library + " did not load (" +
-                                            (reason ? reason : "no reason given") +
-                                            "); install it with: apt install libosmesa6"};
+        return handle.GetError();
     }
     OSMesa mesa;
-    if (!mesa.Load(handle))
+    if (!mesa.Load(*handle))
     {
         return Error{ErrorKind::Absent,
-                     "cannot draw: " + library +
+                     library +
                          " lacks functions of OSMesa 11.2; install a newer one with: "
-                         "apt install libosmesa6"};
+                         "apt install " +
+                         kPackages};
     }
     const int attributes[] = {
         kFormat,  kFormatRgba,  kDepthBits,    0, kStencilBits,  0, kAccumBits, 0,
@@ -108,9 +103,10 @@ Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library)
     if (context == nullptr)
     {
         return Error{ErrorKind::Absent,
-                     "cannot draw: " + library +
+                     library +
                          " offers no GL 3.3 core context; install Mesa 17 or newer with: "
-                         "apt install libosmesa6"};
+                         "apt install " +
+                         kPackages};
     }
     return std::unique_ptr<Context>(std::make_unique<OSMesaContext>(mesa, context));
 }

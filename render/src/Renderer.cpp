@@ -93,7 +93,7 @@ Result<Renderer> Renderer::Create(const RendererSettings& settings)
                          std::to_string(kMaxSize)};
     }
     auto impl = std::make_unique<Impl>(settings);
-    Result<std::unique_ptr<Context>> context = CreateOSMesaContext();
+    Result<std::unique_ptr<Context>> context = CreateContext(settings.backend);
     if (!context)
     {
         return context.GetError();

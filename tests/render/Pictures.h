@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 
 /// What the tests of drawing share: a camera whose metres are pixels, pictures made in one call.
 namespace boxreel
@@ -97,5 +98,30 @@ inline constexpr Color kAwake{230, 179, 179, 255};
 inline constexpr Color kStatic{128, 230, 128, 255};
 inline constexpr Color kKinematic{128, 128, 230, 255};
 inline constexpr Color kWhite{255, 255, 255, 255};
+
+/// Every kind of item, in layers over each other, in a picture of 320 x 240.
+inline DrawList Everything(unsigned seed = 1)
+{
+    std::mt19937 random(seed);
+    const auto between = [&](float a, float b) {
+        return a + (b - a) * float(random() % 10000u) / 10000.0f;
+    };
+    DrawList list;
+    for (int i = 0; i < 60; ++i)
+    {
+        const Vec2 at{between(0, 320), between(0, 240)};
+        const float size = between(0.5f, 30);
+        const float angle = between(0, 6);
+        AddTurnedBox(list, at, size, between(0.5f, 30), angle, kAwake);
+        list.AddSolidCircle({at.y, at.x}, size, {std::cos(angle), std::sin(angle)}, kStatic);
+        AddRegular(list, {at.x + 20, at.y}, size, between(1, 30), 3 + i % 6, angle, kKinematic);
+        list.AddSegment(at, {between(0, 320), between(0, 240)}, kWhite);
+        list.AddCircle(at, size, kAwake);
+        list.AddPoint(at, between(1, 9), kStatic);
+        list.AddTransform(at, {std::cos(angle), std::sin(angle)}, size);
+        list.AddText(at, "label", kWhite);
+    }
+    return list;
+}
 
 } // namespace boxreel

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "Context.h"
 #include "Pictures.h"
 
 #include <limits>
-#include <random>
 #include <thread>
 
 using namespace boxreel;
@@ -12,31 +10,6 @@ namespace
 {
 
 const Pixel kGround{26, 26, 26, 255};
-
-/// Every kind of item, in layers over each other, in a picture of 320 x 240.
-DrawList Everything(unsigned seed = 1)
-{
-    std::mt19937 random(seed);
-    const auto between = [&](float a, float b) {
-        return a + (b - a) * float(random() % 10000u) / 10000.0f;
-    };
-    DrawList list;
-    for (int i = 0; i < 60; ++i)
-    {
-        const Vec2 at{between(0, 320), between(0, 240)};
-        const float size = between(0.5f, 30);
-        const float angle = between(0, 6);
-        AddTurnedBox(list, at, size, between(0.5f, 30), angle, kAwake);
-        list.AddSolidCircle({at.y, at.x}, size, {std::cos(angle), std::sin(angle)}, kStatic);
-        AddRegular(list, {at.x + 20, at.y}, size, between(1, 30), 3 + i % 6, angle, kKinematic);
-        list.AddSegment(at, {between(0, 320), between(0, 240)}, kWhite);
-        list.AddCircle(at, size, kAwake);
-        list.AddPoint(at, between(1, 9), kStatic);
-        list.AddTransform(at, {std::cos(angle), std::sin(angle)}, size);
-        list.AddText(at, "label", kWhite);
-    }
-    return list;
-}
 
 } // namespace
 
@@ -427,24 +400,4 @@ TEST(Renderer, WritesTextWhereItIsAsked)
     }
     EXPECT_GT(inked, 50);
     EXPECT_LT(inked, 300);
-}
-
-TEST(Renderer, NamesItsBackEnd)
-{
-    const Renderer renderer = MakeRenderer(4, 4);
-    EXPECT_THAT(renderer.Description(), testing::HasSubstr("OSMesa"));
-    EXPECT_THAT(renderer.Description(), testing::HasSubstr("Mesa "));
-}
-
-TEST(Context, NamesTheLibraryThatIsMissingAndItsPackage)
-{
-    const auto context = CreateOSMesaContext("libNoSuchMesa.so.8");
-    ASSERT_FALSE(context);
-    EXPECT_EQ(context.GetError().kind, ErrorKind::Absent);
-    EXPECT_THAT(context.GetError().message, testing::HasSubstr("libNoSuchMesa.so.8"));
-    EXPECT_THAT(context.GetError().message, testing::HasSubstr("No such file"));
-    EXPECT_THAT(context.GetError().message, testing::HasSubstr("apt install libosmesa6"));
-    const auto foreign = CreateOSMesaContext("libm.so.6");
-    ASSERT_FALSE(foreign);
-    EXPECT_EQ(foreign.GetError().kind, ErrorKind::Absent);
 }

@@ -5,6 +5,7 @@
 #include <debugdraw/DrawList.h>
 #include <debugdraw/Result.h>
 #include <debugdraw/Theme.h>
+#include <render/Backend.h>
 #include <render/Frame.h>
 #include <render/Overlay.h>
 
@@ -23,6 +24,7 @@ struct RendererSettings
     int width = 1280; ///< 1 to 8192 [px]
     int height = 720; ///< 1 to 8192 [px]
     Theme theme = Theme::Classic();
+    Backend backend = Backend::Auto;
 };
 
 /// What the last Submit did.
@@ -37,6 +39,8 @@ struct RenderStatistics
 class Renderer
 {
 public:
+    /// An Error (Absent) that names all that was tried when no back end works; (Unusable) for a
+    /// size out of range, or a BOXREEL_BACKEND that is none.
     static Result<Renderer> Create(const RendererSettings& settings);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+
+#include <string>
+
+/// Which library draws off-screen. All software back ends give the same bits; a GPU's are its own,
+/// so one is used only when it is asked for by name.
+namespace boxreel
+{
+
+enum class Backend
+{
+    Auto,   ///< what the variable BOXREEL_BACKEND says; else the first that works, in this order
+    OSMesa, ///< Mesa's off-screen library
+    Egl,    ///< EGL without a surface, drawing in software
+    EglGpu, ///< EGL without a surface, drawing on a GPU; never chosen by Auto itself
+};
+
+/// "auto", "osmesa", "egl" or "egl-gpu". `option` is where the text comes from, e.g. "--backend",
+/// for the sentence of the Error (Unusable).
+Result<Backend> ParseBackend(const std::string& option, const std::string& text);
+
+} // namespace boxreel

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "Context.h"
+
+#include <cstdlib>
+#include <span>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::pair<const char*, Backend> kNames[] = {{"auto", Backend::Auto},
+                                                      {"osmesa", Backend::OSMesa},
+                                                      {"egl", Backend::Egl},
+                                                      {"egl-gpu", Backend::EglGpu}};
+
+constexpr const char* kVariable = "BOXREEL_BACKEND";
+
+// OSMesa first: it is there wherever boxreel was installed by its script, and it loads less.
+constexpr Backend kAutomatic[] = {Backend::OSMesa, Backend::Egl};
+
+// Mesa's libraries share one record of what is current in a thread, but EGL keeps another of its
+// own beside it, which then goes wrong; so the last context is left before the next is entered.
+thread_local Context* t_current = nullptr;
+
+std::string AllNames()
+{
+    std::string names;
+    for (const auto& [name, backend] : kNames)
+    {
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+    return names;
+}
+
+std::string NameOf(Backend backend)
+{
+    for (const auto& [name, value] : kNames)
+    {
+        if (value == backend)
+        {
+            return name;
+        }
+    }
+    return "unknown";
+}
+
+Result<Backend> FromVariable()
+{
+    const char* const text = std::getenv(kVariable);
+    return text == nullptr || *text == '\0' ? Backend::Auto : ParseBackend(kVariable, text);
+}
+
+Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibraries& libraries)
+{
+    return backend == Backend::OSMesa ? CreateOSMesaContext(libraries.osMesa)
+                                      : CreateEglContext(libraries.egl, backend == Backend::EglGpu);
+}
+
+} // namespace
+
+Result<Backend> ParseBackend(const std::string& option, const std::string& text)
+{
+    for (const auto& [name, backend] : kNames)
+    {
+        if (text == name)
+        {
+            return backend;
+        }
+    }
+    return Error{ErrorKind::Unusable, option + " '" + text + "': give one of " + AllNames() + "."};
+}
+
+Result<void> Context::MakeCurrent()
+{
+    if (t_current == this && IsCurrent())
+    {
+        return {};
+    }
+    if (t_current != nullptr)
+    {
+        std::exchange(t_current, nullptr)->Unbind();
+    }
+    Result<void> bound = Bind();
+    if (bound)
+    {
+        t_current = this;
+    }
+    return bound;
+}
+
+void Context::Leave()
+{
+    if (t_current == this)
+    {
+        Unbind();
+        t_current = nullptr;
+    }
+}
+
+Result<std::unique_ptr<Context>> CreateContext(Backend backend, const ContextLibraries& libraries)
+{
+    if (backend == Backend::Auto)
+    {
+        const Result<Backend> chosen = FromVariable();
+        if (!chosen)
+        {
+            return chosen.GetError();
+        }
+        backend = *chosen;
+    }
+    std::string failures;
+    for (const Backend candidate :
+         backend == Backend::Auto ? std::span<const Backend>(kAutomatic) : std::span(&backend, 1))
+    {
+        Result<std::unique_ptr<Context>> context = CreateOne(candidate, libraries);
+        if (context)
+        {
+            return context;
+        }
+        failures += "\n  " + NameOf(candidate) + ": " + context.GetError().message;
+    }
+    return Error{ErrorKind::Absent,
+                 "Nothing can be drawn, for no back end that was tried works:" + failures +
+                     "\nThe variable " + kVariable + " chooses one: " + AllNames() + "."};
+}
+
+} // namespace boxreel
