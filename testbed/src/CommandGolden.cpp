@@ -160,7 +160,7 @@ Result<int> RunGolden(const GoldenOptions& options)
     {
         return folders.GetError();
     }
-    Result<Renderer> renderer = CreateGoldenRenderer();
+    Result<Renderer> renderer = CreateGoldenRenderer(options.backend);
     if (!renderer)
     {
         return renderer.GetError();

@@ -86,6 +86,12 @@ void AddForce(CLI::App& command, bool& force)
     command.add_flag("--force", force, "Overwrite an existing file");
 }
 
+CLI::Option* AddBackend(CLI::App& command, Backend& backend)
+{
+    return AddValue(command, "--backend", "NAME", backend, ParseBackend,
+                    "osmesa, egl, egl-gpu, auto (auto: $BOXREEL_BACKEND, or what works)");
+}
+
 } // namespace
 
 void DeclareList(CLI::App& program, ParsedOptions& parsed)
@@ -131,6 +137,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
              "Simulated seconds a second; 0.25 is slow motion (1)")
         ->group("Time");
     AddLook(*command, record.look);
+    AddBackend(*command, record.backend)->group("Picture");
     command->footer(
         "Examples:\n"
         "  boxreel record pyramid -o pyramid.mp4\n"
@@ -153,6 +160,7 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed)
              "Or the number of simulation steps")
         ->group("Time");
     AddLook(*command, shot.look);
+    AddBackend(*command, shot.backend)->group("Picture");
     command->footer(
         "The pixels are those of a film's frame at the same time.\n\n"
         "Examples:\n"
@@ -203,6 +211,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                 "Folder of what was approved (golden/references)");
         AddPath(*action, "--output", "DIR", golden.output,
                 "Folder for what differs (build/golden-output)");
+        AddBackend(*action, golden.backend);
     }
     verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
                    "Examples:\n"

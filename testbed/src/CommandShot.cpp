@@ -13,8 +13,8 @@ namespace
 
 Result<Frame> TakePicture(const ShotOptions& options, SceneSource source)
 {
-    Result<Renderer> renderer =
-        Renderer::Create({.width = options.look.width, .height = options.look.height});
+    Result<Renderer> renderer = Renderer::Create(
+        {.width = options.look.width, .height = options.look.height, .backend = options.backend});
     if (!renderer)
     {
         return renderer.GetError();

@@ -7,6 +7,7 @@
 
 #include <golden/Compare.h>
 #include <recorder/VideoWriter.h>
+#include <render/Backend.h>
 
 #include <filesystem>
 #include <optional>
@@ -33,6 +34,7 @@ struct RecordOptions
     Rational framesPerSecond{60, 1};
     Rational speed{1, 1}; ///< simulated seconds per second of film
     Quality quality = Quality::Standard;
+    Backend backend = Backend::Auto;
     bool force = false;
     ProgressMode progress = ProgressMode::Auto;
 };
@@ -44,6 +46,7 @@ struct ShotOptions
     SceneLook look;
     std::optional<Duration> at;       ///< simulated time …
     std::optional<std::int64_t> step; ///< … or number of steps
+    Backend backend = Backend::Auto;
     bool force = false;
 };
 
@@ -63,6 +66,7 @@ struct GoldenOptions
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
+    Backend backend = Backend::Auto;
 };
 
 struct BenchOptions

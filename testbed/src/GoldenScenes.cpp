@@ -43,9 +43,9 @@ Result<GoldenCandidate> CandidateOf(const std::string& name, SceneSession& sessi
 
 } // namespace
 
-Result<Renderer> CreateGoldenRenderer()
+Result<Renderer> CreateGoldenRenderer(Backend backend)
 {
-    return Renderer::Create({.width = kGoldenWidth, .height = kGoldenHeight});
+    return Renderer::Create({.width = kGoldenWidth, .height = kGoldenHeight, .backend = backend});
 }
 
 Result<GoldenSelection> SelectGolden(const std::string& name)

@@ -20,7 +20,7 @@ inline constexpr int kGoldenWidth = 480;  // [px]
 inline constexpr int kGoldenHeight = 270; // [px]
 
 /// A renderer for those pictures.
-Result<Renderer> CreateGoldenRenderer();
+Result<Renderer> CreateGoldenRenderer(Backend backend = Backend::Auto);
 
 /// What is asked for: a scene at all its moments, or at one.
 struct GoldenSelection

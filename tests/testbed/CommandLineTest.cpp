@@ -119,6 +119,18 @@ TEST(CommandLine, GoldenTakesNamesAndFolders)
     EXPECT_TRUE(Parsed<GoldenOptions>("golden accept").accept);
 }
 
+TEST(CommandLine, BackendIsOneOfTheNamesWhereverPicturesAreDrawn)
+{
+    EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png").backend, Backend::Auto);
+    EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png --backend egl").backend, Backend::Egl);
+    EXPECT_EQ(Parsed<RecordOptions>("record a -o a.mp4 --backend egl-gpu").backend,
+              Backend::EglGpu);
+    EXPECT_EQ(Parsed<GoldenOptions>("golden verify --backend osmesa").backend, Backend::OSMesa);
+    EXPECT_EQ(Parsed<GoldenOptions>("golden accept a --backend auto").backend, Backend::Auto);
+    EXPECT_EQ(Refusal("record a -o a.mp4 --backend gpu"),
+              "--backend 'gpu': give one of auto, osmesa, egl, egl-gpu.");
+}
+
 TEST(CommandLine, DiffTakesTwoPicturesAndAPreset)
 {
     const DiffOptions diff = Parsed<DiffOptions>("diff a.png b.png --preset exact -o d.png");
@@ -251,6 +263,7 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
                                         "--camera",
                                         "--draw",
                                         "--labels",
+                                        "--backend",
                                         "--hud",
                                         "--hud-ms",
                                         "--hz",
@@ -270,8 +283,8 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
         {"golden", {"verify", "accept"}},
         {"bench",
          {"--list", "--curve", "--rounds", "--threads", "--json", "--from", "--chart", "--force"}},
-        {"golden verify", {"--references", "--output"}},
-        {"golden accept", {"--references", "--output"}},
+        {"golden verify", {"--references", "--output", "--backend"}},
+        {"golden accept", {"--references", "--output", "--backend"}},
     };
     for (const auto& [command, options] : commands)
     {

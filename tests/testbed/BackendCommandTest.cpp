@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// The real program on machines that lack a library to draw with, or have several.
+#include "Subprocess.h"
+
+#include <render/Png.h>
+#include <render/Renderer.h>
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <optional>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+bool Works(Backend backend)
+{
+    return bool(Renderer::Create({.width = 1, .height = 1, .backend = backend}));
+}
+
+/// Variables for the programs that a test runs, as they were afterwards.
+class Variables
+{
+public:
+    Variables() { Set("BOXREEL_BACKEND", ""); }
+    ~Variables()
+    {
+        for (const auto& [name, value] : m_before)
+        {
+            value ? setenv(name.c_str(), value->c_str(), 1) : unsetenv(name.c_str());
+        }
+    }
+    Variables(const Variables&) = delete;
+    Variables& operator=(const Variables&) = delete;
+
+    void Set(const std::string& name, const std::string& value)
+    {
+        const char* const before = std::getenv(name.c_str());
+        m_before.try_emplace(name, before ? std::optional<std::string>(before) : std::nullopt);
+        setenv(name.c_str(), value.c_str(), 1);
+    }
+
+private:
+    std::map<std::string, std::optional<std::string>> m_before;
+};
+
+class BackendCommand : public testing::Test
+{
+protected:
+    Outcome Run(const std::vector<std::string>& arguments) const
+    {
+        return RunBoxreel(arguments, folder.Path());
+    }
+
+    /// The loader finds a file of this name first, which is no library.
+    void Break(const std::string& library)
+    {
+        std::ofstream(broken / library) << "This is not a library, however long it may be; it only "
+                                           "stands where one would be looked for.";
+        variables.Set("LD_LIBRARY_PATH", broken.Path().string());
+    }
+
+    /// The bytes of a small picture; empty when there is none.
+    std::string Shot(const std::vector<std::string>& options = {}) const
+    {
+        std::vector<std::string> arguments{"shot",   "bridge",  "--step",   "9",
+                                           "--size", "240x160", "--labels", "--hud",
+                                           "-o",     "a.png",   "--force"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        return outcome.code == 0 ? ReadFile(folder / "a.png") : "";
+    }
+
+    /// The shared libraries that the program loads, by what the loader reports.
+    std::string LoadedBy(const std::vector<std::string>& arguments, int code = 0)
+    {
+        const TemporaryFolder reports;
+        Variables own;
+        own.Set("LD_DEBUG", "files");
+        own.Set("LD_DEBUG_OUTPUT", (reports / "report").string());
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.code, code) << outcome.errors;
+        std::string loaded;
+        for (const std::string& file : reports.Files())
+        {
+            loaded += ReadFile(reports / file);
+        }
+        return loaded;
+    }
+
+    TemporaryFolder folder;
+    TemporaryFolder broken;
+    Variables variables;
+};
+
+TEST_F(BackendCommand, NothingToDrawWithIsSaidBeforeAnythingIsSimulated)
+{
+    Break("libOSMesa.so.8");
+    Break("libEGL.so.1");
+    // A simulation of this length would outlast the test's time limit.
+    const std::vector<std::string> commands[] = {
+        {"shot", "pyramid", "--step", "1000000000", "-o", "a.png"},
+        {"record", "pyramid", "--frames", "10000000", "-o", "a.mkv"},
+        {"golden", "accept", "--references", "r"}};
+    for (const std::vector<std::string>& command : commands)
+    {
+        const Outcome outcome = Run(command);
+        EXPECT_EQ(outcome.code, 3) << command[0];
+        EXPECT_EQ(outcome.output, "");
+        EXPECT_THAT(
+            outcome.errors,
+            testing::MatchesRegex(
+                "boxreel: Nothing can be drawn, for no back end that was tried works:\n"
+                "  osmesa: libOSMesa.so.8 did not load \\(.*invalid ELF header\\); install it "
+                "with: apt install libosmesa6\n"
+                "  egl: libEGL.so.1 did not load \\(.*invalid ELF header\\); install it with: apt "
+                "install libegl1 libegl-mesa0\n"
+                "The variable BOXREEL_BACKEND chooses one: auto, osmesa, egl, egl-gpu.\n"));
+        EXPECT_THAT(folder.Files(), IsEmpty()) << command[0];
+    }
+}
+
+TEST_F(BackendCommand, WhatNeedsNoPixelsRunsWithoutGl)
+{
+    Break("libOSMesa.so.8");
+    Break("libEGL.so.1");
+    EXPECT_TRUE(WritePng(folder / "a.png", Frame(4, 4)));
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"list"},
+                                                      {"--help"},
+                                                      {"record", "--help"},
+                                                      {"--version"},
+                                                      {"diff", "a.png", "a.png"}})
+    {
+        EXPECT_EQ(Run(arguments).code, 0) << testing::PrintToString(arguments);
+    }
+}
+
+TEST_F(BackendCommand, LoadsOnlyTheLibraryThatDraws)
+{
+    EXPECT_TRUE(WritePng(folder / "a.png", Frame(4, 4)));
+    const std::string forPicture = LoadedBy({"diff", "a.png", "a.png"});
+    if (forPicture.find("libpng") == std::string::npos)
+    {
+        GTEST_SKIP() << "the loader of this system does not report what it loads";
+    }
+    const auto noGl = AllOf(Not(HasSubstr("libOSMesa")), Not(HasSubstr("libEGL")),
+                            Not(HasSubstr("libGL")), Not(HasSubstr("libavcodec")));
+    EXPECT_THAT(forPicture, noGl);
+    EXPECT_THAT(LoadedBy({"list"}), noGl);
+    EXPECT_THAT(LoadedBy({"record", "--help"}), noGl);
+    EXPECT_THAT(LoadedBy({"shot", "pyrmid", "--at", "1s", "-o", "b.png"}, 1), noGl);
+    const std::vector<std::string> shot{"shot", "bridge", "--step",  "0",
+                                        "-o",   "b.png",  "--force", "--backend"};
+    for (const auto& [backend, library, other] :
+         {std::tuple{"osmesa", "libOSMesa", "libEGL"}, {"egl", "libEGL", "libOSMesa"}})
+    {
+        if (Works(*ParseBackend("", backend)))
+        {
+            std::vector<std::string> arguments = shot;
+            arguments.emplace_back(backend);
+            EXPECT_THAT(LoadedBy(arguments), AllOf(HasSubstr(library), Not(HasSubstr(other))));
+        }
+    }
+}
+
+TEST_F(BackendCommand, BothBackEndsWriteTheSameBytes)
+{
+    if (!Works(Backend::OSMesa) || !Works(Backend::Egl))
+    {
+        GTEST_SKIP() << "one of OSMesa and EGL is not on this machine";
+    }
+    const std::string picture = Shot({"--backend", "osmesa"});
+    EXPECT_EQ(Shot({"--backend", "egl"}), picture);
+    EXPECT_EQ(Shot({"--backend", "auto"}), picture);
+    const std::vector<std::string> film{"record", "bridge", "--frames", "5", "--size", "160x90"};
+    const auto record = [&](const std::string& name, const std::string& backend) {
+        std::vector<std::string> arguments = film;
+        arguments.insert(arguments.end(), {"-o", name, "--backend", backend});
+        EXPECT_EQ(Run(arguments).code, 0) << backend;
+        return ReadFile(folder / name);
+    };
+    EXPECT_EQ(record("a.gif", "osmesa"), record("b.gif", "egl"));
+    EXPECT_EQ(
+        Run({"golden", "accept", "bridge/0.5s", "--references", "r", "--backend", "osmesa"}).code,
+        0);
+    EXPECT_EQ(Run({"golden", "verify", "bridge/0.5s", "--references", "r", "--output", "o",
+                   "--backend", "egl"})
+                  .code,
+              0);
+}
+
+TEST_F(BackendCommand, TheOptionWinsOverTheVariableAndTheVariableOverTheOrder)
+{
+    if (!Works(Backend::OSMesa) || !Works(Backend::Egl))
+    {
+        GTEST_SKIP() << "one of OSMesa and EGL is not on this machine";
+    }
+    const std::string picture = Shot();
+    Break("libOSMesa.so.8");
+    EXPECT_EQ(Shot(), picture) << "the next one draws";
+    variables.Set("BOXREEL_BACKEND", "osmesa");
+    const Outcome forced = Run({"shot", "bridge", "--step", "0", "-o", "b.png"});
+    EXPECT_EQ(forced.code, 3);
+    EXPECT_THAT(forced.errors, AllOf(HasSubstr("\n  osmesa: "), Not(HasSubstr("\n  egl: "))));
+    EXPECT_EQ(Shot({"--backend", "egl"}), picture);
+    variables.Set("BOXREEL_BACKEND", "egl");
+    EXPECT_EQ(Shot(), picture);
+    const Outcome named =
+        Run({"shot", "bridge", "--step", "0", "-o", "b.png", "--backend", "osmesa"});
+    EXPECT_EQ(named.code, 3);
+    EXPECT_THAT(named.errors, HasSubstr("\n  osmesa: "));
+}
+
+TEST_F(BackendCommand, UnknownBackEndsAreRefused)
+{
+    const std::vector<std::string> shot{"shot", "pyramid", "--step", "1000000000", "-o", "a.png"};
+    std::vector<std::string> option = shot;
+    option.insert(option.end(), {"--backend", "glx"});
+    const Outcome byOption = Run(option);
+    EXPECT_EQ(byOption.code, 1);
+    EXPECT_EQ(byOption.errors,
+              "boxreel: --backend 'glx': give one of auto, osmesa, egl, egl-gpu.\n");
+    variables.Set("BOXREEL_BACKEND", "glx");
+    const Outcome byVariable = Run(shot);
+    EXPECT_EQ(byVariable.code, 1);
+    EXPECT_EQ(byVariable.errors,
+              "boxreel: BOXREEL_BACKEND 'glx': give one of auto, osmesa, egl, egl-gpu.\n");
+    EXPECT_EQ(Run({"list"}).code, 0) << "which draws nothing";
+}
+
+} // namespace
+} // namespace boxreel
