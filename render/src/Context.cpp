@@ -17,7 +17,7 @@ constexpr std::pair<const char*, Backend> kNames[] = {{"auto", Backend::Auto},
 
 constexpr const char* kVariable = "BOXREEL_BACKEND";
 
-// OSMesa first: it is there wherever boxreel was installed by its script, and it loads less.
+// OSMesa first: the script `boxreel` installs it, so that all who use that draw with the same.
 constexpr Backend kAutomatic[] = {Backend::OSMesa, Backend::Egl};
 
 // Mesa's libraries share one record of what is current in a thread, but EGL keeps another of its
