@@ -215,10 +215,18 @@ TEST_F(BackendCommand, TheOptionWinsOverTheVariableAndTheVariableOverTheOrder)
     EXPECT_EQ(Shot({"--backend", "egl"}), picture);
     variables.Set("BOXREEL_BACKEND", "egl");
     EXPECT_EQ(Shot(), picture);
-    const Outcome named =
-        Run({"shot", "bridge", "--step", "0", "-o", "b.png", "--backend", "osmesa"});
-    EXPECT_EQ(named.code, 3);
-    EXPECT_THAT(named.errors, HasSubstr("\n  osmesa: "));
+    const std::vector<std::string> commands[] = {
+        {"shot", "bridge", "--step", "0", "-o", "b.png"},
+        {"record", "bridge", "--frames", "1", "-o", "b.gif"},
+        {"golden", "accept", "bridge/0.5s", "--references", "r"},
+        {"golden", "verify", "bridge/0.5s", "--references", "."}};
+    for (std::vector<std::string> command : commands)
+    {
+        command.insert(command.end(), {"--backend", "osmesa"});
+        const Outcome named = Run(command);
+        EXPECT_EQ(named.code, 3) << testing::PrintToString(command);
+        EXPECT_THAT(named.errors, HasSubstr("\n  osmesa: "));
+    }
 }
 
 TEST_F(BackendCommand, UnknownBackEndsAreRefused)
