@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include <dlfcn.h>
 
@@ -183,12 +184,32 @@ TEST_F(BothBackEnds, MayBeMadeUsedAndEndedInAnyOrder)
         first = std::move(second); // ends the one that drew last
         EXPECT_TRUE(DrawWith(*first, Everything(1), camera) == expected);
     }
-    Frame fromThread;
-    std::thread([&] {
-        Result<Renderer> renderer = RendererOf(Backend::Egl);
-        fromThread = DrawWith(*renderer, Everything(1), camera);
-    }).join();
-    EXPECT_TRUE(fromThread == expected);
+}
+
+TEST_F(BothBackEnds, DrawInSeveralThreadsAtOnce)
+{
+    const Camera camera = PixelCamera(320, 240);
+    const Frame expected = Picture(Everything(1), 320, 240);
+    Frame frames[4];
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i)
+    {
+        threads.emplace_back([&camera, &frame = frames[i], i] {
+            Result<Renderer> renderer = RendererOf(i % 2 ? Backend::Egl : Backend::OSMesa);
+            for (const unsigned seed : {2u, 1u})
+            {
+                frame = DrawWith(*renderer, Everything(seed), camera);
+            }
+        });
+    }
+    for (std::thread& thread : threads)
+    {
+        thread.join();
+    }
+    for (const Frame& frame : frames)
+    {
+        EXPECT_TRUE(frame == expected);
+    }
 }
 
 TEST_F(BothBackEnds, AreChosenByTheVariableUnlessTheSettingsNameOne)
