@@ -23,7 +23,7 @@ constexpr int kMinorVersion = 0x37;
 constexpr int kFormatRgba = 0x1908;
 constexpr unsigned kUnsignedByte = 0x1401;
 
-const std::string kPackages = "libosmesa6";
+constexpr const char* kPackages = "libosmesa6";
 
 /// The library's functions, by the names it exports.
 struct OSMesa
