@@ -98,8 +98,8 @@ Result<int> RecordScene(const RecordOptions& options, std::int64_t frameCount, S
     {
         return writer.GetError();
     }
-    Result<Renderer> renderer =
-        Renderer::Create({.width = options.look.width, .height = options.look.height});
+    Result<Renderer> renderer = Renderer::Create(
+        {.width = options.look.width, .height = options.look.height, .theme = options.look.theme});
     if (!renderer)
     {
         return renderer.GetError();

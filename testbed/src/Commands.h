@@ -44,6 +44,7 @@ struct ShotOptions
     SceneLook look;
     std::optional<Duration> at;       ///< simulated time …
     std::optional<std::int64_t> step; ///< … or number of steps
+    bool bothThemes = false;          ///< a light and a dark picture instead of the look's theme
     bool force = false;
 };
 
