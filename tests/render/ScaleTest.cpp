@@ -133,6 +133,22 @@ TEST(Scale, OfEightAveragedDownIsTheTruthForOne)
     EXPECT_LE(axes.rms, 1.3) << "lines end squarely at scale 1, and round when they are thick";
 }
 
+// Where two outlines cover the same part of a pixel, one drawn over the other covers more of it, as
+// if their parts were independent (Porter and Duff, "Compositing Digital Images", 1984).
+TEST(Scale, SeesAbuttingOutlinesALittleHeavier)
+{
+    DrawList list;
+    for (int i = 0; i < 100; ++i)
+    {
+        const float x = 20.0f + 28.3f * float(i % 10);
+        const float y = 12.0f + 21.7f * float(i / 10);
+        AddRectangle(list, x, y, x + 28.3f, y + 21.7f, kAwake);
+    }
+    const ScaleError error = CompareScales(list, "abutting boxes");
+    EXPECT_LE(error.rms, 20.0);
+    EXPECT_LE(error.most, 60.0);
+}
+
 // At scale 1 letters are drawn for whole pixels and stand on them, at scale 8 eight times finer.
 TEST(Scale, MovesLettersByTheRoundingOfPixelsOnly)
 {
