@@ -238,6 +238,10 @@ void PanelPainter::AddSolidPolygon(const Vec2* points, std::size_t count, Color 
     }
     polygon =
         Clip(polygon, {-kGuard, -kGuard}, {m_camera.width + kGuard, m_camera.height + kGuard});
+    if (polygon.count < 3) // only its box reaches into the picture
+    {
+        return;
+    }
     const auto all = [](const Convex& p) { return std::span(p.corners.data(), p.count); };
     if (color.a == 255)
     {

@@ -282,6 +282,7 @@ TEST(Figure, LeavesOutWhatCannotBeDrawnOrSeen)
     const float infinite = std::numeric_limits<float>::infinity();
     DrawList list;
     list.AddSegment({nan, 0}, {10, 10}, kWhite);
+    list.AddSegment({10, 10}, {0, nan}, kWhite);
     list.AddSolidCircle({100, 100}, infinite, {1, 0}, kAwake);
     list.AddCircle({-500, 100}, 30, kAwake);
     AddRectangle(list, 400, 10, 500, 20, kAwake);
@@ -297,11 +298,16 @@ TEST(Figure, CutsWhatReachesFarOutOfThePicture)
     DrawList list;
     AddRectangle(list, -1e8f, -1e8f, 1e8f, 100, kStatic);
     list.AddSegment({-1e12f, 120}, {1e12f, 120}, kAwake);
+    const Vec2 past[3] = {{-1e6f, 1e5f}, {1e6f, 2e6f}, {-1e6f, 2e6f}};
+    list.AddSolidPolygon(past, 3, kAwake);
+    const Vec2 around[3] = {{-1e6f, -2e6f}, {1e6f, 1e6f}, {-1e6f, 1e6f}};
+    list.AddSolidPolygon(around, 3, kAwake);
     const Vec2 corners[3] = {{-1e8f, 10}, {1e8f, 10}, {160, 200}};
     list.AddPolygon(corners, 3, kWhite);
     const std::string text = Svg(FigureOf(list));
     EXPECT_THAT(text, HasSubstr("<line x1=\"-4096\" y1=\"120\" x2=\"4416\" y2=\"120\""));
     EXPECT_THAT(text, HasSubstr("\"-4096,140 4416,140 4416,4336 -4096,4336\""));
+    EXPECT_EQ(CountOf("<polygon", text), 2u) << "all of the third lies elsewhere";
     EXPECT_THAT(text, Not(testing::ContainsRegex("[,\" -][0-9]{5}")));
 }
 

@@ -214,15 +214,19 @@ TEST(Scale, OfAPanelIsThePanelLarger)
     Result<Hud> small = Hud::Create(320, 240);
     Result<Hud> large = Hud::Create(640, 480, 2.0);
     ASSERT_TRUE(small && large);
-    const auto rightEdge = [](const Overlay& overlay) {
-        float right = 0.0f;
+    const auto corner = [](const Overlay& overlay) {
+        Vec2 farthest;
         for (const OverlayVertex& vertex : overlay.vertices)
         {
-            right = std::max(right, vertex.position.x);
+            farthest = {std::max(farthest.x, vertex.position.x),
+                        std::max(farthest.y, vertex.position.y)};
         }
-        return right;
+        return farthest;
     };
-    EXPECT_NEAR(rightEdge(large->Build(content)), 2.0f * rightEdge(small->Build(content)), 2.0f);
+    const Vec2 once = corner(small->Build(content));
+    const Vec2 twice = corner(large->Build(content));
+    EXPECT_NEAR(twice.x, 2.0f * once.x, 2.0f);
+    EXPECT_NEAR(twice.y, 2.0f * once.y, 2.0f);
 }
 
 TEST(Scale, OfACameraKeepsItsView)
