@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 namespace boxreel
@@ -156,6 +157,16 @@ TEST_F(FigureCommand, WhatCannotBeIsRefusedBeforeAnythingIsSimulated)
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--frames", "10000000", "--theme", "neon"},
                   1, "classic, okabe-ito, print, dark.");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--scale", "2"}, 1, "--scale");
+}
+
+TEST_F(FigureCommand, APdfWithoutCairoSaysWhatToInstall)
+{
+    std::filesystem::create_directory(folder / "lib");
+    std::ofstream(folder / "lib/libcairo.so.2") << "no library";
+    setenv("LD_LIBRARY_PATH", (folder / "lib").c_str(), 1);
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "a.pdf"}, 3, "libcairo2");
+    Written("a.svg"); // needs no library
+    unsetenv("LD_LIBRARY_PATH");
 }
 
 TEST_F(FigureCommand, FilmsHaveThemesToo)
