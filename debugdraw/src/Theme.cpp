@@ -113,10 +113,11 @@ Theme Theme::OkabeIto()
     theme.recolors = true;
     theme.xAxis = kVermillion;
     theme.yAxis = kGreen;
-    // What sleeps recedes, so it has the darkest; bodies that are out of the simulation are rare,
-    // and share theirs with the letters.
-    theme.palette = {kGreen,  kSkyBlue, kOrange,  kBlue,     kInkWhite, kYellow,  kVermillion,
-                     kPurple, kGreen,   kSkyBlue, kInkWhite, kYellow,   kInkWhite};
+    // What sleeps recedes, so it has the darkest. Thirteen roles share eight colours: bodies that
+    // are out of the simulation are rare, and have that of letters; pairs are lines, so nobody
+    // takes them for kinematic bodies.
+    theme.palette = {kGreen,  kSkyBlue,    kOrange,  kBlue,     kInkWhite, kYellow,  kSkyBlue,
+                     kPurple, kVermillion, kSkyBlue, kInkWhite, kYellow,   kInkWhite};
     return theme;
 }
 

@@ -45,7 +45,7 @@ Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme = Theme:
 /// The figure as SVG: an element a line, lengths in thousandths of a pixel, groups like
 /// `<g id="body-17" class="shapes">` for what a body has in a row, in painter's order. A body, or
 /// the world, that is drawn again later has a second group, `body-17-2`. What is not finite, or not
-/// in the picture, is left out.
+/// in the picture, is left out, and circles that reach half a million pixels away.
 Result<std::string> ToSvg(const Figure& figure);
 
 /// The same drawing as a PDF of one page. Text can be searched and copied; the groups are sections
