@@ -63,6 +63,19 @@ Rect Camera::VisibleArea() const
             ToWorld({static_cast<float>(width), 0.0f})};
 }
 
+Camera Scaled(const Camera& camera, double scale)
+{
+    assert(scale > 0.0);
+    const auto pixels = [scale](int length) {
+        return std::max(1, static_cast<int>(std::floor(length * scale + 0.5)));
+    };
+    Camera scaled = camera;
+    scaled.width = pixels(camera.width);
+    scaled.height = pixels(camera.height);
+    scaled.pixelsPerMeter = camera.pixelsPerMeter * scale;
+    return scaled;
+}
+
 Camera FitTo(const Rect& area, int width, int height, double margin)
 {
     assert(width > 0 && height > 0);

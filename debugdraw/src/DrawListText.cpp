@@ -11,28 +11,6 @@ namespace boxreel
 namespace
 {
 
-const char* LayerName(DrawLayer layer)
-{
-    switch (layer)
-    {
-    case DrawLayer::Shapes:
-        return "shapes";
-    case DrawLayer::Joints:
-        return "joints";
-    case DrawLayer::Aabbs:
-        return "aabbs";
-    case DrawLayer::Pairs:
-        return "pairs";
-    case DrawLayer::CentersOfMass:
-        return "centers-of-mass";
-    case DrawLayer::Contacts:
-        return "contacts";
-    case DrawLayer::Labels:
-        return "labels";
-    }
-    return "unknown-layer";
-}
-
 const char* KindName(DrawKind kind)
 {
     switch (kind)
@@ -179,6 +157,28 @@ void AppendItem(std::string& out, const DrawList& list, const DrawItem& item)
 }
 
 } // namespace
+
+const char* LayerName(DrawLayer layer)
+{
+    switch (layer)
+    {
+    case DrawLayer::Shapes:
+        return "shapes";
+    case DrawLayer::Joints:
+        return "joints";
+    case DrawLayer::Aabbs:
+        return "aabbs";
+    case DrawLayer::Pairs:
+        return "pairs";
+    case DrawLayer::CentersOfMass:
+        return "centers-of-mass";
+    case DrawLayer::Contacts:
+        return "contacts";
+    case DrawLayer::Labels:
+        return "labels";
+    }
+    return "unknown-layer";
+}
 
 std::string ToText(const DrawList& list)
 {

@@ -1,12 +1,199 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/Theme.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace boxreel
 {
+
+namespace
+{
+
+bool SameRgb(Color a, Color b)
+{
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+}
+
+const Color* Known(const Palette& palette, Color asked)
+{
+    for (std::size_t role = 0; role < kColorRoles; ++role)
+    {
+        if (SameRgb(kClassicPalette[role], asked))
+        {
+            return &palette[role];
+        }
+    }
+    return nullptr;
+}
+
+Color WithAlpha(Color color, std::uint8_t alpha)
+{
+    color.a = alpha;
+    return color;
+}
+
+// Relative luminance (IEC 61966-2-1, as WCAG 2.1 has it) with the sRGB curve taken as a square,
+// in units of 1 / (255^2 * 10000): whole numbers are the same on every machine, powers are not. At
+// most 0.04 too bright, in the middle.
+constexpr std::int64_t kWhiteLuminance = 255LL * 255 * 10000;
+std::int64_t Luminance(Color c)
+{
+    return 2126LL * c.r * c.r + 7152LL * c.g * c.g + 722LL * c.b * c.b;
+}
+
+// WCAG 2.1 asks 3:1 of graphics; a quarter more covers the square.
+bool IsSeen(Color color, Color ground)
+{
+    const std::int64_t flare = kWhiteLuminance / 20;
+    const auto [darker, lighter] = std::minmax({Luminance(color), Luminance(ground)});
+    return 4 * (lighter + flare) >= 15 * (darker + flare);
+}
+
+// Sixteenths are finer than an eye sees, and the last of them, black or white, is always seen.
+Color MadeSeen(Color color, Color ground)
+{
+    const bool lighten = Luminance(ground) < kWhiteLuminance / 5;
+    const int goal = lighten ? 255 : 0;
+    Color seen = color;
+    for (int share = 1; share <= 16 && !IsSeen(seen, ground); ++share)
+    {
+        const auto mix = [&](std::uint8_t channel) {
+            return static_cast<std::uint8_t>((channel * (16 - share) + goal * share) / 16);
+        };
+        seen = {mix(color.r), mix(color.g), mix(color.b), color.a};
+    }
+    return seen;
+}
+
+const std::vector<std::pair<std::string_view, Theme (*)()>>& Themes()
+{
+    static const std::vector<std::pair<std::string_view, Theme (*)()>> themes{
+        {"classic", Theme::Classic},
+        {"okabe-ito", Theme::OkabeIto},
+        {"print", Theme::Print},
+        {"dark", Theme::Dark}};
+    return themes;
+}
+
+} // namespace
+
+Color Theme::Outline(Color asked) const
+{
+    if (!recolors)
+    {
+        return asked;
+    }
+    const Color* const known = Known(palette, asked);
+    return known ? WithAlpha(*known, asked.a) : MadeSeen(asked, background);
+}
+
+Color Theme::Fill(Color asked) const
+{
+    const Color* const known = recolors ? Known(palette, asked) : nullptr;
+    return known ? WithAlpha(*known, asked.a) : asked;
+}
 
 Theme Theme::Classic()
 {
     return Theme{};
+}
+
+Theme Theme::OkabeIto()
+{
+    constexpr Color kOrange{230, 159, 0};
+    constexpr Color kSkyBlue{86, 180, 233};
+    constexpr Color kGreen{0, 158, 115};
+    constexpr Color kYellow{240, 228, 66};
+    constexpr Color kBlue{0, 114, 178};
+    constexpr Color kVermillion{213, 94, 0};
+    constexpr Color kPurple{204, 121, 167};
+    constexpr Color kInkWhite{255, 255, 255};
+    Theme theme;
+    theme.recolors = true;
+    theme.xAxis = kVermillion;
+    theme.yAxis = kGreen;
+    // What sleeps recedes, so it has the darkest. Thirteen roles share eight colours: bodies that
+    // are out of the simulation are rare, and have that of letters; pairs are lines, so nobody
+    // takes them for kinematic bodies.
+    theme.palette = {kGreen,  kSkyBlue,    kOrange,  kBlue,     kInkWhite, kYellow,  kSkyBlue,
+                     kPurple, kVermillion, kSkyBlue, kInkWhite, kYellow,   kInkWhite};
+    return theme;
+}
+
+Theme Theme::Print()
+{
+    Theme theme;
+    theme.recolors = true;
+    theme.background = {255, 255, 255};
+    theme.text = {17, 17, 17};
+    theme.xAxis = {198, 40, 40};
+    theme.yAxis = {46, 125, 50};
+    theme.fillShade = 1.0f; // half a colour would be grey on white
+    theme.fillAlpha = 0.22f;
+    theme.palette = {{{43, 110, 63},
+                      {47, 79, 168},
+                      {166, 60, 44},
+                      {107, 107, 107},
+                      {122, 106, 26},
+                      {0, 116, 125},
+                      {10, 123, 163},
+                      {142, 42, 142},
+                      {27, 122, 27},
+                      {42, 42, 200},
+                      {64, 64, 64},
+                      {138, 90, 0},
+                      {17, 17, 17}}};
+    return theme;
+}
+
+Theme Theme::Dark()
+{
+    Theme theme;
+    theme.recolors = true;
+    theme.background = {13, 17, 23};
+    theme.text = {230, 237, 243};
+    theme.xAxis = {255, 107, 107};
+    theme.yAxis = {76, 217, 100};
+    theme.palette = {{{125, 220, 140},
+                      {138, 180, 255},
+                      {255, 179, 167},
+                      {154, 164, 174},
+                      {181, 173, 106},
+                      {92, 214, 214},
+                      {77, 217, 255},
+                      {229, 138, 240},
+                      {95, 227, 95},
+                      {143, 143, 255},
+                      {221, 227, 234},
+                      {255, 216, 102},
+                      {240, 246, 252}}};
+    return theme;
+}
+
+const std::vector<std::string_view>& ThemeNames()
+{
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all;
+        for (const auto& [name, make] : Themes())
+        {
+            all.push_back(name);
+        }
+        return all;
+    }();
+    return names;
+}
+
+std::optional<Theme> FindTheme(std::string_view name)
+{
+    for (const auto& [known, make] : Themes())
+    {
+        if (known == name)
+        {
+            return make();
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace boxreel

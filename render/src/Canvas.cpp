@@ -19,7 +19,8 @@ const void* Offset(std::size_t bytes)
 
 } // namespace
 
-Result<std::unique_ptr<Canvas>> Canvas::Create(const Context& context, int width, int height)
+Result<std::unique_ptr<Canvas>> Canvas::Create(const Context& context, int width, int height,
+                                               double scale)
 {
     GlFunctions gl;
     const std::string missing = gl.Load(context);
@@ -29,7 +30,7 @@ Result<std::unique_ptr<Canvas>> Canvas::Create(const Context& context, int width
                                             " lacks the GL function " + missing +
                                             "; install Mesa 17 or newer"};
     }
-    std::unique_ptr<Canvas> canvas(new Canvas(gl, width, height));
+    std::unique_ptr<Canvas> canvas(new Canvas(gl, width, height, scale));
     if (Result<void> made = canvas->MakeTarget(); !made)
     {
         return made.GetError();
@@ -184,7 +185,7 @@ void Canvas::NeedFont()
     {
         return;
     }
-    const FontAtlas& atlas = FontAtlas::Get();
+    const FontAtlas& atlas = FontAtlas::Get(m_scale);
     m_gl.GenTextures(1, &m_font);
     m_gl.BindTexture(GL_TEXTURE_2D, m_font);
     for (const auto& [name, value] : {std::pair<GLenum, GLint>{GL_TEXTURE_MIN_FILTER, GL_LINEAR},

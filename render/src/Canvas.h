@@ -22,7 +22,8 @@ namespace boxreel
 class Canvas
 {
 public:
-    static Result<std::unique_ptr<Canvas>> Create(const Context& context, int width, int height);
+    static Result<std::unique_ptr<Canvas>> Create(const Context& context, int width, int height,
+                                                  double scale);
     ~Canvas();
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
@@ -44,8 +45,8 @@ private:
         int vectors = 0;
     };
 
-    Canvas(const GlFunctions& gl, int width, int height)
-        : m_gl(gl), m_width(width), m_height(height)
+    Canvas(const GlFunctions& gl, int width, int height, double scale)
+        : m_gl(gl), m_width(width), m_height(height), m_scale(scale)
     {}
     Result<void> MakeTarget();
     Result<GLuint> Compile(GLenum stage, const std::string& source);
@@ -58,6 +59,7 @@ private:
     GlFunctions m_gl;
     int m_width;
     int m_height;
+    double m_scale; // of letters
     GLuint m_framebuffer = 0;
     GLuint m_renderbuffer = 0;
     GLuint m_instances = 0;

@@ -159,6 +159,31 @@ Convex Clip(const Convex& polygon, Point lower, Point upper)
     return MakeConvex(rest.corners.data(), rest.count);
 }
 
+// Liang and Barsky, "A New Concept and Method for Line Clipping", 1984.
+std::optional<std::pair<double, double>> ClipSegment(Point a, Point b, Point lower, Point upper)
+{
+    const Point d = b - a;
+    double first = 0.0;
+    double last = 1.0;
+    const double rates[4] = {-d.x, d.x, -d.y, d.y};
+    const double rooms[4] = {a.x - lower.x, upper.x - a.x, a.y - lower.y, upper.y - a.y};
+    for (int side = 0; side < 4; ++side)
+    {
+        if (rates[side] == 0.0)
+        {
+            if (rooms[side] < 0.0)
+            {
+                return std::nullopt;
+            }
+            continue;
+        }
+        const double at = rooms[side] / rates[side];
+        (rates[side] < 0.0 ? first : last) =
+            rates[side] < 0.0 ? std::max(first, at) : std::min(last, at);
+    }
+    return first <= last ? std::optional(std::pair(first, last)) : std::nullopt;
+}
+
 OrientedBox BoxAround(const Convex& polygon)
 {
     OrientedBox best;

@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 /// Plane geometry in pixels, in double: convex polygons made wider and narrower by half an
-/// outline's width, clipped to the neighbourhood of the frame, and boxed. Used by ShapeBuilder.
+/// outline's width, clipped to the neighbourhood of the frame, and boxed. Used by ShapeBuilder
+/// and by figures.
 /// Never allocates.
 namespace boxreel
 {
@@ -58,6 +61,10 @@ Convex Shrink(const Convex& polygon, double distance);
 
 /// What lies within [lower, upper].
 Convex Clip(const Convex& polygon, Point lower, Point upper);
+
+/// The part of a segment within a rectangle, as a range of its parameter; empty when it lies
+/// outside.
+std::optional<std::pair<double, double>> ClipSegment(Point a, Point b, Point lower, Point upper);
 
 /// A rectangle of any direction; half extents along `axis` and across it.
 struct OrientedBox

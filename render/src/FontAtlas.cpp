@@ -7,15 +7,15 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <mutex>
 
 namespace boxreel
 {
 namespace
 {
 
-constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float kFontPixels =
-    15.0f; // legible in a film of 720 lines after 4:2:0, and small beside a shape
+constexpr float kBuiltInPixels = 13.0f; // what Dear ImGui's own font is drawn for
 
 // Western, Greek and Cyrillic letters, dashes and quotes, arrows, the common signs of mathematics.
 constexpr ImWchar kRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x0400, 0x045F, 0x2010,
@@ -35,15 +35,33 @@ bool LooksLikeFont(const std::vector<char>& bytes)
     return start == std::string_view("\0\1\0\0", 4) || start == "true" || start == "OTTO";
 }
 
-} // namespace
-
-const FontAtlas& FontAtlas::Get()
+/// Gives letters the distances they have at scale 1, times the scale: a larger picture is the same
+/// picture, not one set anew.
+void SpaceAs(const ImFont& model, float scale, ImFont& font)
 {
-    static const FontAtlas atlas(kFontFile);
-    return atlas;
+    for (ImFontGlyph& glyph : font.Glyphs)
+    {
+        glyph.AdvanceX = scale * model.FindGlyph(ImWchar(glyph.Codepoint))->AdvanceX;
+    }
+    font.BuildLookupTable(); // which keeps advances of its own
 }
 
-FontAtlas::FontAtlas(const char* fontFile) : m_atlas(IM_NEW(ImFontAtlas)())
+} // namespace
+
+const FontAtlas& FontAtlas::Get(double scale)
+{
+    if (scale == 1.0)
+    {
+        static const FontAtlas atlas(kFontFile);
+        return atlas;
+    }
+    static std::mutex access;
+    static std::map<double, FontAtlas> others; // whose entries never move
+    const std::lock_guard lock(access);
+    return others.try_emplace(scale, kFontFile, scale).first->second;
+}
+
+FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFontAtlas)())
 {
     ImFontConfig config;
     // Letters stand on whole pixels, so each is rasterised once, exactly there: no blur from
@@ -56,12 +74,19 @@ FontAtlas::FontAtlas(const char* fontFile) : m_atlas(IM_NEW(ImFontAtlas)())
     if (LooksLikeFont(file))
     {
         config.FontDataOwnedByAtlas = false;
-        m_atlas->AddFontFromMemoryTTF(file.data(), int(file.size()), kFontPixels, &config, kRanges);
+        m_atlas->AddFontFromMemoryTTF(file.data(), int(file.size()), float(kFontPixels * scale),
+                                      &config, kRanges);
         m_atlas->Build(); // reads `file`, so while it lives
     }
     else
     {
-        m_atlas->AddFontDefault();
+        config.SizePixels = float(kBuiltInPixels * scale);
+        m_atlas->AddFontDefault(scale == 1.0 ? nullptr : &config);
+        m_atlas->Build();
+    }
+    if (scale != 1.0)
+    {
+        SpaceAs(*Get().m_atlas->Fonts[0], float(scale), *m_atlas->Fonts[0]);
     }
     unsigned char* pixels = nullptr;
     m_atlas->GetTexDataAsAlpha8(&pixels, &m_width, &m_height);

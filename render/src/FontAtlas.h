@@ -7,11 +7,16 @@
 
 struct ImFontAtlas;
 
-/// The one font of the toolkit's pictures, rasterised once a process: DejaVu Sans, or the font
-/// inside Dear ImGui where that is not installed. Labels are laid out here, panels by Dear ImGui
-/// with the same texture. Immutable once made, so any thread may read it.
+/// The one font of the toolkit's pictures, rasterised once a process and size: DejaVu Sans, or the
+/// font inside Dear ImGui where that is not installed. Labels are laid out here, panels by Dear
+/// ImGui with the same texture. Immutable once made, so any thread may read it.
 namespace boxreel
 {
+
+inline constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+/// Height of a line [px]: legible in a film of 720 lines after 4:2:0, and small beside a shape.
+inline constexpr float kFontPixels = 15.0f;
 
 /// A letter to draw, relative to the text's top left corner.
 struct GlyphQuad
@@ -23,10 +28,11 @@ struct GlyphQuad
 class FontAtlas
 {
 public:
-    static const FontAtlas& Get();
+    /// Letters `scale` times as large as kFontPixels says. Kept from then on.
+    static const FontAtlas& Get(double scale = 1.0);
 
     /// With the built-in font when the file is missing or is none. For Get and tests.
-    explicit FontAtlas(const char* fontFile);
+    explicit FontAtlas(const char* fontFile, double scale = 1.0);
     ~FontAtlas();
     FontAtlas(const FontAtlas&) = delete;
     FontAtlas& operator=(const FontAtlas&) = delete;

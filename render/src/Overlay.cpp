@@ -15,7 +15,7 @@ namespace boxreel
 namespace
 {
 
-// All lengths in pixels.
+// All lengths in pixels, at scale 1.
 constexpr float kFrameMargin = 10.0f; // between the panel and the frame's edges
 constexpr float kPadding = 10.0f;     // between the panel's edge and its text
 constexpr float kColumnGap = 16.0f;
@@ -76,13 +76,14 @@ void Text(ImVec2 at, ImU32 ink, const std::string& text)
 /// Where things go in the panel [px].
 struct Layout
 {
+    float unit = 1.0f; ///< the scale
     float width = 0.0f;
     float height = 0.0f;
     float firstRow = 0.0f;
     float valueColumn = 0.0f;
 };
 
-Layout Arrange(const HudContent& content, ImVec2 frame)
+Layout Arrange(const HudContent& content, ImVec2 frame, float unit)
 {
     float names = 0.0f;
     float values = 0.0f;
@@ -91,42 +92,47 @@ Layout Arrange(const HudContent& content, ImVec2 frame)
         names = std::max(names, Width(name));
         values = std::max(values, Width(value));
     }
-    const float gap = names > 0.0f ? kColumnGap : 0.0f;
+    const float gap = names > 0.0f ? unit * kColumnGap : 0.0f;
     const float line = ImGui::GetFontSize();
+    const float padding = unit * kPadding;
+    const float step = unit * kWidthStep;
     Layout layout;
-    const float wanted = 2.0f * kPadding + std::max(Width(content.title), names + gap + values);
-    const float most = std::max(1.0f, frame.x - 2.0f * kFrameMargin);
-    layout.width = std::min(most, std::max(kMinWidth, kWidthStep * std::ceil(wanted / kWidthStep)));
-    layout.firstRow = kPadding + (content.title.empty() ? 0.0f : line + kUnderTitle);
-    layout.height =
-        layout.firstRow + float(content.rows.size()) * (line + kLineGap) - kLineGap + kPadding;
-    layout.height =
-        std::clamp(std::floor(layout.height), 1.0f, std::max(1.0f, frame.y - 2.0f * kFrameMargin));
+    layout.unit = unit;
+    const float wanted = 2.0f * padding + std::max(Width(content.title), names + gap + values);
+    const float most = std::max(1.0f, frame.x - 2.0f * unit * kFrameMargin);
+    layout.width = std::min(most, std::max(unit * kMinWidth, step * std::ceil(wanted / step)));
+    layout.firstRow = padding + (content.title.empty() ? 0.0f : line + unit * kUnderTitle);
+    layout.height = layout.firstRow + float(content.rows.size()) * (line + unit * kLineGap) -
+                    unit * kLineGap + padding;
+    layout.height = std::clamp(std::floor(layout.height), 1.0f,
+                               std::max(1.0f, frame.y - 2.0f * unit * kFrameMargin));
     // In a narrow frame names give way before values, down to half of the width.
-    const float inner = layout.width - 2.0f * kPadding;
+    const float inner = layout.width - 2.0f * padding;
     layout.valueColumn =
-        kPadding + std::floor(std::min(names + gap, std::max(0.5f * inner, inner - values)));
+        padding + std::floor(std::min(names + gap, std::max(0.5f * inner, inner - values)));
     return layout;
 }
 
 void Panel(const HudContent& content, const Layout& layout)
 {
     const float line = ImGui::GetFontSize();
-    const float right = layout.width - kPadding;
+    const float unit = layout.unit;
+    const float padding = unit * kPadding;
+    const float right = layout.width - padding;
     if (!content.title.empty())
     {
-        Text({kPadding, kPadding}, kTitleInk, Fitted(content.title, right - kPadding));
+        Text({padding, padding}, kTitleInk, Fitted(content.title, right - padding));
         const ImVec2 corner = ImGui::GetWindowPos();
-        const float y = corner.y + kPadding + line + 4.0f;
-        ImGui::GetWindowDrawList()->AddRectFilled({corner.x + kPadding, y},
-                                                  {corner.x + right, y + 1.0f}, kRim);
+        const float y = corner.y + padding + line + unit * 4.0f;
+        ImGui::GetWindowDrawList()->AddRectFilled({corner.x + padding, y},
+                                                  {corner.x + right, y + unit}, kRim);
     }
     float y = layout.firstRow;
     for (const auto& [name, value] : content.rows)
     {
-        Text({kPadding, y}, kNameInk, Fitted(name, layout.valueColumn - 4.0f - kPadding));
+        Text({padding, y}, kNameInk, Fitted(name, layout.valueColumn - unit * 4.0f - padding));
         Text({layout.valueColumn, y}, kValueInk, Fitted(value, right - layout.valueColumn));
-        y += line + kLineGap;
+        y += line + unit * kLineGap;
     }
 }
 
@@ -172,12 +178,12 @@ void Copy(const ImDrawData& data, int width, int height, Overlay& overlay)
     }
 }
 
-void SetStyle()
+void SetStyle(float unit)
 {
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowPadding = {0.0f, 0.0f};
-    style.WindowRounding = 6.0f;
-    style.WindowBorderSize = 1.0f;
+    style.WindowRounding = unit * 6.0f;
+    style.WindowBorderSize = unit;
     style.WindowMinSize = {1.0f, 1.0f};
     style.ItemSpacing = {0.0f, 0.0f};
     style.Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(kGround);
@@ -188,19 +194,19 @@ void SetStyle()
 
 struct Hud::Impl
 {
-    Impl(int w, int h) : width(w), height(h)
+    Impl(int w, int h, double s) : width(w), height(h), scale(s)
     {
         const std::lock_guard lock(g_imgui);
         // The atlas is shared; Dear ImGui only marks it as in use while a frame is built, under the
         // lock.
-        context = ImGui::CreateContext(FontAtlas::Get().ImGuiAtlas());
+        context = ImGui::CreateContext(FontAtlas::Get(scale).ImGuiAtlas());
         ImGui::SetCurrentContext(context);
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.LogFilename = nullptr;
         io.DisplaySize = {float(width), float(height)};
         io.DeltaTime = 1.0f / 60.0f;
-        SetStyle();
+        SetStyle(float(scale));
         ImGui::SetCurrentContext(nullptr);
     }
     Impl(const Impl&) = delete;
@@ -213,6 +219,7 @@ struct Hud::Impl
 
     int width;
     int height;
+    double scale;
     ImGuiContext* context;
     Overlay overlay;
 };
@@ -222,7 +229,7 @@ Hud::Hud(Hud&&) noexcept = default;
 Hud& Hud::operator=(Hud&&) noexcept = default;
 Hud::~Hud() = default;
 
-Result<Hud> Hud::Create(int width, int height)
+Result<Hud> Hud::Create(int width, int height, double scale)
 {
     if (width < 1 || width > 8192 || height < 1 || height > 8192)
     {
@@ -230,7 +237,12 @@ Result<Hud> Hud::Create(int width, int height)
                                               std::to_string(width) + "x" + std::to_string(height) +
                                               " pixels; width and height go from 1 to 8192"};
     }
-    return Hud(std::make_unique<Impl>(width, height));
+    if (!(scale >= 0.1 && scale <= 16.0))
+    {
+        return Error{ErrorKind::Unusable, "a panel cannot be scaled by " + std::to_string(scale) +
+                                              "; give a scale from 0.1 to 16"};
+    }
+    return Hud(std::make_unique<Impl>(width, height, scale));
 }
 
 const Overlay& Hud::Build(const HudContent& content)
@@ -241,8 +253,9 @@ const Overlay& Hud::Build(const HudContent& content)
     const std::lock_guard lock(g_imgui);
     ImGui::SetCurrentContext(m_impl->context);
     ImGui::NewFrame();
-    const Layout layout = Arrange(content, ImGui::GetIO().DisplaySize);
-    ImGui::SetNextWindowPos({kFrameMargin, kFrameMargin});
+    const Layout layout = Arrange(content, ImGui::GetIO().DisplaySize, float(m_impl->scale));
+    const float margin = layout.unit * kFrameMargin;
+    ImGui::SetNextWindowPos({margin, margin});
     ImGui::SetNextWindowSize({layout.width, layout.height});
     if (ImGui::Begin("hud", nullptr, kFlags))
     {

@@ -14,6 +14,8 @@ namespace
 {
 
 constexpr int kMaxSize = 8192;
+constexpr double kMinScale = 0.1; // letters of 1.5 px
+constexpr double kMaxScale = 16.0;
 
 std::string Size(int width, int height)
 {
@@ -92,6 +94,12 @@ Result<Renderer> Renderer::Create(const RendererSettings& settings)
                          " pixels cannot be drawn; width and height go from 1 to " +
                          std::to_string(kMaxSize)};
     }
+    if (!(settings.scale >= kMinScale && settings.scale <= kMaxScale))
+    {
+        return Error{ErrorKind::Unusable, "pixels cannot be scaled by " +
+                                              std::to_string(settings.scale) +
+                                              "; give a scale from 0.1 to 16"};
+    }
     auto impl = std::make_unique<Impl>(settings);
     Result<std::unique_ptr<Context>> context = CreateContext(settings.backend);
     if (!context)
@@ -104,7 +112,7 @@ Result<Renderer> Renderer::Create(const RendererSettings& settings)
         return current.GetError();
     }
     Result<std::unique_ptr<Canvas>> canvas =
-        Canvas::Create(*impl->context, settings.width, settings.height);
+        Canvas::Create(*impl->context, settings.width, settings.height, settings.scale);
     if (!canvas)
     {
         return canvas.GetError();
@@ -135,7 +143,7 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
     }
     impl.hasLast = false; // until all of it is drawn
     impl.batches.Clear(camera.width, camera.height);
-    ShapeBuilder builder(camera, impl.settings.theme, impl.batches);
+    ShapeBuilder builder(camera, impl.settings.theme, impl.settings.scale, impl.batches);
     for (const DrawItem& item : list.items)
     {
         ++(builder.Add(list, item) ? impl.statistics.itemsDrawn : impl.statistics.itemsSkipped);

@@ -55,9 +55,6 @@ constexpr std::array<Point, 12> kTwelve{{{1.0, 0.0},
                                          {0.5, -kTwelveLong},
                                          {kTwelveLong, -0.5}}};
 
-constexpr Color kXAxis{255, 64, 64, 255};
-constexpr Color kYAxis{64, 220, 64, 255};
-
 bool IsFinite(Point p)
 {
     return std::isfinite(p.x) && std::isfinite(p.y);
@@ -84,32 +81,6 @@ Convex TwelveGon(Point center, double radius)
     return polygon;
 }
 
-/// The part of a segment within a rectangle, as a range of its parameter; empty when it lies
-/// outside. (Liang and Barsky, "A New Concept and Method for Line Clipping", 1984.)
-std::optional<std::pair<double, double>> ClipSegment(Point a, Point b, Point lower, Point upper)
-{
-    const Point d = b - a;
-    double first = 0.0;
-    double last = 1.0;
-    const double rates[4] = {-d.x, d.x, -d.y, d.y};
-    const double rooms[4] = {a.x - lower.x, upper.x - a.x, a.y - lower.y, upper.y - a.y};
-    for (int side = 0; side < 4; ++side)
-    {
-        if (rates[side] == 0.0)
-        {
-            if (rooms[side] < 0.0)
-            {
-                return std::nullopt;
-            }
-            continue;
-        }
-        const double at = rooms[side] / rates[side];
-        (rates[side] < 0.0 ? first : last) =
-            rates[side] < 0.0 ? std::max(first, at) : std::min(last, at);
-    }
-    return first <= last ? std::optional(std::pair(first, last)) : std::nullopt;
-}
-
 /// The rectangle that four corners in order are, if they are one.
 std::optional<OrientedBox> AsBox(const Convex& p)
 {
@@ -133,8 +104,9 @@ std::optional<OrientedBox> AsBox(const Convex& p)
 
 } // namespace
 
-ShapeBuilder::ShapeBuilder(const Camera& camera, const Theme& theme, Batches& batches)
-    : m_camera(camera), m_theme(theme), m_batches(batches)
+ShapeBuilder::ShapeBuilder(const Camera& camera, const Theme& theme, double scale, Batches& batches)
+    : m_camera(camera), m_theme(theme), m_scale(scale), m_outlineWidth(scale * theme.outlineWidth),
+      m_batches(batches)
 {}
 
 bool ShapeBuilder::Add(const DrawList& list, const DrawItem& item)
@@ -150,29 +122,29 @@ bool ShapeBuilder::Add(const DrawList& list, const DrawItem& item)
         return false;
     }
     const double meters = m_camera.pixelsPerMeter;
-    const double width = m_theme.outlineWidth;
+    const double width = m_outlineWidth;
+    const Rgba stroke = Opaque(m_theme.Outline(item.color));
     switch (item.kind)
     {
     case DrawKind::Polygon:
-        return AddOutline(points, item.count, item.color);
+        return AddOutline(points, item.count, stroke);
     case DrawKind::SolidPolygon:
         return AddSolidPolygon(points, item.count, item.color);
     case DrawKind::Circle:
-        return AddDisc(ToPixel(points[0]), item.size * meters, std::nullopt, width,
-                       {Opaque(item.color), {}});
+        return AddDisc(ToPixel(points[0]), item.size * meters, std::nullopt, width, {stroke, {}});
     case DrawKind::SolidCircle:
         return AddDisc(ToPixel(points[0]), item.size * meters, Point{points[1].x, -points[1].y},
                        width, SolidPaint(item.color));
     case DrawKind::Segment:
-        return AddLine(ToPixel(points[0]), ToPixel(points[1]), width, Opaque(item.color));
+        return AddLine(ToPixel(points[0]), ToPixel(points[1]), width, stroke);
     case DrawKind::Transform:
         return AddTransform(points, item.size);
     case DrawKind::Point:
         // A disc that is all outline.
-        return AddDisc(ToPixel(points[0]), 0.25 * item.size, std::nullopt, 0.5 * item.size,
-                       {Opaque(item.color), {}});
+        return AddDisc(ToPixel(points[0]), 0.25 * m_scale * item.size, std::nullopt,
+                       0.5 * m_scale * item.size, {stroke, {}});
     case DrawKind::Text:
-        return AddText(points[0], list.texts[item.text], item.color);
+        return AddText(points[0], list.texts[item.text], stroke);
     }
     return false;
 }
@@ -197,24 +169,28 @@ std::optional<PixelBounds> ShapeBuilder::InPicture(Point lower, Point upper) con
 
 ShapeBuilder::Paint ShapeBuilder::SolidPaint(Color color) const
 {
+    const Color fill = m_theme.Fill(color);
     const double alpha = m_theme.fillAlpha * color.a / 255.0;
-    return {Opaque(color), Premultiplied(0.5 * color.r, 0.5 * color.g, 0.5 * color.b, alpha)};
+    const double shade = m_theme.fillShade;
+    return {Opaque(m_theme.Outline(color)),
+            Premultiplied(shade * fill.r, shade * fill.g, shade * fill.b, alpha)};
 }
 
 bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, Color color)
 {
     if (count > kMaxCorners - 4)
     {
-        return AddOutline(points, count, color); // more corners than the interface allows
+        return AddOutline(points, count,
+                          SolidPaint(color).stroke); // more corners than the interface allows
     }
     std::array<Point, kMaxCorners> corners;
     std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
     Convex polygon = MakeConvex(corners.data(), count);
     if (polygon.count < 3) // no inside: what is left of it is a line between its farthest corners
     {
-        return AddOutline(points, count, color);
+        return AddOutline(points, count, SolidPaint(color).stroke);
     }
-    const double width = m_theme.outlineWidth;
+    const double width = m_outlineWidth;
     const double guard = kGuard + 2.0 * width;
     const Point lower{-guard, -guard};
     const Point upper{m_camera.width + guard, m_camera.height + guard};
@@ -238,10 +214,9 @@ bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, Color 
     return EmitPolygon(Grow(polygon, 0.5 * width), Shrink(polygon, 0.5 * width), paint);
 }
 
-bool ShapeBuilder::AddOutline(const Vec2* points, std::size_t count, Color color)
+bool ShapeBuilder::AddOutline(const Vec2* points, std::size_t count, const Rgba& stroke)
 {
     bool drawn = false;
-    const Rgba stroke = Opaque(color);
     for (std::size_t i = 0; i < count; ++i)
     {
         const std::size_t next = (i + 1) % count;
@@ -249,7 +224,7 @@ bool ShapeBuilder::AddOutline(const Vec2* points, std::size_t count, Color color
         {
             break; // the way back is the same line
         }
-        drawn |= AddLine(ToPixel(points[i]), ToPixel(points[next]), m_theme.outlineWidth, stroke);
+        drawn |= AddLine(ToPixel(points[i]), ToPixel(points[next]), m_outlineWidth, stroke);
     }
     return drawn;
 }
@@ -307,12 +282,12 @@ bool ShapeBuilder::AddTransform(const Vec2* points, double length)
     const double scale = length * m_camera.pixelsPerMeter;
     const Point x{scale * points[1].x, -scale * points[1].y};
     const Point y{x.y, -x.x}; // a quarter turn to the left, with y down
-    const bool drawnX = AddLine(origin, origin + x, m_theme.outlineWidth, Opaque(kXAxis));
-    const bool drawnY = AddLine(origin, origin + y, m_theme.outlineWidth, Opaque(kYAxis));
+    const bool drawnX = AddLine(origin, origin + x, m_outlineWidth, Opaque(m_theme.xAxis));
+    const bool drawnY = AddLine(origin, origin + y, m_outlineWidth, Opaque(m_theme.yAxis));
     return drawnX || drawnY;
 }
 
-bool ShapeBuilder::AddText(Vec2 topLeft, const std::string& text, Color color)
+bool ShapeBuilder::AddText(Vec2 topLeft, const std::string& text, const Rgba& ink)
 {
     const Point corner = ToPixel(topLeft);
     const Point at{std::floor(corner.x + 0.5), std::floor(corner.y + 0.5)};
@@ -320,8 +295,7 @@ bool ShapeBuilder::AddText(Vec2 topLeft, const std::string& text, Color color)
     {
         return false;
     }
-    FontAtlas::Get().Layout(text, m_glyphs);
-    const Rgba ink = Opaque(color);
+    FontAtlas::Get(m_scale).Layout(text, m_glyphs);
     bool drawn = false;
     for (const GlyphQuad& glyph : m_glyphs)
     {

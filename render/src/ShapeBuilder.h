@@ -25,7 +25,8 @@ class ShapeBuilder
 {
 public:
     /// The camera's size is the picture's; its numbers are finite and its scale is positive.
-    ShapeBuilder(const Camera& camera, const Theme& theme, Batches& batches);
+    /// `scale` times as large are outlines, points and letters.
+    ShapeBuilder(const Camera& camera, const Theme& theme, double scale, Batches& batches);
 
     /// Adds what the item shows in the picture. False when that is nothing (outside, or not
     /// finite).
@@ -46,12 +47,12 @@ private:
     Paint SolidPaint(Color color) const;
 
     bool AddSolidPolygon(const Vec2* points, std::size_t count, Color color);
-    bool AddOutline(const Vec2* points, std::size_t count, Color color);
+    bool AddOutline(const Vec2* points, std::size_t count, const Rgba& stroke);
     bool AddDisc(Point center, double radius, std::optional<Point> axis, double outlineWidth,
                  const Paint& paint);
     bool AddLine(Point a, Point b, double width, const Rgba& color);
     bool AddTransform(const Vec2* points, double length);
-    bool AddText(Vec2 topLeft, const std::string& text, Color color);
+    bool AddText(Vec2 topLeft, const std::string& text, const Rgba& ink);
 
     bool EmitBox(const OrientedBox& box, double outlineWidth, const Paint& paint);
     bool EmitPolygon(const Convex& outer, const Convex& inner, const Paint& paint);
@@ -60,6 +61,8 @@ private:
 
     Camera m_camera;
     Theme m_theme;
+    double m_scale;
+    double m_outlineWidth; // [px]
     Batches& m_batches;
     std::vector<GlyphQuad> m_glyphs;
 };

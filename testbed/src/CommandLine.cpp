@@ -3,6 +3,7 @@
 
 #include "CommandLineOptions.h"
 #include "Nearest.h"
+#include "OutputPath.h"
 
 #include <algorithm>
 
@@ -206,6 +207,28 @@ Result<Request> CheckRecord(RecordOptions options)
     return Request(std::move(options));
 }
 
+/// What pixels cannot be, and what only pixels can be.
+Result<void> CheckPixels(const ShotOptions& options)
+{
+    const bool isVector =
+        PictureFormatOf(options.output).value_or(PictureFormat::Png) != PictureFormat::Png;
+    if (isVector && options.look.hud)
+    {
+        return Unusable("--hud draws a panel of pixels, which '" + options.output.string() +
+                        "' cannot hold; leave it out, or write a .png.");
+    }
+    const Camera size = Scaled(Camera{.width = options.look.width, .height = options.look.height},
+                               options.look.scale);
+    if (!isVector && std::max(size.width, size.height) > 8192)
+    {
+        return Unusable("--scale makes it " + std::to_string(size.width) + "x" +
+                        std::to_string(size.height) +
+                        " pixels, and 8192 is the most each way; lower it or --size, or write an "
+                        ".svg or a .pdf.");
+    }
+    return {};
+}
+
 Result<Request> CheckShot(ShotOptions options)
 {
     if (const Result<void> hud = CheckHud(options.look); !hud)
@@ -228,6 +251,10 @@ Result<Request> CheckShot(ShotOptions options)
     if (!options.at && !options.step)
     {
         return Unusable("Say when the picture is taken, such as --at 3s or --step 180.");
+    }
+    if (const Result<void> pixels = CheckPixels(options); !pixels)
+    {
+        return pixels.GetError();
     }
     return Request(std::move(options));
 }

@@ -83,11 +83,54 @@ Result<std::uint32_t> ParseDraw(const std::string& option, const std::string& te
     return flags;
 }
 
+/// "classic, okabe-ito, …".
+std::string NamesOfThemes()
+{
+    std::string names;
+    for (const std::string_view name : ThemeNames())
+    {
+        names.append(names.empty() ? "" : ", ").append(name);
+    }
+    return names;
+}
+
 auto WholeBetween(std::int64_t lowest, std::int64_t highest)
 {
     return [lowest, highest](const std::string& option, const std::string& text) {
         return ParseWhole(option, text, lowest, highest);
     };
+}
+
+/// A theme's name, or "both" where `bothThemes` may say so.
+void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
+{
+    const auto read = [&look, bothThemes](const std::string& text) {
+        const std::optional<Theme> theme = FindTheme(text);
+        if (!theme && text == "both")
+        {
+            if (bothThemes == nullptr)
+            {
+                throw CLI::ValidationError(
+                    Refusal("--theme", text,
+                            "a film has one theme; give classic, okabe-ito, print or dark")
+                        .message);
+            }
+            *bothThemes = true;
+            return;
+        }
+        if (!theme)
+        {
+            const std::string both = bothThemes == nullptr ? "" : ", both";
+            throw CLI::ValidationError(
+                Refusal("--theme", text, "give one of " + NamesOfThemes() + both).message);
+        }
+        look.theme = *theme;
+    };
+    const std::string both = bothThemes == nullptr ? "" : ", both";
+    command
+        .add_option_function<std::string>("--theme", read, NamesOfThemes() + both + " (classic)")
+        ->type_name("NAME")
+        ->group("Picture");
 }
 
 void AddSize(CLI::App& command, SceneLook& look)
@@ -109,12 +152,13 @@ void AddSize(CLI::App& command, SceneLook& look)
 
 } // namespace
 
-void AddLook(CLI::App& command, SceneLook& look)
+void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
 {
     const auto parseHertz = [](const std::string& option, const std::string& text) {
         return ParseRatio(option, text, 1.0, 100000.0);
     };
     AddSize(command, look);
+    AddTheme(command, look, bothThemes);
     AddValue(command, "--camera", "VIEW", look.view, ParseCamera,
              "fit (what moves stays in view), or X,Y,HEIGHT in metres")
         ->group("Picture");

@@ -44,6 +44,17 @@ auto WholeBetween(std::int64_t lowest, std::int64_t highest)
     };
 }
 
+Result<double> ParseScale(const std::string& option, const std::string& text)
+{
+    const Result<double> scale = ParseNumber(option, text);
+    if (!scale || *scale < 0.1 || *scale > 16.0)
+    {
+        return Error{ErrorKind::Unusable,
+                     option + " '" + text + "': give a number from 0.1 to 16, such as 2."};
+    }
+    return scale;
+}
+
 /// "1,2,4": thread counts, each once.
 Result<std::vector<int>> ParseThreads(const std::string& option, const std::string& text)
 {
@@ -136,7 +147,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
     AddValue(*command, "--speed", "FACTOR", record.speed, RatioBetween(0.001, 1000.0),
              "Simulated seconds a second; 0.25 is slow motion (1)")
         ->group("Time");
-    AddLook(*command, record.look);
+    AddLook(*command, record.look, nullptr);
     AddBackend(*command, record.backend)->group("Picture");
     command->footer(
         "Examples:\n"
@@ -144,7 +155,8 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
         "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"
         "  boxreel record dominos -o frames-####.png --frames 120 --hud\n"
         "  boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25\n"
-        "  boxreel record machine.json -o machine.webm --camera 0,5,20");
+        "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
+        "  boxreel record bridge -o bridge.mp4 --theme okabe-ito");
 }
 
 void DeclareShot(CLI::App& program, ParsedOptions& parsed)
@@ -152,21 +164,29 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed)
     ShotOptions& shot = parsed.shot;
     CLI::App* command = program.add_subcommand("shot", "Make one picture of a scene");
     AddScene(*command, shot.scene);
-    AddPath(*command, "-o,--output", "FILE", shot.output, "The picture, .png");
+    AddPath(*command, "-o,--output", "FILE", shot.output, "The picture: .png, .svg or .pdf");
     AddForce(*command, shot.force);
     AddValue(*command, "--at", "TIME", shot.at, ParseDuration, "Simulated time: 3s, 500ms, 2.5")
         ->group("Time");
     AddValue(*command, "--step", "N", shot.step, WholeBetween(0, kMostSteps),
              "Or the number of simulation steps")
         ->group("Time");
-    AddLook(*command, shot.look);
+    AddValue(*command, "--scale", "FACTOR", shot.look.scale, ParseScale,
+             "Of all lengths in pixels, lines and text too; 0.1 to 16 (1)")
+        ->group("Picture");
+    AddLook(*command, shot.look, &shot.bothThemes);
     AddBackend(*command, shot.backend)->group("Picture");
     command->footer(
-        "The pixels are those of a film's frame at the same time.\n\n"
+        "The pixels of a .png are those of a film's frame at the same time. In .svg and .pdf text\n"
+        "stays text, and each body is a group with a name. --theme both writes NAME-light.EXT\n"
+        "(print) and NAME-dark.EXT.\n\n"
         "Examples:\n"
         "  boxreel shot pyramid --at 3s -o pyramid.png\n"
         "  boxreel shot bridge --step 180 -o bridge.png --size 1920x1080 --hud\n"
-        "  boxreel shot chain --at 500ms -o chain.png --draw shapes,joints,aabbs --labels");
+        "  boxreel shot chain --at 500ms -o chain.png --draw shapes,joints,aabbs --labels\n"
+        "  boxreel shot tumbler --at 4s -o tumbler.svg --theme okabe-ito\n"
+        "  boxreel shot pyramid --at 3s -o pyramid.pdf --theme print --labels\n"
+        "  boxreel shot bridge --at 2s -o bridge.svg --theme both");
 }
 
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed)

@@ -53,6 +53,7 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
 }
 
 /// Options that decide what a picture of a scene looks like, shared by record and shot.
-void AddLook(CLI::App& command, SceneLook& look);
+/// `bothThemes`: where to say that a light and a dark twin are wanted; null where there are none.
+void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes);
 
 } // namespace boxreel

@@ -98,8 +98,10 @@ Result<int> RecordScene(const RecordOptions& options, std::int64_t frameCount, S
     {
         return writer.GetError();
     }
-    Result<Renderer> renderer = Renderer::Create(
-        {.width = options.look.width, .height = options.look.height, .backend = options.backend});
+    Result<Renderer> renderer = Renderer::Create({.width = options.look.width,
+                                                  .height = options.look.height,
+                                                  .theme = options.look.theme,
+                                                  .backend = options.backend});
     if (!renderer)
     {
         return renderer.GetError();

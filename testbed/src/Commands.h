@@ -47,6 +47,7 @@ struct ShotOptions
     std::optional<Duration> at;       ///< simulated time …
     std::optional<std::int64_t> step; ///< … or number of steps
     Backend backend = Backend::Auto;
+    bool bothThemes = false;          ///< a light and a dark picture instead of the look's theme
     bool force = false;
 };
 

@@ -56,6 +56,21 @@ Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
                      ".png, the one format pictures are written in");
 }
 
+std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path)
+{
+    const std::string end = path.extension().string();
+    return end == ".png"   ? std::optional(PictureFormat::Png)
+           : end == ".svg" ? std::optional(PictureFormat::Svg)
+           : end == ".pdf" ? std::optional(PictureFormat::Pdf)
+                           : std::nullopt;
+}
+
+Result<void> CheckFigurePath(const std::filesystem::path& path, bool force)
+{
+    return CheckPath(path, force, PictureFormatOf(path).has_value(),
+                     ".png, .svg or .pdf, the formats pictures are written in");
+}
+
 Result<void> CheckChartPath(const std::filesystem::path& path, bool force)
 {
     return CheckPath(path, force, path.extension() == ".png" || path.extension() == ".svg",

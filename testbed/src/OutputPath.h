@@ -4,6 +4,7 @@
 #include <debugdraw/Result.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,19 @@ namespace boxreel
 /// Whether a picture can be written there: the name ends in .png, its folder exists and takes
 /// a file, and no file is in the way unless `force`. Leaves everything as it was.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
+
+enum class PictureFormat
+{
+    Png,
+    Svg,
+    Pdf,
+};
+
+/// By the name's end; none when it is another.
+std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path);
+
+/// The same for a picture of a scene, whose name ends in .png, .svg or .pdf.
+Result<void> CheckFigurePath(const std::filesystem::path& path, bool force);
 
 /// The same for a chart, whose name ends in .png or .svg.
 Result<void> CheckChartPath(const std::filesystem::path& path, bool force);

@@ -83,7 +83,8 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
     SceneSession session(std::move(source.scene), std::move(source.title), look);
     if (look.hud)
     {
-        Result<Hud> hud = Hud::Create(look.width, look.height);
+        const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
+        Result<Hud> hud = Hud::Create(size.width, size.height, look.scale);
         if (!hud)
         {
             return hud.GetError();
@@ -127,10 +128,11 @@ void SceneSession::Fill(FrameContent& content)
     world.SetDebugDraw(&collector);
     world.DrawDebugData();
     world.SetDebugDraw(nullptr);
-    content.camera = m_fitCamera ? m_fitCamera->View() : m_fixedCamera;
+    const Camera& view = m_fitCamera ? m_fitCamera->View() : m_fixedCamera;
+    content.camera = Scaled(view, m_look.scale);
     if (m_look.labels)
     {
-        AddBodyNumbers(world, content.camera.pixelsPerMeter, content.list);
+        AddBodyNumbers(world, view.pixelsPerMeter, content.list);
     }
     if (m_hud)
     {

@@ -5,6 +5,7 @@
 
 #include <debugdraw/Camera.h>
 #include <debugdraw/Result.h>
+#include <debugdraw/Theme.h>
 #include <recorder/FrameClock.h>
 #include <recorder/Recording.h>
 #include <render/Overlay.h>
@@ -32,8 +33,10 @@ struct FixedView
 /// How a scene is simulated and what its picture shows.
 struct SceneLook
 {
-    int width = 1280;                       ///< [px]
-    int height = 720;                       ///< [px]
+    int width = 1280;   ///< [px]
+    int height = 720;   ///< [px]
+    double scale = 1.0; ///< of all lengths in pixels, width and height too
+    Theme theme = Theme::Classic();
     std::optional<Rational> stepsPerSecond; ///< none of these three: as the scene prefers,
     std::optional<int> velocityIterations;  ///< which is 60, 8 and 3 unless it says otherwise
     std::optional<int> positionIterations;

@@ -38,6 +38,28 @@ TEST(Renderer, PaintsAnAlignedBoxInExactColours)
     EXPECT_EQ(At(frame, 20, 31), kGround);
 }
 
+TEST(Renderer, DrawsInTheColoursOfItsTheme)
+{
+    Theme theme = Theme::Print();
+    theme.outlineWidth = 2.0f;
+    DrawList list;
+    AddRectangle(list, 10, 10, 30, 20, kAwake);
+    AddRectangle(list, 10, 30, 30, 36,
+                 {250, 240, 120, 255}); // the user's own, hardly seen on white
+    list.AddTransform({34, 10}, {1, 0}, 4);
+    const Frame frame = Picture(list, 40, 40, theme);
+
+    EXPECT_EQ(At(frame, 5, 5), (Pixel{255, 255, 255, 255}));
+    EXPECT_EQ(At(frame, 9, 25), (Pixel{166, 60, 44, 255}));
+    const Pixel inside = At(frame, 20, 25); // 0.22 of (166, 60, 44) over white
+    EXPECT_NEAR(inside[0], 255 - 0.22 * (255 - 166), 1.0);
+    EXPECT_NEAR(inside[1], 255 - 0.22 * (255 - 60), 1.0);
+    const Color outline = theme.Outline({250, 240, 120, 255});
+    EXPECT_EQ(At(frame, 9, 7), (Pixel{outline.r, outline.g, outline.b, 255}));
+    EXPECT_NEAR(At(frame, 20, 7)[2], 255 - 0.22 * (255 - 120), 1.0) << "its fill is kept";
+    EXPECT_EQ(At(frame, 36, 29), (Pixel{198, 40, 40, 255}));
+}
+
 TEST(Renderer, DividesAPixelBetweenFillAndOutline)
 {
     Theme theme = Theme::Classic();

@@ -177,9 +177,9 @@ Rgba ColorAt(P p, const std::vector<const Shape*>& shapes, const Theme& theme)
         const double alpha = s->item.color.a / 255.0;
         if (part != Part::Outside)
         {
-            Over(color, part == Part::Stroke
-                            ? Premultiplied(s->item.color, 1.0, alpha)
-                            : Premultiplied(s->item.color, 0.5, alpha * theme.fillAlpha));
+            Over(color, part == Part::Stroke ? Premultiplied(s->item.color, 1.0, alpha)
+                                             : Premultiplied(s->item.color, theme.fillShade,
+                                                             alpha * theme.fillAlpha));
         }
     }
     return color;

@@ -27,6 +27,9 @@ struct Camera
 /// smaller one than a metre is shown as a metre.
 Camera FitTo(const Rect& area, int width, int height, double margin = 0.06);
 
+/// The same view in a picture of `scale` times as many pixels each way (rounded, at least 1).
+Camera Scaled(const Camera& camera, double scale);
+
 /// Keeps what moves in view, without shaking: the view only ever grows, smoothly, and lets go of a
 /// body that has left the neighbourhood (fallen off the world). Depends on the steps of the
 /// simulation alone, never on the frame rate, so that a film and a still show the same pixels.

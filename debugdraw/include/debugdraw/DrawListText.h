@@ -14,4 +14,7 @@ namespace boxreel
 
 std::string ToText(const DrawList& list);
 
+/// "shapes", "joints", … as it stands in that text.
+const char* LayerName(DrawLayer layer);
+
 } // namespace boxreel

@@ -51,7 +51,9 @@ struct HudContent
 class Hud
 {
 public:
-    static Result<Hud> Create(int width, int height);
+    /// `width`, `height`: of the picture, with its scale in it; `scale`: how much larger than
+    /// usual the panel and its letters are, 0.1 to 16, the renderer's.
+    static Result<Hud> Create(int width, int height, double scale = 1.0);
     Hud(Hud&&) noexcept;
     Hud& operator=(Hud&&) noexcept;
     ~Hud();

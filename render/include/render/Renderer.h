@@ -25,6 +25,8 @@ struct RendererSettings
     int height = 720; ///< 1 to 8192 [px]
     Theme theme = Theme::Classic();
     Backend backend = Backend::Auto;
+    double scale = 1.0; ///< of all lengths in pixels: outlines, points, letters; 0.1 to 16. The
+                        ///< camera and the overlay are given at their full size.
 };
 
 /// What the last Submit did.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Camera.h>
+#include <debugdraw/DrawList.h>
+#include <debugdraw/Result.h>
+#include <debugdraw/Theme.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// Drawings for documents: what a Renderer shows, as SVG or PDF, sharp at any size. Text stays
+/// text, each body is a group with a name, and the same figure gives the same bytes. Needs no GL;
+/// Cairo and FreeType are loaded when a PDF is asked for, and SVG needs nothing at all.
+namespace boxreel
+{
+
+/// One view of one list, in a rectangle of the figure. What lies outside is cut off.
+struct FigurePanel
+{
+    DrawList list;
+    Camera camera;  ///< its width and height are the panel's [px]
+    double x = 0.0; ///< of the panel's top left corner in the figure [px]
+    double y = 0.0;
+    /// What bodies are called in the groups' names, by their number; "body-17" where it has none.
+    std::map<std::uint32_t, std::string> bodyNames;
+};
+
+struct Figure
+{
+    int width = 1280;   ///< before the scale [px]; a pixel is 1/96 inch
+    int height = 720;   ///< [px]
+    double scale = 1.0; ///< how much larger all of it is: paper, lines, letters; 0.1 to 16
+    Theme theme = Theme::Classic();
+    std::string title;               ///< for readers of screens and for catalogues; not drawn
+    std::vector<FigurePanel> panels; ///< painter's order
+};
+
+/// A figure of one panel that fills it.
+Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme = Theme::Classic());
+
+/// The figure as SVG: an element a line, lengths in thousandths of a pixel, groups like
+/// `<g id="body-17" class="shapes">` for what a body has in a row, in painter's order. A body, or
+/// the world, that is drawn again later has a second group, `body-17-2`. What is not finite, or not
+/// in the picture, is left out, and circles that reach half a million pixels away.
+Result<std::string> ToSvg(const Figure& figure);
+
+/// The same drawing as a PDF of one page. Text can be searched and copied; the groups are sections
+/// of its structure, and named destinations. Absent when Cairo, FreeType or the font is.
+Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure);
+
+/// Whether PDFs can be written on this machine: asked before long work is done for one.
+Result<void> PreparePdf();
+
+struct FigureFileSettings
+{
+    bool overwrite = false; ///< false: an existing file is an error
+};
+
+/// Whole or not at all.
+Result<void> WriteSvg(const std::filesystem::path& path, const Figure& figure,
+                      const FigureFileSettings& settings = {});
+Result<void> WritePdf(const std::filesystem::path& path, const Figure& figure,
+                      const FigureFileSettings& settings = {});
+
+} // namespace boxreel

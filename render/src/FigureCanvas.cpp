@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: MIT
+#include "FigureCanvas.h"
+
+#include <debugdraw/DrawListText.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <set>
+
+namespace boxreel
+{
+namespace
+{
+
+// Beyond the picture by more than this [px] shapes are cut: neither format holds endless numbers.
+constexpr double kGuard = 4096.0;
+
+// A circle that reaches farther than this from the corner [px] is left out: larger times the
+// largest scale, PDF's numbers (Cairo's, of 24 bits before the point) would not hold it.
+constexpr double kFarthest = 5e5;
+
+// A letter is at most this much wider than it is high; only to see which texts are in the picture.
+constexpr double kWidestLetter = 1.5;
+
+/// Letters, digits, '-', '_' and '.' as they are, anything else as '-'; a letter or '_' first.
+std::string AsId(std::string_view name)
+{
+    const auto isLetter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    std::string id;
+    for (const char c : name)
+    {
+        id += isLetter(c) || (c >= '0' && c <= '9') || c == '.' ? c : '-';
+    }
+    return isLetter(id.front()) ? id : "_" + id;
+}
+
+/// Draws one panel. Its methods mirror those of ShapeBuilder, which does the same for the shaders.
+class PanelPainter
+{
+public:
+    PanelPainter(const FigurePanel& panel, const Theme& theme, std::set<std::string>& ids,
+                 FigureCanvas& canvas)
+        : m_panel(panel), m_list(panel.list), m_camera(panel.camera), m_theme(theme), m_ids(ids),
+          m_canvas(canvas)
+    {}
+
+    void Paint()
+    {
+        m_canvas.BeginPanel(m_panel);
+        for (const DrawItem& item : m_list.items)
+        {
+            assert(std::size_t{item.first} + item.count <= m_list.points.size());
+            if (IsShown(item))
+            {
+                EnterGroupOf(item);
+                Add(item);
+            }
+        }
+        if (m_open)
+        {
+            m_canvas.EndGroup();
+        }
+        m_canvas.EndPanel();
+    }
+
+private:
+    Point ToPixel(Vec2 world) const
+    {
+        return {0.5 * m_camera.width + (world.x - m_camera.centerX) * m_camera.pixelsPerMeter,
+                0.5 * m_camera.height - (world.y - m_camera.centerY) * m_camera.pixelsPerMeter};
+    }
+    FigureInk Stroke(Color asked) const { return {m_theme.Outline(asked), asked.a / 255.0}; }
+    FigureInk Fill(Color asked) const
+    {
+        const Color fill = m_theme.Fill(asked);
+        const auto shaded = [this](std::uint8_t channel) {
+            return static_cast<std::uint8_t>(std::floor(m_theme.fillShade * channel + 0.5f));
+        };
+        return {{shaded(fill.r), shaded(fill.g), shaded(fill.b)},
+                double(m_theme.fillAlpha) * asked.a / 255.0};
+    }
+
+    bool IsShown(const DrawItem& item) const;
+    void EnterGroupOf(const DrawItem& item);
+    std::string UniqueId(const std::string& wanted) const;
+
+    void Add(const DrawItem& item);
+    void AddSolidPolygon(const Vec2* points, std::size_t count, Color color);
+    void AddOutline(const Vec2* points, std::size_t count, Color color);
+    void AddSolidCircle(Point center, double radius, Point axis, Color color);
+    void AddLine(Point a, Point b, const FigureInk& ink);
+    void AddTransform(const Vec2* points, double length);
+    void AddText(Point topLeft, const std::string& text, Color color);
+
+    const FigurePanel& m_panel;
+    const DrawList& m_list;
+    const Camera& m_camera;
+    const Theme& m_theme;
+    std::set<std::string>& m_ids; // of the whole figure
+    FigureCanvas& m_canvas;
+    bool m_open = false; // a group, of
+    std::uint32_t m_owner = kNoOwner;
+    DrawLayer m_layer = DrawLayer::Shapes;
+};
+
+bool PanelPainter::IsShown(const DrawItem& item) const
+{
+    const Vec2* const points = m_list.points.data() + item.first;
+    if (item.count == 0 || !std::isfinite(item.size))
+    {
+        return false;
+    }
+    const double meters = m_camera.pixelsPerMeter;
+    // How far it reaches beyond its points [px].
+    double reach = kMitreLimit * m_theme.outlineWidth;
+    std::size_t places = item.count; // of the rest of the points
+    switch (item.kind)
+    {
+    case DrawKind::Circle:
+    case DrawKind::SolidCircle:
+    case DrawKind::Transform:
+        reach += std::abs(item.size) * meters;
+        places = 1;
+        break;
+    case DrawKind::Point:
+        reach += std::abs(item.size);
+        break;
+    case DrawKind::Text:
+        reach += kFigureLine * kWidestLetter * double(1 + m_list.texts[item.text].size());
+        break;
+    default:
+        break;
+    }
+    Point lower = ToPixel(points[0]);
+    Point upper = lower;
+    for (std::size_t i = 0; i < item.count; ++i)
+    {
+        if (!std::isfinite(points[i].x) || !std::isfinite(points[i].y))
+        {
+            return false;
+        }
+        const Point p = ToPixel(points[std::min(i, places - 1)]);
+        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
+        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
+    }
+    const bool isCircle = item.kind == DrawKind::Circle || item.kind == DrawKind::SolidCircle;
+    if (isCircle && std::max(std::abs(lower.x), std::abs(lower.y)) + reach > kFarthest)
+    {
+        return false;
+    }
+    return upper.x + reach > 0.0 && upper.y + reach > 0.0 && lower.x - reach < m_camera.width &&
+           lower.y - reach < m_camera.height;
+}
+
+void PanelPainter::EnterGroupOf(const DrawItem& item)
+{
+    if (m_open && item.owner == m_owner && item.layer == m_layer)
+    {
+        return;
+    }
+    if (m_open)
+    {
+        m_canvas.EndGroup();
+    }
+    m_open = true;
+    m_owner = item.owner;
+    m_layer = item.layer;
+    const char* const layer = LayerName(item.layer);
+    FigureGroup group{"", "", layer};
+    if (item.owner == kNoOwner)
+    {
+        group.id = layer;
+    }
+    else
+    {
+        const auto named = m_panel.bodyNames.find(item.owner);
+        const bool hasName = named != m_panel.bodyNames.end() && !named->second.empty();
+        group.title = hasName ? Readable(named->second) : "";
+        group.id = hasName ? AsId(named->second) : "body-" + std::to_string(item.owner);
+        group.id += item.layer == DrawLayer::Shapes ? "" : std::string("-") + layer;
+    }
+    group.id = UniqueId(group.id);
+    m_ids.insert(group.id);
+    m_canvas.BeginGroup(group);
+}
+
+std::string PanelPainter::UniqueId(const std::string& wanted) const
+{
+    std::string id = wanted;
+    for (int number = 2; m_ids.contains(id); ++number)
+    {
+        id = wanted + "-" + std::to_string(number);
+    }
+    return id;
+}
+
+void PanelPainter::Add(const DrawItem& item)
+{
+    const Vec2* const points = m_list.points.data() + item.first;
+    const Point first = ToPixel(points[0]);
+    const double radius = std::abs(item.size) * m_camera.pixelsPerMeter;
+    switch (item.kind)
+    {
+    case DrawKind::Polygon:
+        return AddOutline(points, item.count, item.color);
+    case DrawKind::SolidPolygon:
+        return AddSolidPolygon(points, item.count, item.color);
+    case DrawKind::Circle:
+        return m_canvas.Circle(first, radius, {{}, Stroke(item.color)});
+    case DrawKind::SolidCircle:
+        return AddSolidCircle(first, radius, {points[1].x, -points[1].y}, item.color);
+    case DrawKind::Segment:
+        return AddLine(first, ToPixel(points[1]), Stroke(item.color));
+    case DrawKind::Transform:
+        return AddTransform(points, item.size);
+    case DrawKind::Point:
+        return m_canvas.Circle(first, 0.5 * std::abs(item.size), {Stroke(item.color), {}});
+    case DrawKind::Text:
+        return AddText(first, m_list.texts[item.text], item.color);
+    }
+}
+
+void PanelPainter::AddSolidPolygon(const Vec2* points, std::size_t count, Color color)
+{
+    if (count > kMaxCorners - 4)
+    {
+        return AddOutline(points, count, color); // more corners than the interface allows
+    }
+    std::array<Point, kMaxCorners> corners;
+    std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
+    Convex polygon = MakeConvex(corners.data(), count);
+    if (polygon.count < 3) // no inside
+    {
+        return AddOutline(points, count, color);
+    }
+    polygon =
+        Clip(polygon, {-kGuard, -kGuard}, {m_camera.width + kGuard, m_camera.height + kGuard});
+    if (polygon.count < 3) // only its box reaches into the picture
+    {
+        return;
+    }
+    const auto all = [](const Convex& p) { return std::span(p.corners.data(), p.count); };
+    if (color.a == 255)
+    {
+        return m_canvas.Polygon(all(polygon), true, {Fill(color), Stroke(color)});
+    }
+    // What is seen through an outline is what lies below the shape, not its own fill.
+    const Convex inside = Shrink(polygon, 0.5 * double(m_theme.outlineWidth));
+    if (inside.count >= 3)
+    {
+        m_canvas.Polygon(all(inside), true, {Fill(color), {}});
+    }
+    m_canvas.Polygon(all(polygon), true, {{}, Stroke(color)});
+}
+
+void PanelPainter::AddOutline(const Vec2* points, std::size_t count, Color color)
+{
+    std::vector<Point> corners(count);
+    std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
+    const bool isFar = std::any_of(corners.begin(), corners.end(), [this](Point p) {
+        return p.x < -kGuard || p.y < -kGuard || p.x > m_camera.width + kGuard ||
+               p.y > m_camera.height + kGuard;
+    });
+    if (!isFar && count > 2)
+    {
+        return m_canvas.Polygon(corners, false, {{}, Stroke(color)});
+    }
+    for (std::size_t i = 0; i < count && !(count == 2 && i == 1); ++i)
+    {
+        AddLine(corners[i], corners[(i + 1) % count], Stroke(color));
+    }
+}
+
+void PanelPainter::AddSolidCircle(Point center, double radius, Point axis, Color color)
+{
+    const double length = Length(axis);
+    const Point direction = length > 0.0 ? (1.0 / length) * axis : Point{1.0, 0.0};
+    if (color.a == 255)
+    {
+        m_canvas.Circle(center, radius, {Fill(color), Stroke(color)});
+    }
+    else
+    {
+        const double inside = radius - 0.5 * double(m_theme.outlineWidth);
+        if (inside > 0.0)
+        {
+            m_canvas.Circle(center, inside, {Fill(color), {}});
+        }
+        m_canvas.Circle(center, radius, {{}, Stroke(color)});
+    }
+    AddLine(center, center + radius * direction, Stroke(color));
+}
+
+void PanelPainter::AddLine(Point a, Point b, const FigureInk& ink)
+{
+    const auto range =
+        ClipSegment(a, b, {-kGuard, -kGuard}, {m_camera.width + kGuard, m_camera.height + kGuard});
+    if (range)
+    {
+        const Point from = range->first > 0.0 ? a + range->first * (b - a) : a;
+        const Point to = range->second < 1.0 ? a + range->second * (b - a) : b;
+        m_canvas.Line(from, to, ink);
+    }
+}
+
+void PanelPainter::AddTransform(const Vec2* points, double length)
+{
+    const Point origin = ToPixel(points[0]);
+    const double scale = length * m_camera.pixelsPerMeter;
+    const Point x{scale * points[1].x, -scale * points[1].y};
+    const Point y{x.y, -x.x}; // a quarter turn to the left, with y down
+    AddLine(origin, origin + x, {m_theme.xAxis, 1.0});
+    AddLine(origin, origin + y, {m_theme.yAxis, 1.0});
+}
+
+void PanelPainter::AddText(Point topLeft, const std::string& text, Color color)
+{
+    double baseline = topLeft.y + kFigureAscent;
+    for (std::size_t start = 0; start <= text.size();)
+    {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::string line = Readable(std::string_view(text).substr(start, end - start));
+        if (!line.empty())
+        {
+            m_canvas.Text({topLeft.x, baseline}, line, Stroke(color));
+        }
+        baseline += kFigureLine;
+        start = end + 1;
+    }
+}
+
+} // namespace
+
+std::string Readable(std::string_view text)
+{
+    std::string readable;
+    for (std::size_t i = 0; i < text.size();)
+    {
+        const auto byte = [&](std::size_t at) {
+            return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u;
+        };
+        const unsigned lead = byte(i);
+        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+        unsigned code = length == 1 ? lead : lead & (0x7Fu >> length);
+        bool valid = lead < 0x80 || (lead >= 0xC2 && lead < 0xF5);
+        for (std::size_t k = 1; valid && k < length; ++k)
+        {
+            valid = (byte(i + k) & 0xC0u) == 0x80u;
+            code = code << 6 | (byte(i + k) & 0x3Fu);
+        }
+        constexpr unsigned kShortest[] = {0, 0, 0x80, 0x800, 0x10000};
+        valid = valid && code >= kShortest[length] && code <= 0x10FFFF &&
+                (code < 0xD800 || code > 0xDFFF) && code != 0xFFFE && code != 0xFFFF;
+        const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+        if (valid && !control)
+        {
+            readable += text.substr(i, length);
+        }
+        else if (!valid)
+        {
+            readable += "\xEF\xBF\xBD";
+        }
+        i += valid ? length : 1;
+    }
+    return readable;
+}
+
+Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme)
+{
+    Figure figure;
+    figure.width = camera.width;
+    figure.height = camera.height;
+    figure.theme = theme;
+    figure.panels.push_back({std::move(list), camera, 0.0, 0.0, {}});
+    return figure;
+}
+
+void PaintFigure(const Figure& figure, FigureCanvas& canvas)
+{
+    std::set<std::string> ids;
+    for (const FigurePanel& panel : figure.panels)
+    {
+        PanelPainter(panel, figure.theme, ids, canvas).Paint();
+    }
+}
+
+Result<void> CheckFigure(const Figure& figure)
+{
+    const auto isSize = [](int width, int height) {
+        return width >= 1 && height >= 1 && width <= 8192 && height <= 8192;
+    };
+    bool usable = isSize(figure.width, figure.height);
+    for (const FigurePanel& panel : figure.panels)
+    {
+        const Camera& camera = panel.camera;
+        usable = usable && isSize(camera.width, camera.height) && std::isfinite(panel.x) &&
+                 std::isfinite(panel.y);
+        if (!std::isfinite(camera.centerX) || !std::isfinite(camera.centerY) ||
+            !std::isfinite(camera.pixelsPerMeter) || camera.pixelsPerMeter <= 0.0)
+        {
+            return Error{ErrorKind::Unusable,
+                         "a figure's camera must have a finite centre and a finite scale above "
+                         "zero; check pixelsPerMeter"};
+        }
+    }
+    if (!usable)
+    {
+        return Error{ErrorKind::Unusable, "a figure and its panels must be 1 to 8192 pixels wide "
+                                          "and high; choose another size"};
+    }
+    if (!(figure.scale >= 0.1 && figure.scale <= 16.0))
+    {
+        return Error{ErrorKind::Unusable, "a figure cannot be scaled by " +
+                                              std::to_string(figure.scale) +
+                                              "; give a scale from 0.1 to 16"};
+    }
+    return {};
+}
+
+} // namespace boxreel

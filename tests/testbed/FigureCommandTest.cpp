@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// `boxreel shot` as SVG, PDF and PNG, in all themes, at any scale.
+#include "Subprocess.h"
+
+#include <render/Png.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class FigureCommand : public testing::Test
+{
+protected:
+    Outcome Shot(const std::string& output, const std::vector<std::string>& extra = {}) const
+    {
+        std::vector<std::string> arguments{"shot",   "bridge",  "--step", "20",
+                                           "--size", "320x180", "-o",     output};
+        arguments.insert(arguments.end(), extra.begin(), extra.end());
+        return RunBoxreel(arguments, folder.Path());
+    }
+
+    /// What was written, after a run without a word.
+    std::string Written(const std::string& output, const std::vector<std::string>& extra = {}) const
+    {
+        const Outcome outcome = Shot(output, extra);
+        EXPECT_EQ(outcome.code, 0) << output;
+        EXPECT_EQ(outcome.output + outcome.errors, "");
+        return ReadFile(folder / output);
+    }
+
+    void ExpectRefusal(const std::vector<std::string>& arguments, int code,
+                       const std::string& culprit) const
+    {
+        const std::vector<std::string> before = folder.Files();
+        const Outcome outcome = RunBoxreel(arguments, folder.Path());
+        const std::string line = testing::PrintToString(arguments);
+        EXPECT_EQ(outcome.code, code) << line << "\n" << outcome.errors;
+        EXPECT_THAT(outcome.errors, testing::StartsWith("boxreel: ")) << line;
+        EXPECT_THAT(outcome.errors, HasSubstr(culprit)) << line;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << line;
+        EXPECT_EQ(folder.Files(), before) << line;
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(FigureCommand, TheExtensionDecidesWhatIsWritten)
+{
+    const std::string svg = Written("a.svg", {"--labels"});
+    EXPECT_THAT(svg, testing::StartsWith("<?xml"));
+    EXPECT_THAT(svg, HasSubstr("<title>Bridge</title>"));
+    EXPECT_THAT(svg, HasSubstr("<g id=\"body-17\" class=\"shapes\">"));
+    EXPECT_THAT(svg, HasSubstr("<g id=\"joints\" class=\"joints\">"));
+    EXPECT_THAT(svg, HasSubstr(">17</text>"));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(Written("a.pdf"), testing::StartsWith("%PDF-"));
+    EXPECT_THAT(Written("a.png"), testing::StartsWith("\x89PNG"));
+    EXPECT_THAT(folder.Files(), ElementsAre("a.pdf", "a.png", "a.svg"));
+}
+
+TEST_F(FigureCommand, TheSameCommandGivesTheSameBytes)
+{
+    for (const char* extension : {".svg", ".pdf", ".png"})
+    {
+        const std::vector<std::string> look{"--labels", "--theme", "print", "--scale", "1.5"};
+        EXPECT_EQ(Written(std::string("a") + extension, look),
+                  Written(std::string("b") + extension, look))
+            << extension;
+    }
+}
+
+TEST_F(FigureCommand, ScaleMultipliesPixels)
+{
+    Written("a.png", {"--scale", "2.5", "--hud"});
+    const Result<Frame> frame = ReadPng(folder / "a.png");
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->width, 800);
+    EXPECT_EQ(frame->height, 450);
+    EXPECT_THAT(Written("a.svg", {"--scale", "0.5"}),
+                HasSubstr("width=\"160\" height=\"90\" viewBox=\"0 0 320 180\""));
+    EXPECT_EQ(Written("one.png", {"--scale", "1"}), Written("plain.png"));
+    EXPECT_EQ(RunBoxreel({"shot", "bridge", "--step", "1", "--size", "1280x720", "--scale", "16",
+                          "-o", "large.svg"},
+                         folder.Path())
+                  .code,
+              0);
+    EXPECT_THAT(ReadFile(folder / "large.svg"), HasSubstr("width=\"20480\""))
+        << "8192 is a limit of pixels";
+}
+
+TEST_F(FigureCommand, ThemesChangeColoursOnly)
+{
+    const std::string classic = Written("classic.svg", {"--theme", "classic"});
+    EXPECT_EQ(classic, Written("default.svg"));
+    for (const char* theme : {"okabe-ito", "print", "dark"})
+    {
+        const std::string svg = Written(std::string(theme) + ".svg", {"--theme", theme});
+        EXPECT_NE(svg, classic);
+        EXPECT_EQ(std::count(svg.begin(), svg.end(), '\n'),
+                  std::count(classic.begin(), classic.end(), '\n'));
+    }
+    EXPECT_NE(Written("print.png", {"--theme", "print"}), Written("classic.png"));
+}
+
+TEST_F(FigureCommand, BothThemesAreTwins)
+{
+    for (const char* extension : {".svg", ".png"})
+    {
+        EXPECT_EQ(Shot(std::string("twin") + extension, {"--theme", "both"}).code, 0);
+    }
+    EXPECT_THAT(folder.Files(),
+                ElementsAre("twin-dark.png", "twin-dark.svg", "twin-light.png", "twin-light.svg"));
+    EXPECT_EQ(ReadFile(folder / "twin-light.svg"), Written("print.svg", {"--theme", "print"}));
+    EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), Written("dark.svg", {"--theme", "dark"}));
+    EXPECT_EQ(ReadFile(folder / "twin-dark.png"), Written("dark.png", {"--theme", "dark"}));
+
+    // One of them is in the way: neither is written.
+    std::filesystem::remove(folder / "twin-light.svg");
+    std::ofstream(folder / "twin-dark.svg") << "mine";
+    EXPECT_EQ(Shot("twin.svg", {"--theme", "both"}).code, 1);
+    EXPECT_FALSE(std::filesystem::exists(folder / "twin-light.svg"));
+    EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), "mine");
+}
+
+TEST_F(FigureCommand, WhatCannotBeIsRefusedBeforeAnythingIsSimulated)
+{
+    const auto shot = [](const std::string& output, const std::vector<std::string>& extra) {
+        std::vector<std::string> arguments{"shot", "pyramid", "--step", "1000000000", "-o", output};
+        arguments.insert(arguments.end(), extra.begin(), extra.end());
+        return arguments;
+    };
+    for (const char* scale : {"0", "-1", "0.09", "16.1", "nan", "2x", ""})
+    {
+        ExpectRefusal(shot("a.svg", {"--scale", scale}), 1, "from 0.1 to 16");
+    }
+    ExpectRefusal(shot("a.png", {"--scale", "8"}), 1, "10240x5760");
+    ExpectRefusal(shot("a.svg", {"--theme", "neon"}), 1, "classic, okabe-ito, print, dark, both");
+    ExpectRefusal(shot("a.svg", {"--hud"}), 1, "--hud");
+    ExpectRefusal(shot("a.jpg", {}), 1, ".svg");
+    ExpectRefusal(shot("none/a.pdf", {}), 1, "none");
+    ExpectRefusal(shot("none/a.svg", {"--theme", "both"}), 1, "none");
+    std::filesystem::create_directory(folder / "a.pdf");
+    ExpectRefusal(shot("a.pdf", {}), 1, "folder");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--frames", "10000000", "--theme", "both"},
+                  1, "a film has one theme");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--frames", "10000000", "--theme", "neon"},
+                  1, "classic, okabe-ito, print, dark.");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--scale", "2"}, 1, "--scale");
+}
+
+TEST_F(FigureCommand, APdfWithoutCairoSaysWhatToInstall)
+{
+    std::filesystem::create_directory(folder / "lib");
+    std::ofstream(folder / "lib/libcairo.so.2") << "no library";
+    setenv("LD_LIBRARY_PATH", (folder / "lib").c_str(), 1);
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "a.pdf"}, 3, "libcairo2");
+    Written("a.svg"); // needs no library
+    unsetenv("LD_LIBRARY_PATH");
+}
+
+TEST_F(FigureCommand, FilmsHaveThemesToo)
+{
+    const auto film = [&](const std::string& theme) {
+        const Outcome outcome =
+            RunBoxreel({"record", "bridge", "--frames", "2", "--size", "160x90", "--theme", theme,
+                        "--progress", "none", "-o", theme + "-#.png"},
+                       folder.Path());
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        const Result<Frame> frame = ReadPng(folder / (theme + "-0.png"));
+        EXPECT_TRUE(frame);
+        return frame ? *frame : Frame();
+    };
+    EXPECT_EQ(int(film("print").Pixel(1, 1)[0]), 255);
+    EXPECT_EQ(int(film("classic").Pixel(1, 1)[0]), 26);
+}
+
+} // namespace
+} // namespace boxreel
