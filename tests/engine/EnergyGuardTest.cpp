@@ -16,17 +16,17 @@ namespace
 
 using namespace dynamics;
 
-/// Two boxes on a hinge, 2 kg and 1 kg.
+/// Two boxes on a hinge, 2 kg and 1 kg. It is so far away that they are at risk.
 struct Pair
 {
-    explicit Pair(const b2Vec2& gravity = b2Vec2(0.0f, 0.0f)) : scene(gravity)
+    explicit Pair(const b2Vec2& gravity = b2Vec2(0.0f, 0.0f), float32 lever = 8.0f) : scene(gravity)
     {
         a = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
         Scene::AddBox(a, 0.5f, 1.0f);
         b = scene.Body(b2_dynamicBody, 2.0f, 0.0f);
         Scene::AddBox(b, 0.5f, 0.5f);
         b2RevoluteJointDef def;
-        def.Initialize(a, b, b2Vec2(1.0f, 0.0f));
+        def.Initialize(a, b, b2Vec2(1.0f, lever));
         hinge = static_cast<b2RevoluteJoint*>(scene.world.CreateJoint(&def));
         a->SetLinearVelocity(b2Vec2(1.0f, 0.0f));
         b->SetLinearVelocity(b2Vec2(1.0f, 2.0f));
@@ -201,7 +201,7 @@ TEST(EnergyGuard, DoesNotLookAtWhatHasNoJoints)
     pair.scene.world.DestroyJoint(pair.hinge);
     b2Body* other = pair.scene.Box(20.0f, 0.0f);
     b2RevoluteJointDef def;
-    def.Initialize(pair.scene.Ground(), other, b2Vec2(20.0f, 0.0f));
+    def.Initialize(pair.scene.Ground(), other, b2Vec2(20.0f, 8.0f));
     pair.scene.world.CreateJoint(&def);
     pair.Begin();
     pair.At(pair.b).v.y = 50.0f;
@@ -209,6 +209,43 @@ TEST(EnergyGuard, DoesNotLookAtWhatHasNoJoints)
     pair.Balance();
     EXPECT_EQ(pair.At(pair.b).v.y, 50.0f);
     EXPECT_EQ(pair.At(other).v.y, 0.0f);
+}
+
+/// Whether a gain is taken away.
+bool IsGuarded(Pair& pair)
+{
+    pair.Begin();
+    pair.At(pair.b).v.y = 50.0f;
+    pair.Balance();
+    return pair.At(pair.b).v.y < 50.0f;
+}
+
+TEST(EnergyGuard, LooksOnlyAtWhatIsAtRisk)
+{
+    Pair near(b2Vec2_zero, 0.0f);
+    EXPECT_FALSE(IsGuarded(near));
+    Pair far(b2Vec2_zero, 2.0f); // five radii of gyration of a box of 1 m
+    EXPECT_TRUE(IsGuarded(far));
+}
+
+TEST(EnergyGuard, NoticesThatMassesHaveBecomeUnequal)
+{
+    Pair pair(b2Vec2_zero, 0.0f);
+    EXPECT_FALSE(IsGuarded(pair));
+    pair.a->GetFixtureList()->SetDensity(20.0f);
+    pair.a->ResetMassData();
+    EXPECT_TRUE(IsGuarded(pair));
+}
+
+TEST(EnergyGuard, NoticesThatASliderHasGoneFar)
+{
+    Pair pair(b2Vec2_zero, 0.0f);
+    b2PrismaticJointDef def;
+    def.Initialize(pair.a, pair.b, b2Vec2(2.0f, 0.0f), b2Vec2(1.0f, 0.0f));
+    pair.scene.world.CreateJoint(&def);
+    EXPECT_FALSE(IsGuarded(pair));
+    pair.b->SetTransform(b2Vec2(12.0f, 0.0f), 0.0f);
+    EXPECT_TRUE(IsGuarded(pair));
 }
 
 TEST(EnergyGuard, TakesCorrectionsBackThatWindUpASpring)

@@ -98,7 +98,8 @@ void EnergyGuard::Begin(const World& world, const SolverArrays& arrays, float32 
     m_accounts.clear();
     m_springs.clear();
     m_motors.clear();
-    if (world.graph.Joints().empty())
+    FindRisks(world.graph);
+    if (m_risky.empty() && m_sliding.empty())
     {
         return;
     }
@@ -107,14 +108,20 @@ void EnergyGuard::Begin(const World& world, const SolverArrays& arrays, float32 
     m_gravity = world.gravity;
     m_leastFall = kLeastFall * m_gravity.Length();
     m_accountOf.assign(std::size_t(world.islands.Size()), -1);
-    for (const b2Body* body : world.awakeBodies)
+    for (const b2Joint* joint : m_risky)
     {
-        const BodyData& data = Data(*body);
-        if (data.jointList != nullptr && data.island != -1 && AccountOf(data) == -1)
+        Open(*joint);
+    }
+    for (const b2Joint* joint : m_sliding)
+    {
+        if (IsAtRisk(*joint))
         {
-            m_accountOf[std::size_t(data.island)] = int32(m_accounts.size());
-            m_accounts.emplace_back().island = data.island;
+            Open(*joint);
         }
+    }
+    if (m_accounts.empty())
+    {
+        return;
     }
     for (b2Joint* joint : world.graph.Joints())
     {
@@ -127,6 +134,42 @@ void EnergyGuard::Begin(const World& world, const SolverArrays& arrays, float32 
         {
             m_motors.push_back({joint, AccountOf(*joint),
                                 MostMotorWork(*joint, arrays.bodies.data(), timeStep, m_subSteps)});
+        }
+    }
+}
+
+/// Anew when joints have come, gone or fallen asleep, or masses have changed.
+void EnergyGuard::FindRisks(const ConstraintGraph& graph)
+{
+    if (m_version == graph.JointVersion())
+    {
+        return;
+    }
+    m_version = graph.JointVersion();
+    m_risky.clear();
+    m_sliding.clear();
+    for (const b2Joint* joint : graph.Joints())
+    {
+        if (IsAtRisk(*joint))
+        {
+            m_risky.push_back(joint);
+        }
+        else if (HasChangingLevers(*joint))
+        {
+            m_sliding.push_back(joint);
+        }
+    }
+}
+
+void EnergyGuard::Open(const b2Joint& joint)
+{
+    for (const b2Body* body : {joint.GetBodyA(), joint.GetBodyB()})
+    {
+        const int32 island = Data(*body).island;
+        if (island != -1 && AccountOf(Data(*body)) == -1)
+        {
+            m_accountOf[std::size_t(island)] = int32(m_accounts.size());
+            m_accounts.emplace_back().island = island;
         }
     }
 }

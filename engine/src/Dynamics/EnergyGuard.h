@@ -17,12 +17,13 @@
 /// gives back what stopping it took. Bodies carry their island's account in shares, so that islands
 /// may merge and come apart.
 ///
-/// Where everything is as it should be nothing is changed, not a bit. Islands without joints are
-/// not looked at, nor taken from is what a platform, a conveyor belt or a restitution above 1
-/// drives.
+/// Where everything is as it should be nothing is changed, not a bit. Only islands with joints that
+/// are at risk (IsAtRisk) have accounts; what a platform, a conveyor belt or a restitution above 1
+/// drives is not taken from.
 namespace box2d
 {
 
+class ConstraintGraph;
 struct SolverArrays;
 class World;
 
@@ -61,7 +62,7 @@ private:
         int32 account;
         double work; ///< at most, as it looks at the start of the step [J]
     };
-    /// Of an island that has joints.
+    /// Of an island.
     struct Account
     {
         int32 island = -1;
@@ -71,6 +72,8 @@ private:
     };
 
     int32 AccountOf(const BodyData& body) const;
+    void FindRisks(const ConstraintGraph& graph);
+    void Open(const b2Joint& joint);
     int32 AccountOf(const b2Joint& joint) const;
     double Won(const BodyData& body, const SolverBody& after) const;
     float32 PastOf(const BodyData& body) const;
@@ -80,7 +83,10 @@ private:
     void TakeCorrectionsBack(const b2Body& first, SolverArrays& arrays, Account& account);
     void ShareOut(const World& world, const SolverArrays& arrays);
 
-    Array<int32> m_accountOf; // by island; -1: it has no joints
+    Array<const b2Joint*> m_risky;   // whose islands have accounts
+    Array<const b2Joint*> m_sliding; // that may become so at any time
+    int32 m_version = -1;            // of the graph's list
+    Array<int32> m_accountOf;        // by island; -1: none
     Array<Account> m_accounts;
     Array<Spring> m_springs;
     Array<Motor> m_motors;

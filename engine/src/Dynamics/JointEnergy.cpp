@@ -157,6 +157,35 @@ double StoredBetween(const SpringState& before, const SpringState& after)
                     before.EnergyAt(after.error) - before.EnergyAt(before.error));
 }
 
+bool IsAtRisk(const b2Joint& joint)
+{
+    constexpr float32 kMostRatio = 10.0f; // of masses
+    constexpr float32 kLongLever = 4.0f;  // in radii of gyration
+    const BodyData& a = Data(*joint.GetBodyA());
+    const BodyData& b = Data(*joint.GetBodyB());
+    const float32 mA = a.SolverInvMass();
+    const float32 mB = b.SolverInvMass();
+    if (mA > 0.0f && mB > 0.0f && (mA > kMostRatio * mB || mB > kMostRatio * mA))
+    {
+        return true;
+    }
+    const auto isLong = [](const BodyData& body, const b2Vec2& point) {
+        const b2Vec2 lever = point - body.worldCenter;
+        return body.SolverInvInertia() * lever.LengthSquared() >
+               kLongLever * kLongLever * body.SolverInvMass();
+    };
+    // Where B is held is where the forces on A act; they may be far apart.
+    const b2Vec2 onB = joint.GetAnchorB();
+    return isLong(b, onB) || (joint.GetType() != e_mouseJoint &&
+                              isLong(a, HasChangingLevers(joint) ? onB : joint.GetAnchorA()));
+}
+
+bool HasChangingLevers(const b2Joint& joint)
+{
+    const b2JointType type = joint.GetType();
+    return type == e_prismaticJoint || type == e_wheelJoint || type == e_motorJoint;
+}
+
 bool HasSpring(const b2Joint& joint)
 {
     switch (joint.GetType())

@@ -31,6 +31,12 @@ struct SpringState
 /// changes with the pose. Counted at most, at whichever end it counts less [J].
 double StoredBetween(const SpringState& before, const SpringState& after);
 
+/// Whether sweeps may win energy over the joint without end: beyond what the manual advises, masses
+/// of 10:1 and bodies on levers much longer than they are.
+bool IsAtRisk(const b2Joint& joint);
+/// Whether that depends on the pose too.
+bool HasChangingLevers(const b2Joint& joint);
+
 bool HasSpring(const b2Joint& joint);
 /// Of one that has. Bodies by solver index, with what has moved since the start of the step; null
 /// when nothing has.
