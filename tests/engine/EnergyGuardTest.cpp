@@ -297,6 +297,38 @@ TEST(EnergyGuard, GivesBackWhatWasLostShortlyBefore)
     EXPECT_EQ(pair.Energy(), start);
 }
 
+/// With one step a body that is taken back to an impact keeps the speed of its whole fall.
+TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasLifted)
+{
+    Pair pair(b2Vec2(0.0f, -10.0f));
+    pair.Begin();
+    box2d::BodyData& data = box2d::Data(*pair.b);
+    const box2d::EnergyGuard::Way fallen = {data.pose, data.linearVelocity, data.angularVelocity};
+    data.pose.y += 0.25; // 1 kg, back up with the same speed
+    pair.guard.NoteImpact(data, fallen);
+    EXPECT_NEAR(data.energyOwed, 2.5f, 1e-4f);
+    data.pose.y -= 0.25;
+    data.linearVelocity.SetZero(); // of 5 m^2/s^2
+    data.angularVelocity = 0.0f;
+    pair.guard.NoteImpact(data, fallen);
+    EXPECT_NEAR(data.energyOwed, 2.5f - 0.5f * 5.0f - 0.5f * data.inertia * 4.0f, 1e-4f);
+}
+
+TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasPutIntoASpring)
+{
+    Pair pair;
+    b2WeldJointDef def;
+    def.Initialize(pair.scene.Ground(), pair.b, b2Vec2(2.0f, 0.0f));
+    def.frequencyHz = 5.0f;
+    pair.scene.world.CreateJoint(&def);
+    pair.Begin();
+    box2d::BodyData& data = box2d::Data(*pair.b);
+    data.pose.angle += 0.1;
+    pair.guard.ChargeImpacts();
+    const float32 omega = 2.0f * b2_pi * 5.0f;
+    EXPECT_NEAR(data.energyOwed, 0.5f * data.inertia * omega * omega * 0.01f, 1e-3f);
+}
+
 TEST(EnergyGuard, StopsWhatIsNoNumberAndJudgesTheRest)
 {
     Pair pair;
