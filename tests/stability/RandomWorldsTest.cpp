@@ -21,24 +21,11 @@ namespace
 
 using namespace stability;
 
-/// The goal is that no world fails. Of those with joints some still win energy, which is bounded by
-/// shares, not by numbers, for any change of the engine's bits makes others of the same kind fail.
-/// None may lose a body, and none without joints may win energy.
-struct Open
-{
-    int subSteps;
-    /// Of the worlds with joints. One step: light bodies on levers many times as long as they are.
-    /// Small steps: impacts within a step, after which springs and motors count from the next on,
-    /// and motors at such levers.
-    double gain;
-};
-constexpr Open kOpen[] = {{1, 0.08}, {2, 0.03}, {4, 0.03}, {8, 0.03}, {16, 0.03}};
-
+/// How the worlds of a number of sub-steps do.
 struct Tally
 {
-    int worlds = 0, jointed = 0, gain = 0, leave = 0;
+    int worlds = 0, gain = 0, leave = 0;
     double widest = 0.0;
-    std::string which;
 };
 
 std::pair<int, int> Numbers()
@@ -64,23 +51,12 @@ std::string Replay(int number)
 
 void Try(int number, Tally& tally)
 {
-    const WorldPlan plan = PlanWorld(number);
-    const Trial trial = RunWorld(plan);
-    EXPECT_TRUE(trial.finite) << WhyFailed(trial) << Replay(number);
-    if (plan.joints.empty())
-    {
-        EXPECT_LT(trial.excess, kMostExcess) << WhyFailed(trial) << Replay(number);
-    }
+    const Trial trial = RunWorld(PlanWorld(number));
+    EXPECT_EQ(WhyFailed(trial), "") << Replay(number);
     ++tally.worlds;
-    tally.jointed += !plan.joints.empty();
     tally.gain += trial.excess > kMostExcess;
     tally.leave += trial.centreOut > 0.0;
     tally.widest = b2Max(tally.widest, trial.excess);
-    const std::string why = WhyFailed(trial);
-    if (!why.empty())
-    {
-        tally.which += "\n  " + std::to_string(number) + ": " + why;
-    }
 }
 
 TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
@@ -91,24 +67,23 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
     {
         Try(number, tallies[PlanWorld(number).subSteps]);
     }
-    for (const Open& open : kOpen)
+    for (const auto& [subSteps, t] : tallies)
     {
-        const Tally& t = tallies[open.subSteps];
         std::printf("%2d sub-steps: %d worlds, %d gain energy, %d lose a body, widest excess %g\n",
-                    open.subSteps, t.worlds, t.gain, t.leave, t.widest);
-        // One world of few says nothing about a share.
-        EXPECT_LE(t.gain, 1.0 + open.gain * t.jointed) << open.subSteps << " sub-steps" << t.which;
-        EXPECT_EQ(t.leave, 0) << open.subSteps << " sub-steps" << t.which;
+                    subSteps, t.worlds, t.gain, t.leave, t.widest);
     }
 }
 
 /// Of kinds that once burst, each of a reason that was found and mended: impulses of an impact
 /// carried over to the next kick, a rope near its end, a motor that had more torque than it was
 /// given where its frame turned, one that pulled at a long lever across the way it slipped, bodies
-/// that another island's joints were taken for, rough rods thrown back at walls.
+/// that another island's joints were taken for, rough rods thrown back at walls, springs wound up
+/// by corrections that turn light bodies on long levers, bodies held back by impacts again and
+/// again that kept the speed of their whole fall.
 TEST(RandomWorlds, ThatOnceBurstAreWell)
 {
-    for (const int number : {44, 224, 324, 426, 448, 743, 774, 927, 943, 1442, 2167})
+    for (const int number : {5,   44,  110, 224, 275, 324, 426, 448, 476,  567, 569,
+                             576, 743, 774, 900, 927, 943, 950, 985, 1442, 2167})
     {
         EXPECT_EQ(WhyFailed(RunWorld(PlanWorld(number))), "") << Replay(number);
     }

@@ -435,6 +435,11 @@ inline Mask1 Not(Mask1 a)
 {
     return {!a.v};
 }
+inline Float1 OrBits(Float1 a, Float1 b)
+{
+    return {std::bit_cast<float>(std::bit_cast<std::uint32_t>(a.v) |
+                                 std::bit_cast<std::uint32_t>(b.v))};
+}
 inline Mask1 Or(Mask1 a, Mask1 b)
 {
     return {a.v || b.v};

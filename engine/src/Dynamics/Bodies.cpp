@@ -229,6 +229,10 @@ void MoveCenter(BodyData& body, const b2Vec2& localCenter)
 
 void World::MeasureExtents(BodyData& body)
 {
+    if (body.jointList != nullptr)
+    {
+        body.world->graph.NoteMasses(); // or the centre
+    }
     body.minExtent = b2_maxFloat;
     body.maxExtent = 0.0f;
     body.room = 0.0f;

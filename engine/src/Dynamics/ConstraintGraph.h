@@ -57,8 +57,9 @@ public:
     /// would carry it two links. Adding and removing may change the order until SortJoints.
     const Array<b2Joint*>& Joints() const { return m_joints; }
     void SortJoints();
-    /// Changes whenever the list does.
+    /// Changes whenever the list does, or the masses of what is jointed.
     int32 JointVersion() const { return m_jointVersion; }
+    void NoteMasses() { ++m_jointVersion; }
 
 private:
     static int32 Claim(BodyData& a, BodyData& b);

@@ -35,6 +35,13 @@ bool DetectWideInstructions()
 
 bool s_wide = DetectWideInstructions();
 
+/// A contact alone costs less in one lane; two cost more in turn than side by side.
+template <class Block>
+bool IsAlone(const Block& block)
+{
+    return block.count == 1;
+}
+
 float32* Numbers(SolverBody* bodies)
 {
     return reinterpret_cast<float32*>(bodies);
@@ -288,6 +295,12 @@ void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContex
     Gatherer(block, overlap, lanes).Gather();
     const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
     const float32* bodies = Numbers(context.bodies);
+    if (IsAlone(block))
+    {
+        PrepareBlock<simd::Float1>(lanes, block, overlap, bodies, share);
+        FinishCoupling(block);
+        return;
+    }
 #if defined(BOX2D_AVX2)
     if (s_wide)
     {
@@ -302,6 +315,10 @@ void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContex
 
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies)
 {
+    if (IsAlone(block))
+    {
+        return WarmStartBlock<simd::Float1>(block, Numbers(bodies));
+    }
 #if defined(BOX2D_AVX2)
     if (s_wide)
     {
@@ -313,6 +330,10 @@ void WarmStartBlock(ContactBlock& block, SolverBody* bodies)
 
 bool SolveBlock(ContactBlock& block, SolverBody* bodies)
 {
+    if (IsAlone(block))
+    {
+        return SolveBlock<simd::Float1>(block, Numbers(bodies));
+    }
 #if defined(BOX2D_AVX2)
     if (s_wide)
     {
@@ -324,6 +345,10 @@ bool SolveBlock(ContactBlock& block, SolverBody* bodies)
 
 float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, float32 rate)
 {
+    if (IsAlone(block))
+    {
+        return SolveOverlapBlock<simd::Float1>(block, Numbers(bodies), rate);
+    }
 #if defined(BOX2D_AVX2)
     if (s_wide)
     {

@@ -103,18 +103,29 @@ void ContinuousCollision::Run()
     {
         containment.NoteStarts();
     }
+    bool any = false;
     while (!m_events.empty())
     {
         std::pop_heap(m_events.begin(), m_events.end(), IsLater);
         const ImpactEvent event = m_events.back();
         m_events.pop_back();
-        if (IsValid(event) && Resolve(event) && m_world.subStepping)
+        if (!IsValid(event) || !Resolve(event))
+        {
+            continue;
+        }
+        any = true;
+        if (m_world.subStepping)
         {
             m_world.stepComplete = false;
+            m_arrays.energyGuard.ChargeImpacts();
             return;
         }
     }
     containment.Hold();
+    if (any)
+    {
+        m_arrays.energyGuard.ChargeImpacts();
+    }
 }
 
 void ContinuousCollision::LookAt(b2Body& body)

@@ -338,6 +338,16 @@ void Impact::MoveOn(b2Body& body, float32 time)
     SynchronizePose(data);
 }
 
+/// What the body would have ended the step with.
+EnergyGuard::Way Impact::WayOf(std::size_t index, float32 time) const
+{
+    const BodyData& data = Data(*m_bodies[index]);
+    const b2Vec2 left = (1.0f - time) * m_timeStep * AccelerationOf(data);
+    const bool wasStopped = data.sweepStart == time;
+    return {m_arrays.impactBefore[index].pose,
+            data.linearVelocity + (wasStopped ? left : b2Vec2_zero), data.angularVelocity};
+}
+
 // Impulses are not kept: the contact is solved for the time that is left only.
 void Impact::SolveVelocities(float32 time)
 {
@@ -349,9 +359,16 @@ void Impact::SolveVelocities(float32 time)
     {
         BounceLess(most);
     }
-    for (b2Body* body : m_bodies)
+    const bool accounts = m_arrays.energyGuard.HasAccounts() && KeepsEnergy();
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
-        MoveOn(*body, time);
+        BodyData& data = Data(*m_bodies[i]);
+        const EnergyGuard::Way way = WayOf(i, time);
+        MoveOn(*m_bodies[i], time);
+        if (accounts)
+        {
+            m_arrays.energyGuard.NoteImpact(data, way);
+        }
     }
     if (m_world.listener)
     {

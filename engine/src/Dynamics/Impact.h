@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "EnergyGuard.h"
 #include "Solver.h"
 
 #include <Box2D/Common/Array.h>
@@ -46,6 +47,7 @@ private:
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
     void BounceLess(double most);
+    EnergyGuard::Way WayOf(std::size_t index, float32 time) const;
     void MoveOn(b2Body& body, float32 time);
     void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
 

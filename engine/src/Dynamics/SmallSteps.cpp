@@ -246,6 +246,7 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
         ProfileScope init(profiling, profile.solveInit);
         solve.WakeJointNeighbours();
         solve.BeginSmallSteps(count);
+        solve.BeginEnergy();
     }
     const bool together = solve.AnyTogether();
     if (together)
@@ -269,6 +270,7 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
         solve.EndSmallSteps();
     }
     solve.NoteImpulses();
+    solve.BalanceEnergy();
     solve.WriteBack();
     solve.LetRest();
     solve.ReportImpulses();

@@ -6,6 +6,7 @@
 #include "ConstraintGraph.h"
 #include "ContactBlocks.h"
 #include "ContactSystem.h"
+#include "EnergyGuard.h"
 #include "FirstLoads.h"
 #include "JointSchedule.h"
 #include "JointSystem.h"
@@ -56,6 +57,7 @@ struct SolverArrays
     ContactSystem contactSystem;      ///< of small steps
     FirstLoads firstLoads;            ///< of small steps
     CarryGuard carryGuard;            ///< of small steps
+    EnergyGuard energyGuard;          ///< of what has joints
     Array<uint8> left;                ///< by awake body: whether a shape has left its box
     Array<WayOfBody> ways;            ///< by awake body, of small steps
     Array<BodyKick> kicks;            ///< by awake body, of small steps

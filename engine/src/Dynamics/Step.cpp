@@ -116,6 +116,7 @@ void World::SolveAwake(float32 timeStep, int32 velocityIterations, int32 positio
         ProfileScope init(profiling, profile.solveInit);
         solve.WakeJointNeighbours();
         solve.IntegrateVelocities();
+        solve.BeginEnergy();
         solve.PrepareContacts();
         solve.WarmStart();
     }
@@ -129,6 +130,7 @@ void World::SolveAwake(float32 timeStep, int32 velocityIterations, int32 positio
         solve.IntegratePositions();
         solve.SolvePositions(positionIterations);
     }
+    solve.BalanceEnergy();
     solve.WriteBack();
     solve.LetRest();
     solve.ReportImpulses(); // last, so that a listener may push, wake or stop bodies

@@ -237,6 +237,26 @@ void StepSolver::SolvePositions(int32 iterations)
             break;
         }
     }
+    if (!m_arrays.joints.IsEmpty())
+    {
+        TurnAsSeen();
+    }
+}
+
+/// A correction of poses turns to first order: by the arc tangent of the angle that is counted. Far
+/// out on a lever such angles are large, and a body that ends elsewhere than where the sweeps saw
+/// it is turned again in the next step, and on and on.
+void StepSolver::TurnAsSeen()
+{
+    constexpr float32 kSmallTurn = 0.25f; // [rad], then it is out by 0.005
+    ForBodies([this](std::size_t i) {
+        SolverBody& s = m_arrays.bodies[i + 1];
+        const float32 drift = m_context.timeStep * s.w;
+        if (b2Abs(s.angle - drift) > kSmallTurn)
+        {
+            s.angle = drift + b2MulT(b2Rot(drift), s.q).GetAngle();
+        }
+    });
 }
 
 void StepSolver::IntegratePositions()

@@ -23,6 +23,8 @@ public:
     void ReportImpulses();
     void IntegratePositions();
     void SolvePositions(int32 iterations);
+    void BeginEnergy() { m_arrays.energyGuard.Begin(m_world, m_arrays, m_context.timeStep); }
+    void BalanceEnergy() { m_arrays.energyGuard.Balance(m_world, m_arrays); }
     void WriteBack();
     void LetRest();
 
@@ -52,6 +54,7 @@ private:
     float32 SolveOverlaps(Direction direction, float32 rate);
     void Bounce();
     void Sweep(int32 iterations);
+    void TurnAsSeen();
     void FindFlying();
     void FindDeep();
     bool IsPushedOut(const BodyData& body) const;

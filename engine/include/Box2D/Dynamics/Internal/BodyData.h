@@ -81,6 +81,8 @@ struct BodyData
     /// While the joints' schedule is made the first level that is free, while a system's pattern is
     /// made its place there.
     mutable std::int32_t jointLevel = 0;
+    float32 energyOwed = 0.0f;  ///< its share of what its island has won, see EnergyGuard [J]
+    float32 energyScale = 0.0f; ///< its largest kinetic energy of late, while it has joints [J]
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Math.h>
+
+#include <limits>
+
+class b2Joint;
+
+/// What a joint stores, and what it may give in a step, told from its settings and where its bodies
+/// are, not from what a solver says that it did.
+namespace box2d
+{
+
+struct SolverBody;
+
+/// Of what pulls back with k x, but never with more than `most`.
+struct SpringState
+{
+    double stiffness = 0.0; ///< k [N/m] or [N m], of the present pose
+    double error = 0.0;     ///< x [m] or [rad]
+    double most = std::numeric_limits<double>::infinity(); ///< [N] or [N m]
+
+    double Energy() const { return EnergyAt(error); }
+    /// k x^2 / 2, and a straight line beyond `most` / k [J].
+    double EnergyAt(double x) const;
+};
+
+/// What has been put into a spring from one state to another, beyond what changes of k explain: k
+/// is that of an oscillator with a given frequency, so it follows the mass that moves, which
+/// changes with the pose. Counted at most, at whichever end it counts less [J].
+double StoredBetween(const SpringState& before, const SpringState& after);
+
+/// Whether sweeps may win energy over the joint without end: beyond what the manual advises, masses
+/// of 10:1 and bodies on levers much longer than they are.
+bool IsAtRisk(const b2Joint& joint);
+/// Whether that depends on the pose too.
+bool HasChangingLevers(const b2Joint& joint);
+
+bool HasSpring(const b2Joint& joint);
+/// Of one that has. Bodies by solver index, with what has moved since the start of the step; null
+/// when nothing has.
+SpringState SpringOf(const b2Joint& joint, const SolverBody* bodies);
+
+/// Whether there is a motor, of any kind, to ask for.
+bool HasMotor(const b2Joint& joint);
+/// What it can do at most in a step of so many small ones, as things are at present: what goes
+/// forward as fast as it wants it to is not pushed any more [J].
+double MostMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
+                     int32 subSteps);
+
+} // namespace box2d
