@@ -22,6 +22,12 @@ double RoundingInPixels(const Camera& camera, Vec2 world)
     return 1e-7 * (metres * camera.pixelsPerMeter + camera.width + camera.height);
 }
 
+// From a float to the next one away from zero.
+double Spacing(float x)
+{
+    return double(std::nextafter(std::abs(x), kInfinity)) - std::abs(x);
+}
+
 bool IsInside(const Rect& inner, const Rect& outer, double slack)
 {
     return inner.lower.x >= outer.lower.x - slack && inner.lower.y >= outer.lower.y - slack &&
@@ -79,6 +85,61 @@ TEST(Camera, MapsPixelsAndMetresBackAndForth)
         const double rounding = RoundingInPixels(camera, world);
         EXPECT_NEAR(again.x, pixel.x, rounding);
         EXPECT_NEAR(again.y, pixel.y, rounding);
+    }
+}
+
+TEST(Camera, FindsEveryPixelAgainAtAnySizeWhereFloatsAreFinerThanPixels)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const int sizes[][2] = {{1, 1}, {33, 17}, {1, 8192}, {8191, 4321}, {8192, 8192}};
+    for (const auto& [width, height] : sizes)
+    {
+        int checked = 0;
+        for (int i = 0; i < 2000; ++i)
+        {
+            Camera camera;
+            camera.width = width;
+            camera.height = height;
+            camera.centerX = std::pow(10.0, 3.0 * unit(random)) * unit(random);
+            camera.centerY = std::pow(10.0, 3.0 * unit(random)) * unit(random);
+            camera.pixelsPerMeter = std::pow(10.0, 1.0 + 2.0 * unit(random));
+            const Vec2 pixel{static_cast<float>(random() % unsigned(width)) + 0.5f,
+                             static_cast<float>(random() % unsigned(height)) + 0.5f};
+            const Vec2 world = camera.ToWorld(pixel);
+            const double errorX = 0.5 * Spacing(world.x) * camera.pixelsPerMeter;
+            const double errorY = 0.5 * Spacing(world.y) * camera.pixelsPerMeter;
+            if (std::max(errorX, errorY) > 0.25)
+            {
+                continue;
+            }
+            ++checked;
+            const Vec2 again = camera.ToPixel(world);
+            // Rounded once each way, to the nearest; nothing else is lost.
+            EXPECT_NEAR(again.x, pixel.x, errorX + 0.5 * Spacing(pixel.x) + 1e-9);
+            EXPECT_NEAR(again.y, pixel.y, errorY + 0.5 * Spacing(pixel.y) + 1e-9);
+            EXPECT_EQ(std::floor(again.x), std::floor(pixel.x));
+            EXPECT_EQ(std::floor(again.y), std::floor(pixel.y));
+        }
+        EXPECT_GT(checked, 1900);
+    }
+}
+
+TEST(Camera, HasItsCentreInTheMiddleOfTheMiddlePixelWhenTheSizeIsOdd)
+{
+    const int sizes[][2] = {{1, 1}, {33, 17}, {8191, 4321}};
+    for (const auto& [width, height] : sizes)
+    {
+        Camera camera;
+        camera.width = width;
+        camera.height = height;
+        camera.centerX = 0.1f;
+        camera.centerY = -7.3f;
+        camera.pixelsPerMeter = height / 3.7;
+        const Vec2 middle{static_cast<float>(width / 2) + 0.5f,
+                          static_cast<float>(height / 2) + 0.5f};
+        EXPECT_EQ(camera.ToPixel({0.1f, -7.3f}), middle);
+        EXPECT_EQ(camera.ToWorld(middle), (Vec2{0.1f, -7.3f}));
     }
 }
 
