@@ -13,50 +13,6 @@ Error Refusal(const std::string& option, const std::string& text, const std::str
     return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
 }
 
-std::vector<std::string> SplitAtCommas(const std::string& text)
-{
-    std::vector<std::string> parts(1);
-    for (const char c : text)
-    {
-        if (c == ',')
-        {
-            parts.emplace_back();
-        }
-        else
-        {
-            parts.back() += c;
-        }
-    }
-    return parts;
-}
-
-Result<std::optional<FixedView>> ParseCamera(const std::string& option, const std::string& text)
-{
-    if (text == "fit")
-    {
-        return std::optional<FixedView>();
-    }
-    const std::vector<std::string> parts = SplitAtCommas(text);
-    double numbers[3] = {};
-    bool usable = parts.size() == 3;
-    for (std::size_t i = 0; usable && i < 3; ++i)
-    {
-        const Result<double> number = ParseNumber(option, parts[i]);
-        usable = bool(number);
-        numbers[i] = number ? *number : 0.0;
-    }
-    // Single precision has 24 bits: farther out, or seen closer, neighbouring pixels are the same
-    // point.
-    if (!usable || std::abs(numbers[0]) > 1e6 || std::abs(numbers[1]) > 1e6 || numbers[2] < 1e-3 ||
-        numbers[2] > 1e6)
-    {
-        return Refusal(
-            option, text,
-            "give 'fit', or the middle and the height of the view in metres, such as 0,20,50");
-    }
-    return std::optional<FixedView>(FixedView{numbers[0], numbers[1], numbers[2]});
-}
-
 Result<std::uint32_t> ParseDraw(const std::string& option, const std::string& text)
 {
     static const std::pair<const char*, std::uint32_t> kLayers[] = {
@@ -65,7 +21,7 @@ Result<std::uint32_t> ParseDraw(const std::string& option, const std::string& te
         {"centers", b2Draw::e_centerOfMassBit},
     };
     std::uint32_t flags = 0;
-    for (const std::string& part : SplitAtCommas(text))
+    for (const std::string& part : SplitAt(',', text))
     {
         std::uint32_t flag = 0;
         for (const auto& [name, bit] : kLayers)
@@ -159,8 +115,11 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
     };
     AddSize(command, look);
     AddTheme(command, look, bothThemes);
-    AddValue(command, "--camera", "VIEW", look.view, ParseCamera,
-             "fit (what moves stays in view), or X,Y,HEIGHT in metres")
+    AddValue(command, "--camera", "VIEW", look.view, ParseView,
+             "fit: what moves stays in view (the default); fit:world: everything;\n"
+             "fit:3,17: these bodies; follow:3,17 or follow:17:HEIGHT: these in\n"
+             "the middle; X,Y,HEIGHT in metres: fixed; path:0s=X,Y,HEIGHT;3s=…:\n"
+             "from key to key")
         ->group("Picture");
     AddValue(command, "--draw", "LAYERS", look.drawFlags, ParseDraw,
              "shapes,joints,aabbs,pairs,centers (shapes,joints)")

@@ -46,6 +46,9 @@ Rect Neighbourhood(const Rect& area)
                 {area.upper.x + reach, area.upper.y + reach}};
 }
 
+/// Where nothing is.
+const Rect kAroundTheOrigin{{-10.0f, -10.0f}, {10.0f, 10.0f}};
+
 Rect BoundsOfWhatCanMove(const b2World& world)
 {
     Rect bounds;
@@ -80,7 +83,45 @@ Rect BoundsAtStart(const b2World& world)
             bounds.Include(nothingMoves ? box : Intersection(box, near));
         }
     }
-    return bounds.IsEmpty() ? Rect{{-10.0f, -10.0f}, {10.0f, 10.0f}} : bounds;
+    return bounds.IsEmpty() ? kAroundTheOrigin : bounds;
+}
+
+Rect BoundsOfEverything(const b2World& world)
+{
+    Rect bounds = BoundsOfWhatCanMove(world);
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        bounds.Include(BoundsOfBody(*body));
+    }
+    return bounds.IsEmpty() ? kAroundTheOrigin : bounds;
+}
+
+Rect BoundsOfBodies(const std::vector<const b2Body*>& bodies)
+{
+    Rect bounds;
+    for (const b2Body* body : bodies)
+    {
+        if (body != nullptr)
+        {
+            const Rect box = BoundsOfBody(*body);
+            const Vec2 place = ToVec2(body->GetPosition());
+            bounds.Include(box.IsEmpty() ? Rect{place, place} : box);
+        }
+    }
+    return bounds;
+}
+
+Rect BoundsOfCenters(const std::vector<const b2Body*>& bodies)
+{
+    Rect bounds;
+    for (const b2Body* body : bodies)
+    {
+        if (body != nullptr)
+        {
+            bounds.Include(ToVec2(body->GetWorldCenter()));
+        }
+    }
+    return bounds;
 }
 
 std::vector<Rect> BoundsOfMovers(const b2World& world)

@@ -14,6 +14,16 @@ namespace boxreel
 /// anchored, and of the static surroundings as much as lies near it. Never empty.
 Rect BoundsAtStart(const b2World& world);
 
+/// All there is, the static surroundings and the anchors of joints too [m]. Never empty.
+Rect BoundsOfEverything(const b2World& world);
+
+/// Of these bodies [m], null ones left out; empty if there are none. A body without shapes counts
+/// as a point.
+Rect BoundsOfBodies(const std::vector<const b2Body*>& bodies);
+
+/// Of their centres of mass alone [m].
+Rect BoundsOfCenters(const std::vector<const b2Body*>& bodies);
+
 /// The boxes of the bodies that are in motion [m], one a body.
 std::vector<Rect> BoundsOfMovers(const b2World& world);
 

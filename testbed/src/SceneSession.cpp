@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "SceneSession.h"
 
-#include "SceneBounds.h"
 #include "SceneLabels.h"
 
 #include <debugdraw/DrawCollector.h>
@@ -18,17 +17,6 @@ namespace boxreel
 namespace
 {
 
-Camera FixedCamera(const FixedView& view, int width, int height)
-{
-    Camera camera;
-    camera.width = width;
-    camera.height = height;
-    camera.centerX = view.centerX;
-    camera.centerY = view.centerY;
-    camera.pixelsPerMeter = height / view.height;
-    return camera;
-}
-
 /// A number with `decimals` digits after the point, whatever the locale of the program.
 std::string Decimals(double value, int decimals)
 {
@@ -40,6 +28,12 @@ std::string Decimals(double value, int decimals)
 double StepSeconds(const Rational& stepsPerSecond)
 {
     return double(stepsPerSecond.den) / double(stepsPerSecond.num);
+}
+
+/// Rounded once: a step at a whole second is exactly there.
+double SecondsAt(std::int64_t step, const Rational& stepsPerSecond)
+{
+    return double(step) * double(stepsPerSecond.den) / double(stepsPerSecond.num);
 }
 
 /// A scene states a time step in single precision: 1/60 is meant when the nearest float to it is
@@ -54,8 +48,9 @@ Rational RateOf(float32 timeStep)
 
 } // namespace
 
-SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look)
-    : m_scene(std::move(scene)), m_title(std::move(title)), m_look(look)
+SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
+                           const SceneCamera& camera)
+    : m_scene(std::move(scene)), m_title(std::move(title)), m_look(look), m_camera(camera)
 {
     m_stepSettings = m_scene->PreferredSteps();
     m_stepsPerSecond = look.stepsPerSecond.value_or(RateOf(m_stepSettings.timeStep));
@@ -64,14 +59,6 @@ SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, cons
         look.velocityIterations.value_or(m_stepSettings.velocityIterations);
     m_stepSettings.positionIterations =
         look.positionIterations.value_or(m_stepSettings.positionIterations);
-    if (look.view)
-    {
-        m_fixedCamera = FixedCamera(*look.view, look.width, look.height);
-    }
-    else
-    {
-        m_fitCamera.emplace(look.width, look.height, BoundsAtStart(m_scene->World()));
-    }
 }
 
 Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& look)
@@ -80,7 +67,13 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
     {
         source.scene = source.entry->create(SceneSettings{look.seed});
     }
-    SceneSession session(std::move(source.scene), std::move(source.title), look);
+    const Result<SceneCamera> camera =
+        SceneCamera::Create(look.view, source.scene->World(), look.width, look.height);
+    if (!camera)
+    {
+        return camera.GetError();
+    }
+    SceneSession session(std::move(source.scene), std::move(source.title), look, *camera);
     if (look.hud)
     {
         const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
@@ -114,10 +107,8 @@ void SceneSession::StepOnce()
             std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         m_stepMilliseconds = m_step == 1 ? taken : 0.9 * m_stepMilliseconds + 0.1 * taken;
     }
-    if (m_fitCamera)
-    {
-        m_fitCamera->Update(BoundsOfMovers(m_scene->World()), StepSeconds(m_stepsPerSecond));
-    }
+    m_camera.Update(m_scene->World(), SecondsAt(m_step, m_stepsPerSecond),
+                    StepSeconds(m_stepsPerSecond));
 }
 
 void SceneSession::Fill(FrameContent& content)
@@ -128,7 +119,7 @@ void SceneSession::Fill(FrameContent& content)
     world.SetDebugDraw(&collector);
     world.DrawDebugData();
     world.SetDebugDraw(nullptr);
-    const Camera& view = m_fitCamera ? m_fitCamera->View() : m_fixedCamera;
+    const Camera& view = m_camera.View();
     content.camera = Scaled(view, m_look.scale);
     if (m_look.labels)
     {

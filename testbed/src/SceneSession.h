@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "SceneCamera.h"
 #include "SceneSearch.h"
 
-#include <debugdraw/Camera.h>
 #include <debugdraw/Result.h>
 #include <debugdraw/Theme.h>
 #include <recorder/FrameClock.h>
@@ -21,15 +21,6 @@
 namespace boxreel
 {
 
-/// A camera that stays where it is.
-struct FixedView
-{
-    double centerX = 0.0; ///< [m]
-    double centerY = 0.0; ///< [m]
-    double height = 50.0; ///< of the visible area [m], above 0
-    friend bool operator==(const FixedView&, const FixedView&) = default;
-};
-
 /// How a scene is simulated and what its picture shows.
 struct SceneLook
 {
@@ -41,7 +32,7 @@ struct SceneLook
     std::optional<int> velocityIterations;  ///< which is 60, 8 and 3 unless it says otherwise
     std::optional<int> positionIterations;
     std::uint32_t seed = 1;
-    std::optional<FixedView> view; ///< none: the camera keeps in view what moves
+    ViewChoice view;
     std::uint32_t drawFlags = b2Draw::e_shapeBit | b2Draw::e_jointBit;
     bool labels = false;          ///< the number of each body at its centre of mass
     bool hud = false;             ///< a panel with time, step and counts
@@ -66,7 +57,8 @@ public:
     const b2World& World() const { return m_scene->World(); }
 
 private:
-    SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look);
+    SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
+                 const SceneCamera& camera);
     void StepOnce();
     HudContent DescribeState() const;
 
@@ -75,8 +67,7 @@ private:
     SceneLook m_look;
     Rational m_stepsPerSecond;
     StepSettings m_stepSettings;
-    Camera m_fixedCamera;                 // used when the look names a view
-    std::optional<FitCamera> m_fitCamera; // used when it does not
+    SceneCamera m_camera;
     std::optional<Hud> m_hud;
     std::int64_t m_step = 0;
     double m_stepMilliseconds = 0.0; // of the last step, smoothed

@@ -75,6 +75,23 @@ bool ReadNanoseconds(std::string_view text, std::int64_t unit, std::int64_t& nan
 
 } // namespace
 
+std::vector<std::string> SplitAt(char separator, std::string_view text)
+{
+    std::vector<std::string> parts(1);
+    for (const char c : text)
+    {
+        if (c == separator)
+        {
+            parts.emplace_back();
+        }
+        else
+        {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
 Result<std::int64_t> ParseWhole(std::string_view option, std::string_view text, std::int64_t lowest,
                                 std::int64_t highest)
 {

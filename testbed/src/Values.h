@@ -5,7 +5,9 @@
 #include <recorder/FrameClock.h>
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 /// The values of options, read strictly: the whole text counts, no locale, no rounding, no
 /// surprise. `option` is what the error's sentence names, e.g. "--size". Every failure is Unusable.
@@ -25,6 +27,9 @@ struct PixelSize
     int height = 720; ///< [px]
     friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
+
+/// What stands before, between and after the separators; as many parts as those and one.
+std::vector<std::string> SplitAt(char separator, std::string_view text);
 
 /// A whole number from `lowest` to `highest`, decimal.
 Result<std::int64_t> ParseWhole(std::string_view option, std::string_view text, std::int64_t lowest,

@@ -65,7 +65,7 @@ TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
                  options.look.positionIterations)
         << "as the scene prefers";
     EXPECT_EQ(options.look.seed, 1u);
-    EXPECT_FALSE(options.look.view) << "the camera keeps in view what moves";
+    EXPECT_EQ(options.look.view, ViewChoice(FitView{})) << "the camera keeps in view what moves";
     EXPECT_FALSE(options.look.hud);
 }
 
@@ -90,7 +90,7 @@ TEST(CommandLine, RecordReadsEveryOption)
     EXPECT_EQ(options.look.seed, 7u);
     EXPECT_EQ(options.look.velocityIterations, 10);
     EXPECT_EQ(options.look.positionIterations, 4);
-    EXPECT_EQ(options.look.view, (FixedView{-5.0, 2.5, 20.0}));
+    EXPECT_EQ(options.look.view, ViewChoice(FixedView{-5.0, 2.5, 20.0}));
     EXPECT_EQ(options.look.drawFlags, std::uint32_t(b2Draw::e_shapeBit | b2Draw::e_aabbBit));
     EXPECT_TRUE(options.look.labels);
     EXPECT_TRUE(options.look.hud);
@@ -221,6 +221,8 @@ TEST(CommandLine, ValuesOutOfRangeAreRefused)
                             "--camera 1,2,nan",
                             "--camera 1e9,0,5",
                             "--camera fot",
+                            "--camera follow:",
+                            "--camera path:0s=0,0,5",
                             "--draw",
                             "--draw shapes,,joints",
                             "--draw everything"})

@@ -132,6 +132,34 @@ TEST_F(Command, ShotOfATimeIsTheShotOfItsStep)
     }
 }
 
+TEST_F(Command, ShotsMayHaveAnySize)
+{
+    const std::pair<const char*, std::pair<int, int>> sizes[] = {
+        {"1x1", {1, 1}}, {"33x17", {33, 17}}, {"8192x3", {8192, 3}}, {"3x8191", {3, 8191}}};
+    for (const auto& [size, expected] : sizes)
+    {
+        const Outcome outcome = Run({"shot", "bridge", "--step", "1", "-o", "odd.png", "--size",
+                                     size, "--camera", "follow:3:5", "--force"});
+        ASSERT_EQ(outcome.code, 0) << outcome.errors;
+        const Result<Frame> frame = ReadPng(folder / "odd.png");
+        ASSERT_TRUE(frame);
+        EXPECT_EQ(std::pair(frame->width, frame->height), expected);
+    }
+}
+
+TEST_F(Command, CamerasOnBodiesThatAreNotThereAreRefusedBeforeAnythingIsDrawn)
+{
+    for (const char* camera : {"follow:3,9999", "fit:9999", "follow:9999:10"})
+    {
+        ExpectRefusal({"shot", "bridge", "--step", "1", "-o", "a.png", "--camera", camera}, 1,
+                      "no body 9999; the scene has ");
+        ExpectRefusal({"record", "bridge", "-o", "a.mp4", "--camera", camera}, 1,
+                      "no body 9999; the scene has ");
+    }
+    ExpectRefusal({"record", "bridge", "-o", "a.mp4", "--camera", "path:2s=0,0,5;1s=0,0,5"}, 1,
+                  "times must grow");
+}
+
 TEST_F(Command, LookOptionsChangeThePicture)
 {
     const std::vector<std::string> plain{"shot",   "bridge",  "--step", "20",
@@ -147,6 +175,8 @@ TEST_F(Command, LookOptionsChangeThePicture)
     EXPECT_EQ(picture, shot("again.png", {}));
     EXPECT_NE(picture, shot("hud.png", {"--hud"}));
     EXPECT_NE(picture, shot("camera.png", {"--camera", "0,0,30"}));
+    EXPECT_NE(picture, shot("bodies.png", {"--camera", "fit:3,5"}));
+    EXPECT_EQ(picture, shot("fit.png", {"--camera", "fit"}));
     EXPECT_NE(picture, shot("draw.png", {"--draw", "shapes,joints,aabbs"}));
     EXPECT_NE(picture, shot("labels.png", {"--labels"}));
     EXPECT_NE(picture, shot("hz.png", {"--hz", "30"}));

@@ -80,6 +80,33 @@ TEST_F(Film, AShotHasTheVeryPixelsOfTheFilmAtThatTime)
     EXPECT_NE(frames[17], frames[39]) << "something moves";
 }
 
+TEST_F(Film, AMovingCameraShowsTheSameInFilmsOfAnyFrameRateAndInAShot)
+{
+    for (const char* camera :
+         {"follow:32:8", "fit:12,13", "path:0s=0,20,50;1s=10,5,12;1500ms=0,20,50"})
+    {
+        const std::vector<std::string> look{"--size", "160x90", "--camera", camera};
+        const auto film = [&](const char* rate, const char* count) {
+            std::vector<std::string> record{"record",  "dominos",   "-o",       "film.mkv",
+                                            "--force", "--quality", "lossless", "--fps",
+                                            rate,      "--frames",  count};
+            record.insert(record.end(), look.begin(), look.end());
+            const Outcome outcome = Run(record);
+            EXPECT_EQ(outcome.code, 0) << outcome.errors;
+            return Decode("film.mkv");
+        };
+        const std::vector<Frame> slow = film("10", "13");
+        const std::vector<Frame> fast = film("60", "73");
+        ASSERT_EQ(slow.size(), 13u);
+        ASSERT_EQ(fast.size(), 73u);
+        for (std::size_t i = 0; i < slow.size(); ++i)
+        {
+            EXPECT_TRUE(slow[i] == fast[6 * i]) << camera << " at " << i << "/10 s";
+        }
+        EXPECT_TRUE(slow[9] == Shot("dominos", 54, look)) << camera;
+    }
+}
+
 TEST_F(Film, SlowMotionShowsEachStepAsOftenAsItLasts)
 {
     const Outcome outcome = Run({"record", "bridge", "-o", "film.mkv", "--frames", "9", "--quality",

@@ -73,6 +73,26 @@ TEST_F(SceneBounds, AnEmptyWorldShowsThePlaceAroundTheOrigin)
     EXPECT_FALSE(BoundsAtStart(world).IsEmpty());
 }
 
+TEST_F(SceneBounds, EverythingIsTheWideGroundToo)
+{
+    Add(b2_dynamicBody, 0.0f, 5.0f, 2.0f, 4.0f);
+    Add(b2_staticBody, 0.0f, 0.0f, 500.0f, 0.5f);
+    ExpectNear(BoundsOfEverything(world), -500.0f, -0.5f, 500.0f, 9.0f);
+    EXPECT_FALSE(BoundsOfEverything(b2World(b2Vec2(0.0f, 0.0f))).IsEmpty());
+}
+
+TEST_F(SceneBounds, ChosenBodiesAreBoxedAndThoseWithoutShapesArePoints)
+{
+    const b2Body* box = Add(b2_staticBody, -3.0f, 2.0f, 1.0f, 1.0f);
+    Add(b2_dynamicBody, 90.0f, 90.0f, 1.0f, 1.0f);
+    b2BodyDef bare;
+    bare.position.Set(5.0f, -4.0f);
+    const b2Body* point = world.CreateBody(&bare);
+    ExpectNear(BoundsOfBodies({box, nullptr, point}), -4.0f, -4.0f, 5.0f, 3.0f);
+    EXPECT_TRUE(BoundsOfBodies({nullptr}).IsEmpty());
+    EXPECT_EQ(BoundsOfCenters({box, nullptr, point}), (Rect{{-3.0f, -4.0f}, {5.0f, 2.0f}}));
+}
+
 TEST_F(SceneBounds, MoversAreTheBodiesThatAreAwake)
 {
     Add(b2_dynamicBody, 0.0f, 0.0f, 1.0f, 1.0f)->SetAwake(false);

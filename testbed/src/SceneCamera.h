@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ViewChoice.h"
+
+#include <Box2D/Box2D.h>
+#include <debugdraw/FollowCamera.h>
+
+/// The camera that a ViewChoice asks for, at work on a world: tells debugdraw's cameras, which know
+/// no bodies, where the bodies are. Only reads the world.
+namespace boxreel
+{
+
+class SceneCamera
+{
+public:
+    /// Of a picture of `width` x `height` pixels. Unusable when the world has no body of a number
+    /// that the view names.
+    static Result<SceneCamera> Create(const ViewChoice& choice, b2World& world, int width,
+                                      int height);
+
+    /// Once after every step of `dt` seconds; `time`: simulated since the start [s]. The world's
+    /// debug drawing is borrowed for it where bodies are named, and none is registered afterwards.
+    void Update(b2World& world, double time, double dt);
+
+    const Camera& View() const { return m_view; }
+
+private:
+    using Mover = std::variant<std::monostate, FitCamera, FollowCamera, CameraPath>;
+    SceneCamera(const ViewChoice& choice, b2World& world, int width, int height);
+    Rect Subject(b2World& world) const;
+
+    std::vector<int> m_bodies;
+    bool m_seesCentersOnly = false; // of the bodies, for how large they look does not matter
+    Mover m_mover;                  // none: the view stays
+    Camera m_view;
+};
+
+} // namespace boxreel

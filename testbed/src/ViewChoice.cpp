@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "ViewChoice.h"
+
+#include "Values.h"
+
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::int64_t kMostBodies = 1'000'000'000;
+
+// Single precision has 24 bits: farther out, or seen closer, neighbouring pixels are the same
+// point.
+constexpr double kFarthest = 1e6;        // [m]
+constexpr double kSmallestHeight = 1e-3; // [m]
+constexpr double kLargestHeight = 1e6;   // [m]
+
+/// A number from `lowest` to `highest`.
+std::optional<double> ReadBetween(std::string_view text, double lowest, double highest)
+{
+    const Result<double> number = ParseNumber("", text);
+    return number && *number >= lowest && *number <= highest ? std::optional(*number)
+                                                             : std::nullopt;
+}
+
+std::optional<FixedView> ReadFixed(std::string_view text)
+{
+    const std::vector<std::string> parts = SplitAt(',', text);
+    if (parts.size() != 3)
+    {
+        return std::nullopt;
+    }
+    const std::optional<double> x = ReadBetween(parts[0], -kFarthest, kFarthest);
+    const std::optional<double> y = ReadBetween(parts[1], -kFarthest, kFarthest);
+    const std::optional<double> height = ReadBetween(parts[2], kSmallestHeight, kLargestHeight);
+    return x && y && height ? std::optional(FixedView{*x, *y, *height}) : std::nullopt;
+}
+
+std::optional<std::vector<int>> ReadBodies(std::string_view text)
+{
+    std::vector<int> bodies;
+    for (const std::string& part : SplitAt(',', text))
+    {
+        const Result<std::int64_t> number = ParseWhole("", part, 0, kMostBodies);
+        if (!number)
+        {
+            return std::nullopt;
+        }
+        bodies.push_back(static_cast<int>(*number));
+    }
+    return bodies;
+}
+
+std::optional<FollowView> ReadFollow(std::string_view text)
+{
+    const std::vector<std::string> parts = SplitAt(':', text);
+    const std::optional<std::vector<int>> bodies = ReadBodies(parts.front());
+    if (!bodies || parts.size() > 2)
+    {
+        return std::nullopt;
+    }
+    FollowView view{*bodies, std::nullopt};
+    if (parts.size() == 2)
+    {
+        view.height = ReadBetween(parts[1], kSmallestHeight, kLargestHeight);
+        return view.height ? std::optional(view) : std::nullopt;
+    }
+    return view;
+}
+
+/// "3s=10,5,12"
+std::optional<CameraKey> ReadKey(std::string_view text)
+{
+    const std::vector<std::string> parts = SplitAt('=', text);
+    if (parts.size() != 2)
+    {
+        return std::nullopt;
+    }
+    const Result<Duration> time = ParseDuration("", parts[0]);
+    const std::optional<FixedView> view = ReadFixed(parts[1]);
+    if (!time || !view)
+    {
+        return std::nullopt;
+    }
+    return CameraKey{double(time->nanoseconds) / 1e9, view->centerX, view->centerY, view->height};
+}
+
+Result<ViewChoice> ParsePath(std::string_view keys, const std::string& named)
+{
+    PathView path;
+    for (const std::string& part : SplitAt(';', keys))
+    {
+        const std::optional<CameraKey> key = ReadKey(part);
+        if (!key)
+        {
+            return Error{ErrorKind::Unusable, named + "'" + part +
+                                                  "' is no key; give TIME=X,Y,HEIGHT, such as "
+                                                  "3s=10,5,12, with semicolons between them."};
+        }
+        path.keys.push_back(*key);
+    }
+    const std::string why = WhyNotPath(path.keys);
+    return why.empty() ? Result<ViewChoice>(path) : Error{ErrorKind::Unusable, named + why + "."};
+}
+
+} // namespace
+
+Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
+{
+    const std::string named = option + " '" + text + "': ";
+    const std::size_t colon = text.find(':');
+    const std::string kind = text.substr(0, colon);
+    const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+    if (text == "fit" || text == "fit:world")
+    {
+        return ViewChoice(FitView{text != "fit"});
+    }
+    if (kind == "path")
+    {
+        return ParsePath(rest, named);
+    }
+    if (kind == "fit")
+    {
+        const std::optional<std::vector<int>> bodies = ReadBodies(rest);
+        return bodies ? Result<ViewChoice>(FitBodiesView{*bodies})
+                      : Error{ErrorKind::Unusable,
+                              named + "give fit:world, or the numbers of bodies, such as "
+                                      "fit:3,17."};
+    }
+    if (kind == "follow")
+    {
+        const std::optional<FollowView> follow = ReadFollow(rest);
+        return follow ? Result<ViewChoice>(*follow)
+                      : Error{ErrorKind::Unusable,
+                              named + "give the numbers of bodies, and the height of the view in "
+                                      "metres if you like, such as follow:3,17:12."};
+    }
+    const std::optional<FixedView> fixed = ReadFixed(text);
+    return fixed ? Result<ViewChoice>(*fixed)
+                 : Error{ErrorKind::Unusable,
+                         named + "give the middle and the height of the view in metres, such as "
+                                 "0,20,50, or one of fit, fit:world, fit:3,17, follow:17, "
+                                 "path:0s=0,20,50;3s=10,5,12."};
+}
+
+} // namespace boxreel
