@@ -89,7 +89,8 @@ TEST(CameraPath, KeepsOnePointOfTheWorldInItsPlaceWhileItZooms)
 
 TEST(CameraPath, PansWhereTheHeightsAreTheSameOrNearly)
 {
-    for (const double height : {50.0, 50.0 * (1.0 + 1e-9), 50.0 * (1.0 + 1e-5)})
+    for (const double height :
+         {50.0, 50.0 * (1.0 + 1e-13), 50.0 * (1.0 + 1e-9), 50.0 * (1.0 + 1e-5)})
     {
         const CameraPath path(1280, 720, {{0.0, -10.0, 0.0, 50.0}, {1.0, 10.0, 0.0, height}});
         EXPECT_NEAR(path.At(0.5).centerX, 0.0, 1e-4);

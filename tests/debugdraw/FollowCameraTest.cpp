@@ -126,6 +126,10 @@ TEST(FollowCamera, NeverGoesBeyondABodyThatStops)
             camera.Update(BoxAt(x, 0.0), kStep);
             ASSERT_GE(camera.View().centerX, before) << "turns back at " << speed << " m/s";
             ASSERT_LE(camera.View().centerX, x + kRounding * speed);
+            if (step > 120 && step < 130 && speed > 1.0)
+            {
+                ASSERT_GT(camera.View().centerX, before) << "hesitates at " << speed << " m/s";
+            }
             before = camera.View().centerX;
         }
         const double end = speed * 2.0;
@@ -276,6 +280,12 @@ TEST(FollowCamera, IgnoresSubjectsThatAreNone)
         camera.Update(none, kStep);
         EXPECT_EQ(camera.View(), start);
     }
+    camera.Update(BoxAt(6.0, 4.0), kStep);
+    for (int step = 0; step < 300; ++step)
+    {
+        camera.Update(Rect{}, kStep);
+    }
+    EXPECT_NEAR(camera.View().centerX, 6.0 - kCalm, kRounding) << "settles where it was going";
     FollowCamera lost(1280, 720, Rect{});
     EXPECT_EQ(lost.View(), Camera());
     lost.Update(BoxAt(0.0, 21.0), kStep);
