@@ -118,8 +118,8 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
     AddValue(command, "--camera", "VIEW", look.view, ParseView,
              "fit: what moves stays in view (the default); fit:world: everything;\n"
              "fit:3,17: these bodies; follow:3,17 or follow:17:HEIGHT: these in\n"
-             "the middle; X,Y,HEIGHT in metres: fixed; path:0s=X,Y,HEIGHT;3s=…:\n"
-             "from key to key")
+             "the middle; X,Y,HEIGHT in metres: fixed; from key to key:\n"
+             "\"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
         ->group("Picture");
     AddValue(command, "--draw", "LAYERS", look.drawFlags, ParseDraw,
              "shapes,joints,aabbs,pairs,centers (shapes,joints)")

@@ -155,6 +155,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
         "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"
         "  boxreel record dominos -o frames-####.png --frames 120 --hud\n"
         "  boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25\n"
+        "  boxreel record dominos -o ball.mp4 --camera follow:13:8\n"
         "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
         "  boxreel record bridge -o bridge.mp4 --theme okabe-ito");
 }

@@ -12,7 +12,7 @@ namespace
 {
 
 // Of the view of what is followed without a height: enough to see where a body of a metre is, and
-// of larger ones three times their size.
+// around larger ones as much again on either side.
 constexpr double kLeastFollowHeight = 10.0; // [m]
 constexpr double kFollowedShare = 1.0 / 3.0;
 
