@@ -65,6 +65,7 @@ Result<std::vector<Renderer>> MakeRenderers(const ShotOptions& options,
             Result<Renderer> renderer = Renderer::Create({.width = size.width,
                                                           .height = size.height,
                                                           .theme = picture.theme,
+                                                          .backend = options.backend,
                                                           .scale = options.look.scale});
             if (!renderer)
             {
