@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Camera.h>
+#include <debugdraw/DrawList.h>
+
+/// Arrows whose shaft is measured in metres and whose head in pixels, so that a head is as large
+/// in every view.
+namespace boxreel
+{
+
+struct ArrowHead
+{
+    double length = 9.0;    ///< along the shaft [px]
+    double halfWidth = 3.0; ///< across it [px]
+};
+
+/// A shaft from `tail` to `tip` [m] with a filled head whose point lies at `tip`; stamped with the
+/// list's layer and owner. A shaft shorter than its head gets a smaller head. Nothing is added when
+/// tail and tip are one point, or not finite.
+void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, Color color,
+              const ArrowHead& head = {});
+
+} // namespace boxreel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/Arrow.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxreel
+{
+
+void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, Color color,
+              const ArrowHead& head)
+{
+    const double dx = double(tip.x) - double(tail.x);
+    const double dy = double(tip.y) - double(tail.y);
+    const double length = std::sqrt(dx * dx + dy * dy);
+    if (!(length > 0.0) || !std::isfinite(length))
+    {
+        return;
+    }
+    const double wanted = head.length / camera.pixelsPerMeter; // [m]
+    const double along = std::min(wanted, length);
+    const double across = head.halfWidth / camera.pixelsPerMeter * (along / wanted);
+    const double ux = dx / length;
+    const double uy = dy / length;
+    const double baseX = tip.x - along * ux;
+    const double baseY = tip.y - along * uy;
+    const Vec2 base{float(baseX), float(baseY)};
+    if (along < length)
+    {
+        list.AddSegment(tail, base, color);
+    }
+    const Vec2 corners[3] = {tip,
+                             {float(baseX - across * uy), float(baseY + across * ux)},
+                             {float(baseX + across * uy), float(baseY - across * ux)}};
+    list.AddSolidPolygon(corners, 3, color);
+}
+
+} // namespace boxreel
