@@ -30,12 +30,11 @@ struct Entry
 /// What the program says to `words`, by method.
 std::vector<RenderFigures> FiguresOf(Entry& entry, const std::vector<std::string>& words)
 {
-    std::vector<RenderFigures> methods;
     const Result<std::string> output = OutputOf(entry.program, words);
-    const Result<void> read =
-        output ? ReadRenderLines(*output, methods) : Result<void>(output.GetError());
-    entry.failure = read ? entry.failure : read.GetError().message;
-    return methods;
+    const Result<std::vector<RenderFigures>> methods =
+        output ? ParseRenderLines(*output) : Result<std::vector<RenderFigures>>(output.GetError());
+    entry.failure = methods ? entry.failure : methods.GetError().message;
+    return methods ? *methods : std::vector<RenderFigures>();
 }
 
 /// The median of each time over the rounds, method by method; they come in the same order.
@@ -168,6 +167,10 @@ RenderResult RunRenderCase(const std::vector<std::filesystem::path>& programs,
         entries.push_back(entry);
         if (entries.size() == 1)
         {
+            if (!entry.failure.empty())
+            {
+                break; // without ours there is nothing to compare
+            }
             entry.threads = "own"; // its bits, and so its errors, are the same
             entries.push_back(entry);
         }

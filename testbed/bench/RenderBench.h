@@ -97,9 +97,9 @@ std::vector<std::filesystem::path> FindRenderPrograms();
 RenderCase ParseRenderCase(const std::string& line);
 Result<std::vector<RenderCase>> ListRenderCases(const std::filesystem::path& program);
 
-/// Appends what `error` or `time` printed, a line of JSON a method. An Error when a line holds no
-/// figures, or there is none.
-Result<void> ReadRenderLines(const std::string& output, std::vector<RenderFigures>& methods);
+/// What `error` or `time` printed, a line of JSON a method. An Error when a line holds no figures,
+/// or there is none.
+Result<std::vector<RenderFigures>> ParseRenderLines(const std::string& output);
 
 /// Errors once; times `rounds` times in turn, each the median of the rounds. Ours with one raster
 /// thread and with as many as the user has.

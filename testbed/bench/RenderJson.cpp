@@ -140,8 +140,9 @@ RenderResult ResultFrom(const Json& json)
 
 } // namespace
 
-Result<void> ReadRenderLines(const std::string& output, std::vector<RenderFigures>& methods)
+Result<std::vector<RenderFigures>> ParseRenderLines(const std::string& output)
 {
+    std::vector<RenderFigures> methods;
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);)
     {
@@ -164,9 +165,11 @@ Result<void> ReadRenderLines(const std::string& output, std::vector<RenderFigure
         }
         methods.push_back(std::move(figures));
     }
-    return methods.empty()
-               ? Result<void>(Error{ErrorKind::Failed, "A benchmark program printed no figures."})
-               : Result<void>();
+    if (methods.empty())
+    {
+        return Error{ErrorKind::Failed, "A benchmark program printed no figures."};
+    }
+    return methods;
 }
 
 std::string RenderJson(const std::vector<RenderResult>& results)

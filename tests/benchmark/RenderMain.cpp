@@ -21,7 +21,7 @@ namespace
 
 using namespace boxreel;
 
-constexpr double kLeastTimed = 0.4; ///< of a work: long enough for a median [s]
+constexpr double kLeastTimed = 0.3; ///< of a work: long enough for a median [s]
 constexpr std::size_t kLeastFrames = 10;
 constexpr std::size_t kMostFrames = 400;
 
