@@ -98,16 +98,12 @@ Result<Frame> FromScratch(Painter& painter, const Shown& shown)
     return done ? Result<Frame>(painter.Picture()) : Result<Frame>(done.GetError());
 }
 
-/// Whether the picture is the same however the painter came to it.
+/// Whether the picture is the same when it is reached by the work's change alone.
 Result<bool> IsSameAsFromScratch(Painter& painter, const Work& work)
 {
     const Result<Frame> expected = FromScratch(painter, work.after);
-    if (!expected)
-    {
-        return expected.GetError();
-    }
-    Result<void> done = Draw(painter, work.before);
-    done = done ? Draw(painter, work.after) : done;
+    const Result<Frame> before = expected ? FromScratch(painter, work.before) : expected;
+    const Result<void> done = before ? Draw(painter, work.after) : Result<void>(before.GetError());
     return done ? Result<bool>(painter.Picture() == *expected) : Result<bool>(done.GetError());
 }
 
