@@ -101,13 +101,12 @@ std::vector<RenderFigures> Summary(const Entry& entry)
 
 const std::vector<RenderWork>& RenderWorks()
 {
-    static const std::vector<RenderWork> works{
-        {"full", "full", &RenderFigures::full},
-        {"together", "5 % together", &RenderFigures::together},
-        {"apart", "5 % apart", &RenderFigures::apart},
-        {"none", "unchanged", &RenderFigures::none},
-        {"empty", "empty", &RenderFigures::empty},
-        {"floor", "clear+read", &RenderFigures::floor}};
+    static const std::vector<RenderWork> works{{"full", "full", &RenderFigures::full},
+                                               {"together", "together", &RenderFigures::together},
+                                               {"apart", "apart", &RenderFigures::apart},
+                                               {"none", "unchanged", &RenderFigures::none},
+                                               {"empty", "empty", &RenderFigures::empty},
+                                               {"floor", "clear+read", &RenderFigures::floor}};
     return works;
 }
 

@@ -109,8 +109,10 @@ RenderResult RunRenderCase(const std::vector<std::filesystem::path>& programs,
 /// Those of the case, for ours with one raster thread; empty when there are none or it did not run.
 std::vector<RenderGoal> RenderGoals(const RenderResult& result);
 
-/// A row a method and clock, goals met and missed.
+/// A row a method and clock, goals met and missed, and the summary.
 std::string RenderTable(const std::vector<RenderResult>& results);
+/// A row a case: CPU times with one raster thread, and errors.
+std::string RenderSummary(const std::vector<RenderResult>& results);
 /// All figures for programs.
 std::string RenderJson(const std::vector<RenderResult>& results);
 /// What RenderJson wrote. `name` is for the error's sentence.

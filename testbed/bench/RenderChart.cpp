@@ -164,18 +164,18 @@ private:
             const auto upright = [&](double goal, const char* what) {
                 m_chart.rules.push_back(
                     {goal * 1e3, true,
-                     "goal for " + shapes + ", " + what + ": " + ChartNumber(goal * 1e3) + " ms"});
+                     "goal, " + shapes + ", " + what + ": " + ChartNumber(goal * 1e3) + " ms"});
             };
             if (info.goalFull > 0.0 && info.goalRms > 0.0)
             {
                 m_chart.rules.push_back(
                     {info.goalRms, false, "goal: " + ChartNumber(info.goalRms)});
-                upright(info.goalFull, "all changed");
+                upright(info.goalFull, "all");
                 m_chart.tintsCorner = true;
             }
             if (info.goalChanged > 0.0)
             {
-                upright(info.goalChanged, "5 % changed");
+                upright(info.goalChanged, "5 %");
             }
         }
     }

@@ -148,13 +148,27 @@ TEST(RenderBench, MarksInTheTableWhatMissesItsGoal)
     RenderResult result = Two();
     EXPECT_THAT(RenderTable({result}).substr(0, RenderTable({result}).find("Times are")),
                 Not(HasSubstr("!")));
-    EXPECT_THAT(RenderTable({result}), HasSubstr("goal met   : full redraw"));
+    EXPECT_THAT(RenderTable({result}), HasSubstr("goal met:    full redraw"));
     result.methods[0].full = Taking(0.0123);
     result.methods[0].rms = 1.5;
     EXPECT_THAT(RenderTable({result}), HasSubstr(" 12.3! "));
     EXPECT_THAT(RenderTable({result}), HasSubstr(" 1.50! "));
     EXPECT_THAT(RenderTable({result}), Not(HasSubstr("24.6!"))) << "goals are for CPU time";
-    EXPECT_THAT(RenderTable({result}), HasSubstr("goal MISSED: full redraw"));
+    EXPECT_THAT(RenderTable({result}), HasSubstr("goal MISSED: full redraw "));
+}
+
+TEST(RenderBench, SumsUpWhatOneThreadReaches)
+{
+    RenderResult result = Two(), other = Two();
+    result.methods[1].full = Taking(0.009);
+    other.info.name = "50-720p";
+    other.methods[2].failure = "failed";
+    EXPECT_THAT(RenderSummary({result, other}),
+                testing::EndsWith(
+                    "1500-720p            4.00     0.300     0.400    0.0100        1.25    0.75"
+                    "         30.0    2.50\n"
+                    "50-720p              4.00     0.300     0.400    0.0100        1.25    0.75"
+                    "            -       -\n"));
 }
 
 TEST(RenderBench, TellsWhoFailedAndWhatWasDrawnWrong)
