@@ -153,13 +153,13 @@ std::string SummaryRow(const RenderResult& result, const std::vector<std::string
 }
 
 constexpr const char* kFootnote =
-    R"(Times are medians of a frame in ms: all shapes changed; one in twenty changed, around one place
-(together) or all over the picture (apart); none; no shapes at all (empty), and the GL library told
-to clear and to hand over its pixels. A `-`: whoever draws all of it whatever has changed takes the
-time of `full`. Threads are the rasteriser's: one is LP_NUM_THREADS=0, own as the environment has it.
-RMSE: root mean square of the differences from a truth of 16 x 16 samples a pixel, over the red,
-green and blue of the pixels whose samples are not all alike, in steps of 8 bits; most: of any pixel.
-A sign (!) stands where a goal, which is for CPU time and one thread, is missed.
+    R"(Times are medians of a frame in ms: all shapes changed; one in twenty changed, around one
+place (together) or all over the picture (apart); none; no shapes at all (empty), and the GL
+library told to clear and to hand over its pixels. A `-`: whoever draws all of it whatever has
+changed takes the time of `full`. Threads are the rasteriser's: one is LP_NUM_THREADS=0, own as
+the environment has it. RMSE: root mean square of the differences from a truth of 16 x 16 samples
+a pixel, over the red, green and blue of the pixels whose samples are not all alike, in steps of
+8 bits; most: of any pixel. A sign (!) stands where a goal, for CPU time and one thread, is missed.
 )";
 
 } // namespace
