@@ -22,13 +22,6 @@ std::filesystem::path FolderOfThisProgram()
     return failure ? std::filesystem::path() : self.parent_path();
 }
 
-double Median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 /// How far our contacts, heights and speeds may lie outside those of the peers: scenes are chaotic,
 /// and engines keep different gaps. Over runs whose bodies begin up to 1 mm elsewhere the standard
 /// deviation of the mean height during the second half is 1 to 1.4 % in the tumbler, 0.7 to 1 %
@@ -151,11 +144,11 @@ BenchFigures RunOnce(const std::filesystem::path& program, const std::string& sc
 
 } // namespace
 
-std::vector<std::filesystem::path> FindBenchPrograms()
+std::vector<std::filesystem::path> FindPrograms(const std::vector<std::string>& names)
 {
     const std::filesystem::path folder = FolderOfThisProgram() / "tests" / "benchmark";
     std::vector<std::filesystem::path> programs;
-    for (const char* name : {"boxreel_bench", "boxreel_bench_box2d", "boxreel_bench_chipmunk"})
+    for (const std::string& name : names)
     {
         const std::filesystem::path program = folder / name;
         if (access(program.c_str(), X_OK) == 0)
@@ -168,6 +161,11 @@ std::vector<std::filesystem::path> FindBenchPrograms()
         }
     }
     return programs;
+}
+
+std::vector<std::filesystem::path> FindBenchPrograms()
+{
+    return FindPrograms({"boxreel_bench", "boxreel_bench_box2d", "boxreel_bench_chipmunk"});
 }
 
 Result<std::vector<BenchScene>> ListBenchScenes(const std::filesystem::path& program)
@@ -209,6 +207,13 @@ BenchScene ParseBenchScene(const std::string& line)
         scene.comparesSpeeds = scene.comparesSpeeds || word == "like=speeds";
     }
     return scene;
+}
+
+double Median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 BenchFigures MedianOf(const std::vector<BenchFigures>& rounds)

@@ -69,6 +69,8 @@ struct BenchPlan
 
 /// The programs found beside this one, ours first; empty when the benchmark was not built.
 std::vector<std::filesystem::path> FindBenchPrograms();
+/// Those of these names that are there; none without the first.
+std::vector<std::filesystem::path> FindPrograms(const std::vector<std::string>& names);
 
 Result<std::vector<BenchScene>> ListBenchScenes(const std::filesystem::path& program);
 
@@ -82,6 +84,8 @@ BenchScene ParseBenchScene(const std::string& line);
 /// One engine's line of JSON as figures.
 Result<BenchFigures> ParseFigures(const std::string& output);
 
+/// The middle one, or the mean of the middle two; `values` is not empty.
+double Median(std::vector<double> values);
 /// The median of each number.
 BenchFigures MedianOf(const std::vector<BenchFigures>& rounds);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Nearest.h"
+#include "OutputPath.h"
 #include "Terminal.h"
 
 #include <bench/Benchmark.h>
@@ -15,15 +16,15 @@
 #include <string>
 #include <vector>
 
-/// What the two ways to run the benchmark, by time and by error, have in common: programs, lists
-/// and choices by name, and chart files. Entries have a `name` and a `what`.
+/// What the ways to run the benchmark, engines by time and by error and drawing, have in common:
+/// programs, lists and choices by name, and chart files. Entries have a `name` and a `what`.
 namespace boxreel
 {
 
-/// Ours first; an error when it is not there.
-inline Result<std::vector<std::filesystem::path>> BenchPrograms()
+/// What was found, ours first; an error when nothing was.
+inline Result<std::vector<std::filesystem::path>>
+PresentPrograms(std::vector<std::filesystem::path> programs)
 {
-    std::vector<std::filesystem::path> programs = FindBenchPrograms();
     if (programs.empty())
     {
         return Error{ErrorKind::Absent, "The benchmark programs are not beside this program; run "
@@ -93,6 +94,37 @@ inline Result<std::string> ReadFigures(const std::filesystem::path& path, const 
                      "Cannot read '" + path.string() + "'; name a file that `" + maker + "` made."};
     }
     return text.str();
+}
+
+/// The file of one chart of several: error.svg becomes error-A-projectile.svg.
+inline std::filesystem::path ChartPathFor(const std::filesystem::path& chart,
+                                          const std::string& name)
+{
+    std::filesystem::path path = chart;
+    path.replace_filename(chart.stem().string() + "-" + name + chart.extension().string());
+    return path;
+}
+
+/// Before minutes of work: whether each of these charts can be drawn and written.
+inline Result<void> CheckCharts(const std::vector<std::filesystem::path>& charts,
+                                const std::vector<std::string>& names, bool force)
+{
+    if (const Result<void> once = CheckNoneTwice(charts, "--chart"); !once)
+    {
+        return once;
+    }
+    for (const std::filesystem::path& chart : charts)
+    {
+        for (const std::string& name : names)
+        {
+            const Result<void> usable = CheckChartPath(ChartPathFor(chart, name), force);
+            if (!usable)
+            {
+                return usable;
+            }
+        }
+    }
+    return charts.empty() ? Result<void>() : PrepareCharts();
 }
 
 /// PNG or SVG, as the file's name says.

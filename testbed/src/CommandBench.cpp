@@ -113,6 +113,10 @@ Result<int> RunBench(const BenchOptions& options)
     {
         return RunBenchAccuracy(options);
     }
+    if (options.render)
+    {
+        return RunBenchRender(options);
+    }
     if (const Result<void> usable = CheckCharts(options); !usable)
     {
         return usable.GetError();
@@ -125,7 +129,8 @@ Result<int> RunBench(const BenchOptions& options)
                  : Result<std::vector<BenchResult>>(text.GetError());
         return results ? Show(options, *results) : Result<int>(results.GetError());
     }
-    const Result<std::vector<std::filesystem::path>> programs = BenchPrograms();
+    const Result<std::vector<std::filesystem::path>> programs =
+        PresentPrograms(FindBenchPrograms());
     if (!programs)
     {
         return programs.GetError();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "BenchChoice.h"
 #include "Commands.h"
-#include "OutputPath.h"
 
 #include <bench/AccuracySweep.h>
 
@@ -12,33 +11,14 @@ namespace boxreel
 namespace
 {
 
-/// error.svg becomes error-A-projectile.svg.
-std::filesystem::path PathFor(const std::filesystem::path& chart, const AccuracyCase& info)
+std::vector<std::string> NamesOf(const std::vector<AccuracyCase>& cases)
 {
-    std::filesystem::path path = chart;
-    path.replace_filename(chart.stem().string() + "-" + info.name + chart.extension().string());
-    return path;
-}
-
-/// Before minutes of work: whether each chart can be drawn and written.
-Result<void> CheckCharts(const BenchOptions& options, const std::vector<AccuracyCase>& cases)
-{
-    if (const Result<void> once = CheckNoneTwice(options.charts, "--chart"); !once)
+    std::vector<std::string> names;
+    for (const AccuracyCase& info : cases)
     {
-        return once;
+        names.push_back(info.name);
     }
-    for (const std::filesystem::path& chart : options.charts)
-    {
-        for (const AccuracyCase& info : cases)
-        {
-            const Result<void> usable = CheckChartPath(PathFor(chart, info), options.force);
-            if (!usable)
-            {
-                return usable;
-            }
-        }
-    }
-    return options.charts.empty() ? Result<void>() : PrepareCharts();
+    return names;
 }
 
 Result<void> WriteCharts(const BenchOptions& options, const AccuracyResult& result)
@@ -56,7 +36,7 @@ Result<void> WriteCharts(const BenchOptions& options, const AccuracyResult& resu
     for (const std::filesystem::path& file : options.charts)
     {
         const Result<void> written =
-            WriteChart(Chart(*chart), PathFor(file, result.info), options.force);
+            WriteChart(Chart(*chart), ChartPathFor(file, result.info.name), options.force);
         if (!written)
         {
             return written;
@@ -150,7 +130,8 @@ Result<int> ShowEarlier(const BenchOptions& options)
     {
         return cases.GetError();
     }
-    if (const Result<void> usable = CheckCharts(options, *cases); !usable)
+    if (const Result<void> usable = CheckCharts(options.charts, NamesOf(*cases), options.force);
+        !usable)
     {
         return usable.GetError();
     }
@@ -176,7 +157,8 @@ Result<int> RunBenchAccuracy(const BenchOptions& options)
     {
         return ShowEarlier(options);
     }
-    const Result<std::vector<std::filesystem::path>> programs = BenchPrograms();
+    const Result<std::vector<std::filesystem::path>> programs =
+        PresentPrograms(FindBenchPrograms());
     if (!programs)
     {
         return programs.GetError();
@@ -196,7 +178,8 @@ Result<int> RunBenchAccuracy(const BenchOptions& options)
     {
         return cases.GetError();
     }
-    if (const Result<void> usable = CheckCharts(options, *cases); !usable)
+    if (const Result<void> usable = CheckCharts(options.charts, NamesOf(*cases), options.force);
+        !usable)
     {
         return usable.GetError();
     }

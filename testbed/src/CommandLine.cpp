@@ -270,6 +270,13 @@ Result<Request> CheckDiff(DiffOptions options)
 
 Result<Request> CheckBench(BenchOptions options)
 {
+    if (options.render &&
+        (options.curve || options.accuracy || options.threads != BenchOptions().threads))
+    {
+        return Unusable("--render goes with --list, --rounds, --json, --from, --chart and --force; "
+                        "leave --accuracy, --curve and --threads out (Mesa's threads are set by "
+                        "LP_NUM_THREADS).");
+    }
     if (options.accuracy && (options.curve || options.rounds != BenchOptions().rounds ||
                              options.threads != BenchOptions().threads))
     {
@@ -281,7 +288,7 @@ Result<Request> CheckBench(BenchOptions options)
         return Unusable("--curve names its scenes itself; leave '" + options.scenes.front() +
                         "' out, or --curve.");
     }
-    if (!options.from.empty() && !options.scenes.empty() && !options.accuracy)
+    if (!options.from.empty() && !options.scenes.empty() && !options.accuracy && !options.render)
     {
         return Unusable("--from shows all that was run before; leave '" + options.scenes.front() +
                         "' out, or --from.");

@@ -47,7 +47,7 @@ struct ShotOptions
     std::optional<Duration> at;       ///< simulated time …
     std::optional<std::int64_t> step; ///< … or number of steps
     Backend backend = Backend::Auto;
-    bool bothThemes = false;          ///< a light and a dark picture instead of the look's theme
+    bool bothThemes = false; ///< a light and a dark picture instead of the look's theme
     bool force = false;
 };
 
@@ -76,6 +76,7 @@ struct BenchOptions
     std::vector<std::string> scenes; ///< empty: all that are not only for the curve
     bool curve = false;              ///< the scenes of the curve, and its chart
     bool accuracy = false;           ///< cases of accuracy instead of scenes, a chart for each
+    bool render = false;             ///< pictures to draw instead of scenes, a chart for each size
     int rounds = 3;
     std::vector<int> threads{1};               ///< of our engine
     bool json = false;                         ///< figures for programs instead of a table
@@ -92,5 +93,7 @@ Result<int> RunGolden(const GoldenOptions& options);
 Result<int> RunBench(const BenchOptions& options);
 /// What RunBench does when accuracy is asked for.
 Result<int> RunBenchAccuracy(const BenchOptions& options);
+/// What RunBench does when drawing is asked for.
+Result<int> RunBenchRender(const BenchOptions& options);
 
 } // namespace boxreel

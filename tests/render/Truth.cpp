@@ -57,9 +57,18 @@ Place WithinBand(double distance, double half, Part inside)
             std::min(std::abs(distance - half), std::abs(distance + half))};
 }
 
-/// Inside the edges moved out by half a width (sharp corners cut at two half widths), and in by as
-/// much.
-Place OfPolygon(P p, const std::vector<P>& corners, double half)
+struct Shape
+{
+    DrawItem item;
+    std::vector<P> points;  // [px]
+    std::vector<P> normals; // of a polygon's edges, outward; edge i begins in corner i
+    double radius = 0.0;    // [px]
+    double half = 0.0;      // half the outline's width [px]
+    P low{}, high{};        // nothing is drawn outside [px]
+};
+
+/// Outward unit normals, whichever way round the corners go.
+std::vector<P> NormalsOf(const std::vector<P>& corners)
 {
     double area = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -69,22 +78,32 @@ Place OfPolygon(P p, const std::vector<P>& corners, double half)
         area += a.x * b.y - a.y * b.x;
     }
     const double sign = area > 0.0 ? 1.0 : -1.0;
-    double most = -1e300;
     std::vector<P> normals;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
         const P e = corners[(i + 1) % corners.size()] - corners[i];
         normals.push_back({sign * e.y / Norm(e), -sign * e.x / Norm(e)});
-        most = std::max(most, Dot(normals[i], p - corners[i]));
     }
-    Place place = WithinBand(most, half, Part::Fill);
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    return normals;
+}
+
+/// Inside the edges moved out by half a width (sharp corners cut at two half widths), and in by as
+/// much.
+Place OfPolygon(P p, const Shape& s)
+{
+    double most = -1e300;
+    for (std::size_t i = 0; i < s.points.size(); ++i)
     {
-        const P before = normals[(i + corners.size() - 1) % corners.size()];
-        const P sum{before.x + normals[i].x, before.y + normals[i].y};
+        most = std::max(most, Dot(s.normals[i], p - s.points[i]));
+    }
+    Place place = WithinBand(most, s.half, Part::Fill);
+    for (std::size_t i = 0; i < s.points.size(); ++i)
+    {
+        const P before = s.normals[(i + s.points.size() - 1) % s.points.size()];
+        const P sum{before.x + s.normals[i].x, before.y + s.normals[i].y};
         if (Norm(sum) < 1.0)
         {
-            const double beyond = Dot(sum, p - corners[i]) / Norm(sum) - 2.0 * half;
+            const double beyond = Dot(sum, p - s.points[i]) / Norm(sum) - 2.0 * s.half;
             place.part = beyond > 0.0 ? Part::Outside : place.part;
             place.margin = std::min(place.margin, std::abs(beyond));
         }
@@ -92,21 +111,12 @@ Place OfPolygon(P p, const std::vector<P>& corners, double half)
     return place;
 }
 
-struct Shape
-{
-    DrawItem item;
-    std::vector<P> points; // [px]
-    double radius = 0.0;   // [px]
-    double half = 0.0;     // half the outline's width [px]
-    P low{}, high{};       // nothing is drawn outside [px]
-};
-
 Place At(P p, const Shape& s)
 {
     switch (s.item.kind)
     {
     case DrawKind::SolidPolygon:
-        return OfPolygon(p, s.points, s.half);
+        return OfPolygon(p, s);
     case DrawKind::Segment:
         return WithinBand(ToSegment(p, s.points[0], s.points[1]), s.half, Part::Stroke);
     case DrawKind::Point:
@@ -140,6 +150,10 @@ Shape Prepare(const DrawList& list, const DrawItem& item, const Camera& camera, 
     {
         const Vec2 axis = list.points[item.first + 1];
         s.points[1] = {s.points[0].x + s.radius * axis.x, s.points[0].y - s.radius * axis.y};
+    }
+    if (item.kind == DrawKind::SolidPolygon)
+    {
+        s.normals = NormalsOf(s.points);
     }
     s.low = s.high = s.points[0];
     const bool round = item.kind != DrawKind::Polygon && item.kind != DrawKind::SolidPolygon &&
@@ -185,6 +199,48 @@ Rgba ColorAt(P p, const std::vector<const Shape*>& shapes, const Theme& theme)
     return color;
 }
 
+/// The shapes that may touch each square of kTile pixels, in painter's order: a pixel looks at
+/// those of its square only, else ten thousand shapes would take hours.
+class Tiles
+{
+public:
+    Tiles(const std::vector<Shape>& shapes, int width, int height)
+        : m_columns((width + kTile - 1) / kTile), m_rows((height + kTile - 1) / kTile),
+          m_shapes(std::size_t(m_columns) * std::size_t(m_rows))
+    {
+        for (const Shape& s : shapes)
+        {
+            const int right = Clamped(s.high.x, m_columns), bottom = Clamped(s.high.y, m_rows);
+            for (int row = Clamped(s.low.y, m_rows); row <= bottom; ++row)
+            {
+                for (int column = Clamped(s.low.x, m_columns); column <= right; ++column)
+                {
+                    m_shapes[Index(column, row)].push_back(&s);
+                }
+            }
+        }
+    }
+    const std::vector<const Shape*>& Around(int x, int y) const
+    {
+        return m_shapes[Index(x / kTile, y / kTile)];
+    }
+
+private:
+    static constexpr int kTile = 16; // px
+
+    static int Clamped(double place, int count)
+    {
+        return int(std::clamp(std::floor(place / kTile), 0.0, double(count - 1)));
+    }
+    std::size_t Index(int column, int row) const
+    {
+        return std::size_t(row) * std::size_t(m_columns) + std::size_t(column);
+    }
+
+    int m_columns, m_rows;
+    std::vector<std::vector<const Shape*>> m_shapes;
+};
+
 } // namespace
 
 TruthPicture Supersample(const DrawList& list, const Camera& camera, const Theme& theme, int grid)
@@ -198,19 +254,22 @@ TruthPicture Supersample(const DrawList& list, const Camera& camera, const Theme
     {
         shapes.push_back(Prepare(list, item, camera, theme));
     }
+    const Tiles tiles(shapes, camera.width, camera.height);
+    std::vector<const Shape*> near;
     for (std::size_t i = 0; i < size; ++i)
     {
-        const P corner{double(int(i) % camera.width), double(int(i) / camera.width)};
+        const int x = int(i) % camera.width, y = int(i) / camera.width;
+        const P corner{double(x), double(y)};
         const P middle{corner.x + 0.5, corner.y + 0.5};
-        std::vector<const Shape*> near;
+        near.clear();
         double margin = 1.0;
-        for (const Shape& s : shapes)
+        for (const Shape* s : tiles.Around(x, y))
         {
-            if (middle.x > s.low.x && middle.x < s.high.x && middle.y > s.low.y &&
-                middle.y < s.high.y)
+            if (middle.x > s->low.x && middle.x < s->high.x && middle.y > s->low.y &&
+                middle.y < s->high.y)
             {
-                near.push_back(&s);
-                margin = std::min(margin, At(middle, s).margin);
+                near.push_back(s);
+                margin = std::min(margin, At(middle, *s).margin);
             }
         }
         const int steps = margin > 0.7072 ? 1 : grid; // one point says it all

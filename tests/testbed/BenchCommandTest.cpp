@@ -155,6 +155,45 @@ TEST_F(BenchCommand, RefusesWhatDoesNotGoWithAccuracy)
     EXPECT_THAT(Run({"--accuracy", "--list"}).output, HasSubstr("K-far"));
 }
 
+TEST_F(BenchCommand, DrawsACaseWithAllRenderersAndChartsItsSize)
+{
+    const Outcome outcome =
+        Run({"--render", "50-720p", "--rounds", "1", "--json", "--chart", "r.svg"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("\"case\": \"50-720p\""));
+    EXPECT_THAT(outcome.output,
+                ContainsRegex("\"method\": \"boxreel [^\"]*\",[[:space:]]*\"ours\": true,"
+                              "[[:space:]]*\"rasterThreads\": \"0\""));
+    EXPECT_THAT(outcome.output, HasSubstr("\"rasterThreads\": \"own\""));
+    EXPECT_THAT(outcome.output, HasSubstr("\"floor\""));
+    EXPECT_THAT(folder.Files(), ElementsAre("r-720p.svg", "run.json"));
+    std::ofstream(folder / "again.json") << outcome.output;
+    const Outcome again = Run({"--render", "--from", "again.json", "--json", "--chart", "s.svg"});
+    EXPECT_EQ(again.output, outcome.output) << again.errors;
+    EXPECT_EQ(ReadFile(folder / "s-720p.svg"), ReadFile(folder / "r-720p.svg"));
+    EXPECT_THAT(Run({"--render", "50-720p", "--from", "again.json"}).output,
+                HasSubstr("clear+read"));
+    ExpectRefusal({"--render", "1500-720p", "--from", "again.json"}, "'1500-720p'");
+    ExpectRefusal({"--accuracy", "--from", "again.json"}, "--accuracy --json` prints");
+}
+
+TEST_F(BenchCommand, RefusesWhatDoesNotGoWithDrawing)
+{
+    std::ofstream(folder / "r-720p.svg") << "old";
+    ExpectRefusal({"--render", "50-72p"}, "Did you mean '50-720p'?");
+    ExpectRefusal({"--render", "50-720p", "50-720p"}, "named twice");
+    ExpectRefusal({"--render", "--curve"}, "--render goes with");
+    ExpectRefusal({"--render", "--threads", "2"}, "--render goes with");
+    ExpectRefusal({"--render", "50-720p", "--chart", "r.svg"}, "'r-720p.svg' exists");
+    ExpectRefusal({"--render", "--chart", "a.svg", "--chart", "a.svg"}, "'a.svg' twice");
+    ExpectRefusal({"--render", "--chart", "a.jpg"}, "does not end in .png or .svg");
+    ExpectRefusal({"--render", "--from", "run.json"},
+                  "is not what `boxreel bench --render --json` prints");
+    ExpectRefusal({"--render", "--from", "absent.json"}, "Cannot read 'absent.json'");
+    ExpectRefusal({"--render", "--from", "run.json", "--rounds", "2"}, "leave --rounds");
+    EXPECT_THAT(Run({"--render", "--list"}).output, HasSubstr("10000-1080p"));
+}
+
 TEST_F(BenchCommand, ListsAllScenes)
 {
     const Outcome outcome = Run({"--list"});

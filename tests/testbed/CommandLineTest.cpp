@@ -318,6 +318,10 @@ TEST(CommandLine, BenchTakesSeveralChartsAndThreadCountsAndLeavesScenesToThemsel
     EXPECT_THAT(Refusal("bench --from a.json --rounds 5"), HasSubstr("leave --rounds"));
     EXPECT_THAT(Refusal("bench --from a.json --threads 2"), HasSubstr("--threads out"));
     EXPECT_THAT(Refusal("bench --chart"), HasSubstr("--chart needs a value"));
+    EXPECT_TRUE(Parsed<BenchOptions>("bench --render 50-720p --rounds 2").render);
+    EXPECT_THAT(Refusal("bench --render --curve"), HasSubstr("--render goes with"));
+    EXPECT_THAT(Refusal("bench --render --accuracy"), HasSubstr("--render goes with"));
+    EXPECT_THAT(Refusal("bench --render --threads 2"), HasSubstr("LP_NUM_THREADS"));
 }
 
 TEST(CommandLine, APanelThatWouldBeCutOffIsRefused)

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Camera.h>
+#include <debugdraw/DrawList.h>
+#include <debugdraw/Result.h>
+#include <render/Frame.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// What the benchmark of drawing asks of a renderer. Each program has one source that implements it
+/// (Painter*.cpp) and the rest in common, as with the engines (Sim.h).
+namespace bench
+{
+
+class Painter
+{
+public:
+    virtual ~Painter() = default;
+
+    /// Begins a picture in the classic theme.
+    virtual boxreel::Result<void> Submit(const boxreel::DrawList& list,
+                                         const boxreel::Camera& camera) = 0;
+    /// Ends it: its pixels lie in memory, in whichever order of bytes suits the painter.
+    virtual boxreel::Result<void> Read() = 0;
+
+    /// The last picture that was read; not timed.
+    virtual boxreel::Frame Picture() const = 0;
+
+    /// Which library draws, for people.
+    virtual std::string Description() const = 0;
+};
+
+using MakePainter = std::function<boxreel::Result<std::unique_ptr<Painter>>(int width, int height)>;
+
+struct Method
+{
+    std::string name; ///< with its version
+    MakePainter make;
+    MakePainter makeFloor;             ///< only clears and reads; empty: not measured
+    bool drawsOnlyWhatChanged = false; ///< else one time holds for all changes
+};
+
+/// Those of this program.
+const std::vector<Method>& Methods();
+
+} // namespace bench
