@@ -91,7 +91,10 @@ TEST(CommandLine, RecordReadsEveryOption)
     EXPECT_EQ(options.look.velocityIterations, 10);
     EXPECT_EQ(options.look.positionIterations, 4);
     EXPECT_EQ(options.look.view, ViewChoice(FixedView{-5.0, 2.5, 20.0}));
-    EXPECT_EQ(options.look.drawFlags, std::uint32_t(b2Draw::e_shapeBit | b2Draw::e_aabbBit));
+    SceneLayers layers;
+    layers.joints = false;
+    layers.aabbs = true;
+    EXPECT_EQ(options.look.layers, layers);
     EXPECT_TRUE(options.look.labels);
     EXPECT_TRUE(options.look.hud);
 }
