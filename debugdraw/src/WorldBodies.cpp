@@ -37,16 +37,33 @@ Vec2 CenterOf(const b2Body& body)
     return {body.GetWorldCenter().x, body.GetWorldCenter().y};
 }
 
+bool BeginsLetter(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+}
+
 std::size_t LetterCount(const std::string& text)
 {
-    const auto beginsLetter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    return std::size_t(std::count_if(text.begin(), text.end(), beginsLetter));
+    return std::size_t(std::count_if(text.begin(), text.end(), BeginsLetter));
+}
+
+/// At most so many bytes, cut between letters: a file may have names of any length.
+std::string Shortened(const std::string& name)
+{
+    constexpr std::size_t kMost = 60;
+    std::size_t length = std::min(name.size(), kMost);
+    while (length < name.size() && length > 0 && !BeginsLetter(name[length]))
+    {
+        --length;
+    }
+    return length < name.size() ? name.substr(0, length) + "..." : name;
 }
 
 std::string NameOf(const BodyNames& names, std::uint32_t number)
 {
     const auto named = names.find(number);
-    return named != names.end() && !named->second.empty() ? named->second : std::to_string(number);
+    return named != names.end() && !named->second.empty() ? Shortened(named->second)
+                                                          : std::to_string(number);
 }
 
 } // namespace

@@ -116,8 +116,8 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
         ->group("Picture");
     AddValue(command, "--force-scale", "M", look.arrows.metersPerNewton,
              NumberBetween(1e-12, 1e12, "give metres a newton above zero, such as 0.01"),
-             "Metres a newton, of impulses, friction, forces; an impulse is the\n"
-             "mean force of a step (an eighth of a body's size: its weight)")
+             "Metres a newton, of forces, friction and impulses, each a mean of a\n"
+             "step (the mean weight: an eighth of the mean size)")
         ->group("Picture");
     command.add_flag("--labels", look.labels, "The number of each body")->group("Picture");
     command.add_flag("--hud", look.hud, "A panel with time, step, bodies, contacts")

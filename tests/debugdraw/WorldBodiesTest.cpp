@@ -57,6 +57,17 @@ TEST_F(WorldBodies, ANameTakesTheNumbersPlaceInTheMiddle)
         << "five letters, whatever their bytes";
 }
 
+TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
+{
+    std::string name = "x";
+    for (int i = 0; i < 400; ++i)
+    {
+        name += "\u00fc";
+    }
+    AddBodyNames(scene.world, ViewOfEverything(camera), {{0, name}}, list);
+    EXPECT_EQ(list.texts[0], name.substr(0, 59) + "...");
+}
+
 TEST_F(WorldBodies, NamesAndMarksOutsideOfThePictureAreLeftOut)
 {
     AddBodyNames(scene.world, ViewOf(camera, 2.0), {}, list);

@@ -20,7 +20,7 @@ public:
             AddBody();
         }
         AddJoints();
-        const int steps = Below(3) * 20;
+        steps = Below(3) * 20;
         for (int i = 0; i < steps; ++i)
         {
             world.Step(1.0f / 60.0f, 8, 3);
@@ -42,6 +42,7 @@ private:
 
 public:
     b2World world;
+    int steps = 0; ///< simulated so far
 
 private:
     void AddFixture(b2Body& body)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "SceneLayers.h"
 
+#include "SceneSession.h"
+
 #include "../engine/MixedWorld.h"
 
 #include <render/Figure.h>
@@ -73,6 +75,32 @@ TEST(SceneLayers, ThatAreOffCollectNothing)
             EXPECT_EQ(int(list.items.size()), items[list.items.front().layer]) << name;
         }
     }
+}
+
+/// A still says which contacts are new just as the film does that comes to the same step.
+TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
+{
+    SceneLook look;
+    look.layers = Layers("contacts");
+    const auto open = [&look] { return *SceneSession::Open(*OpenScene("pyramid"), look); };
+    SceneSession film = open();
+    bool hasNew = false;
+    for (int step = 0; step <= 30; ++step)
+    {
+        FrameContent frame;
+        film.AdvanceTo(step);
+        film.Fill(frame);
+        SceneSession shot = open();
+        FrameContent still;
+        shot.AdvanceTo(step);
+        shot.Fill(still);
+        ASSERT_EQ(frame.list, still.list) << step;
+        for (const DrawItem& item : frame.list.items)
+        {
+            hasNew |= item.color == kClassicPalette[std::size_t(ColorRole::NewContact)];
+        }
+    }
+    EXPECT_TRUE(hasNew);
 }
 
 /// Whatever is seen: the pixels, the items that are drawn, the figure are those of the whole list.
