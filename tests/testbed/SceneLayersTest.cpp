@@ -85,6 +85,7 @@ TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
     const auto open = [&look] { return *SceneSession::Open(*OpenScene("pyramid"), look); };
     SceneSession film = open();
     bool hasNew = false;
+    bool hasOld = false;
     for (int step = 0; step <= 30; ++step)
     {
         FrameContent frame;
@@ -98,9 +99,10 @@ TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
         for (const DrawItem& item : frame.list.items)
         {
             hasNew |= item.color == kClassicPalette[std::size_t(ColorRole::NewContact)];
+            hasOld |= item.color == kClassicPalette[std::size_t(ColorRole::OldContact)];
         }
     }
-    EXPECT_TRUE(hasNew);
+    EXPECT_TRUE(hasNew && hasOld);
 }
 
 /// Whatever is seen: the pixels, the items that are drawn, the figure are those of the whole list.
