@@ -47,6 +47,19 @@ DrawLayer LayerFrom(uint32 flag)
 
 } // namespace
 
+// Axes reach farther than their origin; everything is given as much room.
+void DrawCollector::LookAt(const View& view)
+{
+    if (!view.area)
+    {
+        ClearView();
+        return;
+    }
+    const b2Vec2 reach(2.0f * kAxisLength, 2.0f * kAxisLength);
+    SetView(b2Vec2(view.area->lower.x, view.area->lower.y) - reach,
+            b2Vec2(view.area->upper.x, view.area->upper.y) + reach);
+}
+
 const Vec2* DrawCollector::Convert(const b2Vec2* vertices, int32 vertexCount)
 {
     m_points.clear();

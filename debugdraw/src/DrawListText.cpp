@@ -176,6 +176,18 @@ const char* LayerName(DrawLayer layer)
         return "contacts";
     case DrawLayer::Labels:
         return "labels";
+    case DrawLayer::ContactNormals:
+        return "normals";
+    case DrawLayer::ContactImpulses:
+        return "impulses";
+    case DrawLayer::ContactFriction:
+        return "friction";
+    case DrawLayer::Velocities:
+        return "velocities";
+    case DrawLayer::JointForces:
+        return "forces";
+    case DrawLayer::JointGlyphs:
+        return "glyphs";
     }
     return "unknown-layer";
 }

@@ -24,11 +24,24 @@ public:
         m_steps.velocityIterations = content.velocityIterations;
         m_steps.positionIterations = content.positionIterations;
         BuildRubeScene(content, m_world, leftOut);
+        NameBodies(content);
     }
 
     StepSettings PreferredSteps() const override { return m_steps; }
 
 private:
+    // The builder makes one body of each, in this order.
+    void NameBodies(const RubeScene& content)
+    {
+        for (std::size_t i = 0; i < content.bodies.size(); ++i)
+        {
+            if (!content.bodies[i].name.empty())
+            {
+                m_names.emplace(static_cast<std::uint32_t>(i), content.bodies[i].name);
+            }
+        }
+    }
+
     StepSettings m_steps;
 };
 

@@ -3,8 +3,10 @@
 
 #include <Box2D/Box2D.h>
 
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 
 /// What a scene is: a world it fills in its constructor and may steer around each step. Scenes use
 /// the engine only; whoever shows them (film, window, test) is none of their business.
@@ -40,6 +42,10 @@ public:
     /// own.
     virtual StepSettings PreferredSteps() const { return {}; }
 
+    /// What it calls its bodies, by their number in the order of creation; those it leaves out have
+    /// no name.
+    const std::map<std::uint32_t, std::string>& Names() const { return m_names; }
+
     /// One step of the world; a scene that steers overrides it and calls this one.
     virtual void Step(const StepSettings& settings)
     {
@@ -49,6 +55,7 @@ public:
 protected:
     SceneSettings m_settings;
     b2World m_world;
+    std::map<std::uint32_t, std::string> m_names;
 };
 
 /// One line of the table of scenes.

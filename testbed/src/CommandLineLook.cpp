@@ -13,30 +13,15 @@ Error Refusal(const std::string& option, const std::string& text, const std::str
     return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
 }
 
-Result<std::uint32_t> ParseDraw(const std::string& option, const std::string& text)
+/// Above 0; a number that is a length in the picture.
+auto NumberBetween(double lowest, double highest, const char* remedy)
 {
-    static const std::pair<const char*, std::uint32_t> kLayers[] = {
-        {"shapes", b2Draw::e_shapeBit},         {"joints", b2Draw::e_jointBit},
-        {"aabbs", b2Draw::e_aabbBit},           {"pairs", b2Draw::e_pairBit},
-        {"centers", b2Draw::e_centerOfMassBit},
+    return [=](const std::string& option, const std::string& text) -> Result<double> {
+        const Result<double> number = ParseNumber(option, text);
+        return number && *number >= lowest && *number <= highest
+                   ? number
+                   : Result<double>(Refusal(option, text, remedy));
     };
-    std::uint32_t flags = 0;
-    for (const std::string& part : SplitAt(',', text))
-    {
-        std::uint32_t flag = 0;
-        for (const auto& [name, bit] : kLayers)
-        {
-            flag |= part == name ? bit : 0u;
-        }
-        if (flag == 0)
-        {
-            return Refusal(
-                option, part,
-                "give any of shapes,joints,aabbs,pairs,centers, with commas between them");
-        }
-        flags |= flag;
-    }
-    return flags;
 }
 
 /// "classic, okabe-ito, …".
@@ -121,8 +106,18 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "the middle; X,Y,HEIGHT in metres: fixed; from key to key:\n"
              "\"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
         ->group("Picture");
-    AddValue(command, "--draw", "LAYERS", look.drawFlags, ParseDraw,
-             "shapes,joints,aabbs,pairs,centers (shapes,joints)")
+    AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
+             "Any of shapes,joints,aabbs,pairs,centers,masses,contacts,normals,\n"
+             "impulses,friction,velocities,forces,names,glyphs (shapes,joints)")
+        ->group("Picture");
+    AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
+             NumberBetween(1e-6, 1e6, "give seconds above zero, such as 0.2"),
+             "Seconds: a velocity's arrow is the way of so long a time (0.2)")
+        ->group("Picture");
+    AddValue(command, "--force-scale", "M", look.arrows.metersPerNewton,
+             NumberBetween(1e-12, 1e12, "give metres a newton above zero, such as 0.01"),
+             "Metres a newton, of forces, friction and impulses, each a mean of a\n"
+             "step (the mean weight: an eighth of the mean size)")
         ->group("Picture");
     command.add_flag("--labels", look.labels, "The number of each body")->group("Picture");
     command.add_flag("--hud", look.hud, "A panel with time, step, bodies, contacts")

@@ -86,11 +86,12 @@ Result<void> WritePixels(const Picture& picture, Renderer& renderer, const Frame
 }
 
 Result<void> WriteFigure(const ShotOptions& options, const Picture& picture,
-                         const FrameContent& content, const std::string& title)
+                         const FrameContent& content, const SceneSession& session)
 {
     Figure figure = FigureOf(content.list, content.camera, picture.theme);
     figure.scale = options.look.scale;
-    figure.title = title;
+    figure.title = session.Title();
+    figure.panels.front().bodyNames = session.Names();
     const FigureFileSettings settings{.overwrite = options.force};
     return PictureFormatOf(picture.path) == PictureFormat::Svg
                ? WriteSvg(picture.path, figure, settings)
@@ -119,7 +120,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
     for (std::size_t i = 0; i < pictures.size(); ++i)
     {
         const Result<void> written =
-            renderers->empty() ? WriteFigure(options, pictures[i], content, session->Title())
+            renderers->empty() ? WriteFigure(options, pictures[i], content, *session)
                                : WritePixels(pictures[i], (*renderers)[i], content, options.force);
         if (!written)
         {

@@ -82,6 +82,7 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
     SceneLook look;
     look.width = kGoldenWidth;
     look.height = kGoldenHeight;
+    look.collectEverything = true;
     SceneSource source;
     source.entry = selection.scene;
     source.title = selection.scene->name;

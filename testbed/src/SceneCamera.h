@@ -19,8 +19,7 @@ public:
     static Result<SceneCamera> Create(const ViewChoice& choice, b2World& world, int width,
                                       int height);
 
-    /// Once after every step of `dt` seconds; `time`: simulated since the start [s]. The world's
-    /// debug drawing is borrowed for it where bodies are named, and none is registered afterwards.
+    /// Once after every step of `dt` seconds; `time`: simulated since the start [s].
     void Update(b2World& world, double time, double dt);
 
     const Camera& View() const { return m_view; }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "SceneSession.h"
 
-#include "SceneLabels.h"
-
-#include <debugdraw/DrawCollector.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -46,14 +42,23 @@ Rational RateOf(float32 timeStep)
     return Rational{thousandths / common, 1000 / common};
 }
 
+/// Numbers are names of bodies that have none; who asks for both gets names.
+SceneLayers LayersOf(const SceneLook& look)
+{
+    SceneLayers layers = look.layers;
+    layers.names = layers.names || look.labels;
+    return layers;
+}
+
 } // namespace
 
 SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
                            const SceneCamera& camera)
-    : m_scene(std::move(scene)), m_title(std::move(title)), m_look(look), m_camera(camera)
+    : m_scene(std::move(scene)), m_title(std::move(title)), m_look(look),
+      m_stepsPerSecond(look.stepsPerSecond.value_or(RateOf(m_scene->PreferredSteps().timeStep))),
+      m_stepSettings(m_scene->PreferredSteps()), m_camera(camera),
+      m_layers(LayersOf(look), look.arrows, m_stepsPerSecond.ToDouble(), m_scene->World())
 {
-    m_stepSettings = m_scene->PreferredSteps();
-    m_stepsPerSecond = look.stepsPerSecond.value_or(RateOf(m_stepSettings.timeStep));
     m_stepSettings.timeStep = static_cast<float32>(StepSeconds(m_stepsPerSecond));
     m_stepSettings.velocityIterations =
         look.velocityIterations.value_or(m_stepSettings.velocityIterations);
@@ -98,6 +103,7 @@ void SceneSession::AdvanceTo(std::int64_t step)
 void SceneSession::StepOnce()
 {
     using Clock = std::chrono::steady_clock;
+    m_layers.BeforeStep(m_scene->World());
     const Clock::time_point start = Clock::now();
     m_scene->Step(m_stepSettings);
     ++m_step;
@@ -113,22 +119,21 @@ void SceneSession::StepOnce()
 
 void SceneSession::Fill(FrameContent& content)
 {
-    b2World& world = m_scene->World();
-    DrawCollector collector(content.list);
-    collector.SetFlags(m_look.drawFlags);
-    world.SetDebugDraw(&collector);
-    world.DrawDebugData();
-    world.SetDebugDraw(nullptr);
-    const Camera& view = m_camera.View();
-    content.camera = Scaled(view, m_look.scale);
-    if (m_look.labels)
-    {
-        AddBodyNumbers(world, view.pixelsPerMeter, content.list);
-    }
+    static const BodyNames kNumbersOnly;
+    m_layers.Collect(m_scene->World(), CollectedView(),
+                     m_look.layers.names ? Names() : kNumbersOnly, content.list);
+    content.camera = Scaled(m_camera.View(), m_look.scale);
     if (m_hud)
     {
         content.overlay = m_hud->Build(DescribeState());
     }
+}
+
+View SceneSession::CollectedView() const
+{
+    const Camera& camera = m_camera.View();
+    return m_look.collectEverything ? ViewOfEverything(camera)
+                                    : PictureView(camera, m_look.theme, m_look.scale);
 }
 
 HudContent SceneSession::DescribeState() const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "SceneCamera.h"
+#include "SceneLayers.h"
 #include "SceneSearch.h"
 
 #include <debugdraw/Result.h>
@@ -33,7 +34,10 @@ struct SceneLook
     std::optional<int> positionIterations;
     std::uint32_t seed = 1;
     ViewChoice view;
-    std::uint32_t drawFlags = b2Draw::e_shapeBit | b2Draw::e_jointBit;
+    SceneLayers layers;
+    ArrowScales arrows;
+    /// What lies outside of the picture is collected too: for lists that are kept and compared.
+    bool collectEverything = false;
     bool labels = false;          ///< the number of each body at its centre of mass
     bool hud = false;             ///< a panel with time, step and counts
     bool hudMilliseconds = false; ///< and the time a step took, which no two runs share
@@ -54,6 +58,7 @@ public:
     std::int64_t Step() const { return m_step; }
     const Rational& StepsPerSecond() const { return m_stepsPerSecond; }
     const std::string& Title() const { return m_title; }
+    const BodyNames& Names() const { return m_scene->Names(); }
     const b2World& World() const { return m_scene->World(); }
 
 private:
@@ -61,6 +66,7 @@ private:
                  const SceneCamera& camera);
     void StepOnce();
     HudContent DescribeState() const;
+    View CollectedView() const;
 
     std::unique_ptr<Scene> m_scene;
     std::string m_title;
@@ -68,6 +74,7 @@ private:
     Rational m_stepsPerSecond;
     StepSettings m_stepSettings;
     SceneCamera m_camera;
+    LayerCollector m_layers;
     std::optional<Hud> m_hud;
     std::int64_t m_step = 0;
     double m_stepMilliseconds = 0.0; // of the last step, smoothed

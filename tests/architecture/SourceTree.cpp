@@ -122,7 +122,8 @@ std::string_view LayerOf(std::string_view path)
     }
     if (path.starts_with("debugdraw/"))
     {
-        return file.starts_with("DrawCollector") ? "collector" : "drawlist";
+        const bool knowsTheEngine = file.starts_with("DrawCollector") || file.starts_with("World");
+        return knowsTheEngine ? "collector" : "drawlist";
     }
     if (path.starts_with("golden/"))
     {

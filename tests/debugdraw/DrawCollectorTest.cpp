@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <Box2D/Box2D.h>
 #include <debugdraw/DrawCollector.h>
 #include <debugdraw/DrawListText.h>
 
@@ -93,4 +94,30 @@ TEST_F(Collected, DegeneratePolygonsAreSegmentsOrNothing)
     collector.DrawPolygon(kOctagonAndMore, 2, b2Color(1.0f, 1.0f, 1.0f));
     EXPECT_EQ(ToText(list), "world shapes segment #ffffff (3, 0) (3, 0)\n"
                             "world shapes segment #ffffff (3, 0) (2, 2)\n");
+}
+
+TEST_F(Collected, OnlyWhatAViewMayShowAndTheAxesThatReachIntoIt)
+{
+    b2World world(b2Vec2(0.0f, -10.0f));
+    b2CircleShape ball;
+    ball.m_radius = 0.5f;
+    for (const float x : {0.0f, 5.35f, 9.0f})
+    {
+        b2BodyDef definition;
+        definition.position.Set(x, 0.0f);
+        world.CreateBody(&definition)->CreateFixture(&ball, 1.0f);
+    }
+    Camera camera{.width = 100, .height = 100, .centerY = 0.0, .pixelsPerMeter = 10.0};
+    const auto draw = [&] {
+        list.Clear();
+        collector.SetFlags(b2Draw::e_centerOfMassBit);
+        world.SetDebugDraw(&collector);
+        world.DrawDebugData();
+        return list.items.size();
+    };
+    EXPECT_EQ(draw(), 3u);
+    collector.LookAt(ViewOf(camera, 2.0)); // to 5 m, and an axis is 0.4 m long
+    EXPECT_EQ(draw(), 2u);
+    collector.LookAt(ViewOfEverything(camera));
+    EXPECT_EQ(draw(), 3u);
 }

@@ -91,9 +91,25 @@ TEST(CommandLine, RecordReadsEveryOption)
     EXPECT_EQ(options.look.velocityIterations, 10);
     EXPECT_EQ(options.look.positionIterations, 4);
     EXPECT_EQ(options.look.view, ViewChoice(FixedView{-5.0, 2.5, 20.0}));
-    EXPECT_EQ(options.look.drawFlags, std::uint32_t(b2Draw::e_shapeBit | b2Draw::e_aabbBit));
+    SceneLayers layers;
+    layers.joints = false;
+    layers.aabbs = true;
+    EXPECT_EQ(options.look.layers, layers);
     EXPECT_TRUE(options.look.labels);
     EXPECT_TRUE(options.look.hud);
+}
+
+TEST(CommandLine, ArrowsHaveScales)
+{
+    const SceneLook plain = Parsed<ShotOptions>("shot bridge --at 1s -o a.png").look;
+    EXPECT_EQ(plain.arrows.velocitySeconds, 0.2);
+    EXPECT_EQ(plain.arrows.metersPerNewton, std::nullopt) << "what suits the scene";
+    const SceneLook look = Parsed<RecordOptions>("record bridge -o a.mp4 --draw forces,velocities "
+                                                 "--velocity-scale 0.5 --force-scale 0.001")
+                               .look;
+    EXPECT_EQ(look.arrows.velocitySeconds, 0.5);
+    EXPECT_EQ(look.arrows.metersPerNewton, 0.001);
+    EXPECT_TRUE(look.layers.forces && look.layers.velocities && !look.layers.shapes);
 }
 
 TEST(CommandLine, MillisecondsOfAStepComeWithThePanel)
@@ -225,7 +241,13 @@ TEST(CommandLine, ValuesOutOfRangeAreRefused)
                             "--camera path:0s=0,0,5",
                             "--draw",
                             "--draw shapes,,joints",
-                            "--draw everything"})
+                            "--draw everything",
+                            "--velocity-scale 0",
+                            "--velocity-scale -1",
+                            "--velocity-scale fast",
+                            "--force-scale 0",
+                            "--force-scale nan",
+                            "--force-scale 1N"})
     {
         const std::string option = std::string(bad).substr(0, std::string(bad).find(' '));
         EXPECT_THAT(Refusal(record + bad), testing::StartsWith(option)) << bad;
@@ -264,6 +286,8 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
     const std::vector<std::string> look{"--size",
                                         "--camera",
                                         "--draw",
+                                        "--velocity-scale",
+                                        "--force-scale",
                                         "--labels",
                                         "--backend",
                                         "--hud",

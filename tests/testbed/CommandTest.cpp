@@ -179,6 +179,16 @@ TEST_F(Command, LookOptionsChangeThePicture)
     EXPECT_EQ(picture, shot("fit.png", {"--camera", "fit"}));
     EXPECT_NE(picture, shot("draw.png", {"--draw", "shapes,joints,aabbs"}));
     EXPECT_NE(picture, shot("labels.png", {"--labels"}));
+    EXPECT_EQ(shot("labels2.png", {"--labels"}),
+              shot("names.png", {"--draw", "shapes,joints,names"}))
+        << "a scene without names has numbers";
+    const std::string forces = shot("forces.png", {"--draw", "shapes,forces"});
+    EXPECT_NE(forces, shot("long.png", {"--draw", "shapes,forces", "--force-scale", "1"}));
+    const std::string velocities = shot("velocities.png", {"--draw", "shapes,velocities"});
+    EXPECT_EQ(velocities,
+              shot("usual.png", {"--draw", "shapes,velocities", "--velocity-scale", "0.2"}));
+    EXPECT_NE(velocities,
+              shot("slow.png", {"--draw", "shapes,velocities", "--velocity-scale", "0.1"}));
     EXPECT_NE(picture, shot("hz.png", {"--hz", "30"}));
 }
 

@@ -69,6 +69,29 @@ TEST_F(FigureCommand, TheExtensionDecidesWhatIsWritten)
     EXPECT_THAT(folder.Files(), ElementsAre("a.pdf", "a.png", "a.svg"));
 }
 
+TEST_F(FigureCommand, GroupsCarryTheNamesThatASceneFileGives)
+{
+    std::ofstream(folder / "named.json")
+        << R"({"body":[{"name":"left plank","type":2,"fixture":[{"density":1,"circle":)"
+        << R"({"center":0,"radius":1}}]},{"type":2,"position":{"x":5,"y":0},"fixture":)"
+        << R"([{"density":1,"circle":{"center":0,"radius":1}}]}]})";
+    const auto shot = [&](const char* layers) {
+        const Outcome outcome = RunBoxreel(
+            {"shot", "named.json", "--step", "0", "--draw", layers, "--force", "-o", "a.svg"},
+            folder.Path());
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        return ReadFile(folder / "a.svg");
+    };
+    const std::string plain = shot("shapes");
+    EXPECT_THAT(plain, HasSubstr("<g id=\"left-plank\" class=\"shapes\">"));
+    EXPECT_THAT(plain, HasSubstr("<g id=\"body-1\" class=\"shapes\">"));
+    EXPECT_THAT(plain, Not(HasSubstr("</text>")));
+    const std::string named = shot("shapes,names,masses");
+    EXPECT_THAT(named, HasSubstr(">left plank</text>"));
+    EXPECT_THAT(named, HasSubstr(">1</text>"));
+    EXPECT_THAT(named, HasSubstr("class=\"centers-of-mass\""));
+}
+
 TEST_F(FigureCommand, TheSameCommandGivesTheSameBytes)
 {
     for (const char* extension : {".svg", ".pdf", ".png"})

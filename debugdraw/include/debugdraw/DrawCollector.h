@@ -3,11 +3,12 @@
 
 #include <Box2D/Common/b2Draw.h>
 #include <debugdraw/DrawList.h>
+#include <debugdraw/View.h>
 
 #include <vector>
 
 /// The engine's debug drawing as a DrawList: register it with b2World::SetDebugDraw, call
-/// DrawDebugData, read the list. The only file of this folder that knows the engine.
+/// DrawDebugData, read the list. What the engine does not draw itself is in the World* headers.
 namespace boxreel
 {
 
@@ -15,6 +16,9 @@ class DrawCollector : public b2Draw
 {
 public:
     explicit DrawCollector(DrawList& list) : m_list(list) {}
+
+    /// Only what this view may show is collected; everything unless said. The picture is the same.
+    void LookAt(const View& view);
 
     void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override;
     /// With more corners than a DrawList fills (8): the outline alone.

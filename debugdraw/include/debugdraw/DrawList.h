@@ -64,6 +64,12 @@ enum class DrawLayer : std::uint8_t
     CentersOfMass,
     Contacts,
     Labels,
+    ContactNormals,
+    ContactImpulses,
+    ContactFriction,
+    Velocities,
+    JointForces,
+    JointGlyphs,
 };
 
 /// Whom an item belongs to: the body's number in its world, in order of creation.

@@ -147,6 +147,7 @@ b2Body* World::CreateBody(const b2BodyDef& def)
     }
     bodyList = body;
     ++bodyCount;
+    inactiveCount += data.IsActive() ? 0 : 1;
     if (data.IsDynamic() && data.IsActive())
     {
         islands.Add(*body);
@@ -187,6 +188,7 @@ void World::DestroyBody(b2Body& body)
         Data(*data.next).prev = data.prev;
     }
     --bodyCount;
+    inactiveCount -= data.IsActive() ? 0 : 1;
     body.~b2Body();
     allocator.Free(&body, int32(sizeof(b2Body)));
 }
@@ -373,6 +375,7 @@ void World::SetActive(b2Body& body, bool active)
     {
         return;
     }
+    inactiveCount += active ? -1 : 1;
     if (active)
     {
         data.flags |= kBodyActive;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Access.h"
+#include "SeenShapes.h"
 #include "World.h"
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
@@ -8,6 +8,7 @@
 #include <Box2D/Collision/Shapes/b2PolygonShape.h>
 #include <Box2D/Common/b2Draw.h>
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
@@ -15,7 +16,8 @@
 
 /// The world as calls of a b2Draw: shapes in the colour of their body's state, joints as lines
 /// between anchors, boxes, pairs, centres of mass. Oldest body first, so that what came later lies
-/// on top.
+/// on top. With a view the trees say which shapes are seen, and everything else has its place
+/// looked at.
 namespace box2d
 {
 
@@ -48,7 +50,8 @@ const b2Color& ColorOf(const BodyData& body)
     return body.IsAwake() ? kAwake : kAsleep;
 }
 
-void DrawShape(b2Draw& draw, const b2Shape& shape, const b2Transform& xf, const b2Color& color)
+void DrawChild(b2Draw& draw, const b2Shape& shape, int32 child, const b2Transform& xf,
+               const b2Color& color)
 {
     switch (shape.GetType())
     {
@@ -73,112 +76,217 @@ void DrawShape(b2Draw& draw, const b2Shape& shape, const b2Transform& xf, const 
         break;
     }
     default: {
-        const auto& chain = static_cast<const b2ChainShape&>(shape);
-        for (int32 child = 0; child < chain.GetChildCount(); ++child)
-        {
-            b2EdgeShape edge;
-            chain.GetChildEdge(&edge, child);
-            draw.DrawSegment(b2Mul(xf, edge.m_vertex1), b2Mul(xf, edge.m_vertex2), color);
-        }
+        b2EdgeShape edge;
+        static_cast<const b2ChainShape&>(shape).GetChildEdge(&edge, child);
+        draw.DrawSegment(b2Mul(xf, edge.m_vertex1), b2Mul(xf, edge.m_vertex2), color);
         break;
     }
     }
 }
 
+void DrawChild(b2Draw& draw, const b2Fixture& fixture, int32 child)
+{
+    const b2Body& body = *fixture.GetBody();
+    DrawChild(draw, *fixture.GetShape(), child, body.GetTransform(), ColorOf(Data(body)));
+}
+
+void DrawBox(b2Draw& draw, const b2Fixture& fixture, int32 child)
+{
+    if (fixture.GetBody()->IsActive())
+    {
+        const b2AABB& box = fixture.GetAABB(child);
+        const b2Vec2 corners[4] = {box.lowerBound, b2Vec2(box.upperBound.x, box.lowerBound.y),
+                                   box.upperBound, b2Vec2(box.lowerBound.x, box.upperBound.y)};
+        draw.DrawPolygon(corners, 4, kBox);
+    }
+}
+
+/// One drawing of a world.
+class Drawing
+{
+public:
+    Drawing(const World& world, b2Draw& draw) : m_world(world), m_draw(draw)
+    {
+        m_view.lowerBound = draw.GetViewLower();
+        m_view.upperBound = draw.GetViewUpper();
+        if (!draw.HasView())
+        {
+            ListBodies();
+        }
+        else if (draw.GetFlags() & (b2Draw::e_shapeBit | b2Draw::e_aabbBit))
+        {
+            m_seen = world.FindSeen(m_view);
+        }
+    }
+
+    void DrawShapes()
+    {
+        ForEachChild([this](const b2Fixture& f, int32 child) { DrawChild(m_draw, f, child); });
+    }
+    void DrawBoxes()
+    {
+        ForEachChild([this](const b2Fixture& f, int32 child) { DrawBox(m_draw, f, child); });
+    }
+    void DrawJoints();
+    void DrawPairs();
+    void DrawCenters();
+
+private:
+    void ListBodies();
+    template <class Function>
+    void ForEachChild(Function&& function);
+    template <class Function>
+    void ForEachSeen(Function&& function);
+    template <class Function>
+    void ForEachOfAll(Function&& function);
+    bool IsSeen(const b2Vec2& a, const b2Vec2& b) const;
+    void DrawJoint(const b2Joint& joint);
+    void DrawLine(const b2Vec2& a, const b2Vec2& b, const b2Color& color);
+
+    const World& m_world;
+    b2Draw& m_draw;
+    b2AABB m_view;                 // if there is one
+    Array<const b2Body*> m_bodies; // oldest first; of centres and without a view only
+    Array<SeenChild> m_seen;       // with a view only
+};
+
+void Drawing::ListBodies()
+{
+    for (const b2Body* b = m_world.bodyList; b; b = b->GetNext())
+    {
+        if (IsSeen(b->GetWorldCenter(), b->GetWorldCenter()))
+        {
+            m_bodies.push_back(b);
+        }
+    }
+    std::reverse(m_bodies.begin(), m_bodies.end());
+}
+
+/// The box around two points.
+bool Drawing::IsSeen(const b2Vec2& a, const b2Vec2& b) const
+{
+    b2AABB box;
+    box.lowerBound = b2Min(a, b);
+    box.upperBound = b2Max(a, b);
+    return !m_draw.HasView() || b2TestOverlap(box, m_view);
+}
+
+template <class Function>
+void Drawing::ForEachChild(Function&& function)
+{
+    m_draw.HasView() ? ForEachSeen(function) : ForEachOfAll(function);
+    m_draw.BeginBody(-1);
+}
+
+template <class Function>
+void Drawing::ForEachSeen(Function&& function)
+{
+    int32 last = -1;
+    for (const SeenChild& seen : m_seen)
+    {
+        if (seen.body != last)
+        {
+            m_draw.BeginBody(seen.body);
+            last = seen.body;
+        }
+        function(*seen.fixture, seen.child);
+    }
+}
+
+template <class Function>
+void Drawing::ForEachOfAll(Function&& function)
+{
+    for (const b2Body* body : m_bodies)
+    {
+        m_draw.BeginBody(Data(*body).number);
+        for (const b2Fixture* f = body->GetFixtureList(); f; f = f->GetNext())
+        {
+            for (int32 child = 0; child < f->GetShape()->GetChildCount(); ++child)
+            {
+                function(*f, child);
+            }
+        }
+    }
+}
+
+void Drawing::DrawLine(const b2Vec2& a, const b2Vec2& b, const b2Color& color)
+{
+    if (IsSeen(a, b))
+    {
+        m_draw.DrawSegment(a, b, color);
+    }
+}
+
 // The two anchors, each with a line from its body's origin.
-void DrawJoint(b2Draw& draw, const b2Joint& joint)
+void Drawing::DrawJoint(const b2Joint& joint)
 {
     const b2Vec2 anchorA = joint.GetAnchorA();
     const b2Vec2 anchorB = joint.GetAnchorB();
     if (joint.GetType() == e_distanceJoint)
     {
-        draw.DrawSegment(anchorA, anchorB, kJoint);
+        DrawLine(anchorA, anchorB, kJoint);
         return;
     }
-    draw.DrawSegment(joint.GetBodyA()->GetPosition(), anchorA, kJoint);
-    draw.DrawSegment(anchorA, anchorB, kJoint);
-    draw.DrawSegment(joint.GetBodyB()->GetPosition(), anchorB, kJoint);
+    DrawLine(joint.GetBodyA()->GetPosition(), anchorA, kJoint);
+    DrawLine(anchorA, anchorB, kJoint);
+    DrawLine(joint.GetBodyB()->GetPosition(), anchorB, kJoint);
 }
 
-void DrawBoxes(b2Draw& draw, const b2Body& body)
+void Drawing::DrawJoints()
 {
-    for (const b2Fixture* f = body.GetFixtureList(); f && body.IsActive(); f = f->GetNext())
+    Array<const b2Joint*> joints;
+    for (const b2Joint* j = m_world.jointList; j; j = j->GetNext())
     {
-        for (int32 child = 0; child < f->GetShape()->GetChildCount(); ++child)
-        {
-            const b2AABB& box = f->GetAABB(child);
-            const b2Vec2 corners[4] = {box.lowerBound, b2Vec2(box.upperBound.x, box.lowerBound.y),
-                                       box.upperBound, b2Vec2(box.lowerBound.x, box.upperBound.y)};
-            draw.DrawPolygon(corners, 4, kBox);
-        }
+        joints.push_back(j);
+    }
+    std::for_each(joints.rbegin(), joints.rend(), [this](const b2Joint* j) { DrawJoint(*j); });
+}
+
+void Drawing::DrawPairs()
+{
+    for (const b2Contact* c = m_world.contactList; c; c = c->GetNext())
+    {
+        DrawLine(c->GetFixtureA()->GetAABB(c->GetChildIndexA()).GetCenter(),
+                 c->GetFixtureB()->GetAABB(c->GetChildIndexB()).GetCenter(), kPair);
     }
 }
 
-template <class Function>
-void ForEachBody(b2Draw& draw, const Array<const b2Body*>& bodies, Function&& function)
+void Drawing::DrawCenters()
 {
-    for (const b2Body* body : bodies)
+    if (m_draw.HasView())
     {
-        draw.BeginBody(Data(*body).number);
-        function(*body);
+        ListBodies();
     }
-    draw.BeginBody(-1);
+    for (const b2Body* body : m_bodies)
+    {
+        m_draw.BeginBody(Data(*body).number);
+        m_draw.DrawTransform(b2Transform(body->GetWorldCenter(), body->GetTransform().q));
+    }
+    m_draw.BeginBody(-1);
 }
 
 } // namespace
 
 void World::Draw(b2Draw& draw) const
 {
+    constexpr struct
+    {
+        uint32 flag;
+        void (Drawing::*draw)();
+    } layers[] = {{b2Draw::e_shapeBit, &Drawing::DrawShapes},
+                  {b2Draw::e_jointBit, &Drawing::DrawJoints},
+                  {b2Draw::e_pairBit, &Drawing::DrawPairs},
+                  {b2Draw::e_aabbBit, &Drawing::DrawBoxes},
+                  {b2Draw::e_centerOfMassBit, &Drawing::DrawCenters}};
     const Lock lock(*this);
-    const uint32 flags = draw.GetFlags();
-    Array<const b2Body*> bodies; // oldest first
-    for (const b2Body* b = bodyList; b; b = b->GetNext())
+    Drawing drawing(*this, draw);
+    for (const auto& layer : layers)
     {
-        bodies.push_back(b);
-    }
-    std::reverse(bodies.begin(), bodies.end());
-
-    if (flags & b2Draw::e_shapeBit)
-    {
-        draw.BeginLayer(b2Draw::e_shapeBit);
-        ForEachBody(draw, bodies, [&](const b2Body& body) {
-            for (const b2Fixture* f = body.GetFixtureList(); f; f = f->GetNext())
-            {
-                DrawShape(draw, *f->GetShape(), body.GetTransform(), ColorOf(Data(body)));
-            }
-        });
-    }
-    if (flags & b2Draw::e_jointBit)
-    {
-        draw.BeginLayer(b2Draw::e_jointBit);
-        Array<const b2Joint*> joints;
-        for (const b2Joint* j = jointList; j; j = j->GetNext())
+        if (draw.GetFlags() & layer.flag)
         {
-            joints.push_back(j);
+            draw.BeginLayer(layer.flag);
+            (drawing.*layer.draw)();
         }
-        std::for_each(joints.rbegin(), joints.rend(),
-                      [&](const b2Joint* j) { DrawJoint(draw, *j); });
-    }
-    if (flags & b2Draw::e_pairBit)
-    {
-        draw.BeginLayer(b2Draw::e_pairBit);
-        for (const b2Contact* c = contactList; c; c = c->GetNext())
-        {
-            draw.DrawSegment(c->GetFixtureA()->GetAABB(c->GetChildIndexA()).GetCenter(),
-                             c->GetFixtureB()->GetAABB(c->GetChildIndexB()).GetCenter(), kPair);
-        }
-    }
-    if (flags & b2Draw::e_aabbBit)
-    {
-        draw.BeginLayer(b2Draw::e_aabbBit);
-        ForEachBody(draw, bodies, [&](const b2Body& body) { DrawBoxes(draw, body); });
-    }
-    if (flags & b2Draw::e_centerOfMassBit)
-    {
-        draw.BeginLayer(b2Draw::e_centerOfMassBit);
-        ForEachBody(draw, bodies, [&](const b2Body& body) {
-            draw.DrawTransform(b2Transform(body.GetWorldCenter(), body.GetTransform().q));
-        });
     }
 }
 

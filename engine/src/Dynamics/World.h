@@ -36,6 +36,7 @@ struct SolverArrays;
 inline constexpr int32 kMostSubSteps = 64;
 
 struct ContactData;
+struct SeenChild;
 
 class World
 {
@@ -133,6 +134,8 @@ public:
     void SolveContinuous(float32 timeStep, int32 velocityIterations);
     // DebugDraw.cpp
     void Draw(b2Draw& draw) const;
+    // SeenShapes.cpp
+    Array<SeenChild> FindSeen(const b2AABB& view) const;
     // Queries.cpp
     void Query(b2QueryCallback& callback, const b2AABB& box) const;
     void RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2Vec2& point2) const;
@@ -157,7 +160,8 @@ public:
     b2Contact* contactList = nullptr;
     int32 bodyCount = 0;
     int32 jointCount = 0;
-    int32 gearCount = 0; ///< of the joints
+    int32 gearCount = 0;     ///< of the joints
+    int32 inactiveCount = 0; ///< of the bodies: they are in no tree
     int32 contactCount = 0;
     int32 bodyNumber = 0;  ///< of the next body
     int32 jointNumber = 0; ///< of the next joint

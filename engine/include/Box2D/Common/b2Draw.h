@@ -43,6 +43,24 @@ public:
     void AppendFlags(uint32 flags) { m_drawFlags |= flags; }
     void ClearFlags(uint32 flags) { m_drawFlags &= ~flags; }
 
+    /// Only what lies, in whole or in part, between these two corners [m] has to be drawn: what the
+    /// world does not show costs next to nothing then. Calls whose points' box misses the view may
+    /// be left out, all others come as they would without it, in the same order; BeginBody only for
+    /// bodies of which something is drawn. What reaches beyond its points, as thick lines and the
+    /// axes of DrawTransform do, is the drawer's to allow for. Not to be used in a callback of a
+    /// step, when boxes lag behind. An addition to the manual's interface.
+    void SetView(const b2Vec2& lowerBound, const b2Vec2& upperBound)
+    {
+        m_viewLower = lowerBound;
+        m_viewUpper = upperBound;
+        m_hasView = true;
+    }
+    /// Everything is drawn, as from the start. An addition to the manual's interface.
+    void ClearView() { m_hasView = false; }
+    bool HasView() const { return m_hasView; }
+    const b2Vec2& GetViewLower() const { return m_viewLower; }
+    const b2Vec2& GetViewUpper() const { return m_viewUpper; }
+
     /// A closed outline, counter-clockwise.
     virtual void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) = 0;
     /// A filled convex polygon, counter-clockwise.
@@ -63,6 +81,11 @@ public:
 
 protected:
     uint32 m_drawFlags = 0;
+
+private:
+    b2Vec2 m_viewLower = b2Vec2(0.0f, 0.0f);
+    b2Vec2 m_viewUpper = b2Vec2(0.0f, 0.0f);
+    bool m_hasView = false;
 };
 
 /// The manual's name for the same interface.

@@ -142,6 +142,10 @@ public:
     b2Body* GetNext() { return m_data.next; }
     const b2Body* GetNext() const { return m_data.next; }
 
+    /// In the order of creation, from 0, and never used again: what b2Draw::BeginBody is told. An
+    /// addition to the manual's interface.
+    int32 GetNumber() const { return m_data.number; }
+
     void* GetUserData() const { return m_data.userData; }
     void SetUserData(void* data) { m_data.userData = data; }
     b2World* GetWorld();

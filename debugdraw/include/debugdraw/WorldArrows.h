@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Box2D.h>
+#include <debugdraw/DrawList.h>
+#include <debugdraw/View.h>
+
+/// What moves and what pulls, as arrows in a world. Only reads the world.
+namespace boxreel
+{
+
+inline constexpr Color kVelocityColor{90, 170, 255, 255};
+inline constexpr Color kForceColor{255, 150, 60, 255};
+
+/// From each centre of mass the way that the body would go in so many seconds. Bodies at rest have
+/// none, nor have those whose arrow would be shorter than one and a half pixels.
+void AddVelocities(const b2World& world, const View& view, double seconds, DrawList& list);
+
+/// From each joint's anchor on its second body the force that the joint exerts on that body, in the
+/// mean of the last step. Torques are not shown.
+void AddJointForces(const b2World& world, const View& view, double metersPerNewton, DrawList& list);
+
+/// A scale for arrows of forces that suits a world: the mean weight of the bodies that can move,
+/// where there is no gravity their mean mass times 10 m/s^2, is an eighth as long as they are
+/// large in the mean. Above 0.
+double MetersPerNewtonFor(const b2World& world);
+
+} // namespace boxreel

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/Arrow.h>
+#include <debugdraw/WorldArrows.h>
+
+#include <cmath>
+#include <vector>
+
+namespace boxreel
+{
+
+namespace
+{
+
+constexpr double kShortest = 1.5;  // an arrow that is shorter says nothing [px]
+constexpr double kHeadReach = 8.0; // of an arrow's head beside its shaft, generously [px]
+
+void AddSeenArrow(const View& view, const b2Vec2& from, const b2Vec2& way, double scale,
+                  Color color, DrawList& list)
+{
+    const Vec2 tail{from.x, from.y};
+    const Vec2 tip{float(from.x + way.x * scale), float(from.y + way.y * scale)};
+    const double dx = double(tip.x) - tail.x;
+    const double dy = double(tip.y) - tail.y;
+    const double shortest = kShortest / view.camera.pixelsPerMeter;
+    if (dx * dx + dy * dy >= shortest * shortest && view.Shows(tail, tip, kHeadReach))
+    {
+        AddArrow(list, view.camera, tail, tip, color);
+    }
+}
+
+/// Half the sum of the sides of the box around a body's shapes [m], 0 without shapes.
+double SizeOf(const b2Body& body)
+{
+    Rect bounds;
+    for (const b2Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext())
+    {
+        for (int32 child = 0; child < f->GetShape()->GetChildCount(); ++child)
+        {
+            b2AABB box;
+            f->GetShape()->ComputeAABB(&box, body.GetTransform(), child);
+            bounds.Include(
+                Rect{{box.lowerBound.x, box.lowerBound.y}, {box.upperBound.x, box.upperBound.y}});
+        }
+    }
+    return bounds.IsEmpty() ? 0.0
+                            : 0.5 * (double(bounds.upper.x) - bounds.lower.x +
+                                     double(bounds.upper.y) - bounds.lower.y);
+}
+
+} // namespace
+
+void AddVelocities(const b2World& world, const View& view, double seconds, DrawList& list)
+{
+    list.layer = DrawLayer::Velocities;
+    std::vector<const b2Body*> moving; // newest first
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        if (body->GetType() != b2_staticBody && body->IsAwake())
+        {
+            moving.push_back(body);
+        }
+    }
+    for (auto body = moving.rbegin(); body != moving.rend(); ++body)
+    {
+        list.owner = static_cast<std::uint32_t>((*body)->GetNumber());
+        AddSeenArrow(view, (*body)->GetWorldCenter(), (*body)->GetLinearVelocity(), seconds,
+                     kVelocityColor, list);
+    }
+    list.owner = kNoOwner;
+}
+
+void AddJointForces(const b2World& world, const View& view, double metersPerNewton, DrawList& list)
+{
+    list.layer = DrawLayer::JointForces;
+    list.owner = kNoOwner;
+    for (const b2Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
+    {
+        AddSeenArrow(view, joint->GetAnchorB(), joint->GetReactionForce(), metersPerNewton,
+                     kForceColor, list);
+    }
+}
+
+double MetersPerNewtonFor(const b2World& world)
+{
+    constexpr double kShare = 0.125; // a pile or a bridge carries ten times the weight of its parts
+    double mass = 0.0;
+    double size = 0.0;
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        if (body->GetType() == b2_dynamicBody)
+        {
+            mass += body->GetMass();
+            size += SizeOf(*body);
+        }
+    }
+    const b2Vec2 gravity = world.GetGravity();
+    const double strength =
+        std::sqrt(double(gravity.x) * gravity.x + double(gravity.y) * gravity.y);
+    const double scale = kShare * size / (mass * (strength > 0.0 ? strength : 10.0));
+    constexpr double kUnknown = 0.01; // nothing that has a size or a mass
+    return scale > 0.0 && std::isfinite(scale) ? scale : kUnknown;
+}
+
+} // namespace boxreel

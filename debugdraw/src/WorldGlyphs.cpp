@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/GlyphPen.h>
+#include <debugdraw/Theme.h>
+#include <debugdraw/WorldGlyphs.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace boxreel
+{
+
+namespace
+{
+
+using Point = GlyphPen::Point;
+
+constexpr Color kGlyphColor = kClassicPalette[std::size_t(ColorRole::Joint)];
+
+// No sign reaches farther beyond the points it hangs on [px], nor do a rope's letters.
+constexpr double kReach = 48.0;
+constexpr double kLetters = 240.0;
+
+// Of a joint's parts [px].
+constexpr double kHub = 6.0; // radius
+constexpr double kPin = 4.0; // diameter of a dot
+constexpr double kArrowRadius = 12.0;
+constexpr double kSpring = 5.0;       // half its width
+constexpr double kShortSpring = 14.0; // below this it would be a blot
+constexpr double kRail = 30.0;        // half a rail without limits
+constexpr double kPulley = 8.0;       // radius
+constexpr double kGear = 9.0;         // radius without the teeth
+constexpr double kTooth = 3.0;
+constexpr double kStrut = 26.0; // length of the spring above an axle
+constexpr double kWeld = 5.0;   // half the square
+constexpr double kRopeEnd = 4.0;
+
+constexpr double kDigitWidth = 8.3; // in the renderer's font [px]
+
+Vec2 From(const b2Vec2& v)
+{
+    return {v.x, v.y};
+}
+
+b2Vec2 XAxisOf(const b2Body& body)
+{
+    return body.GetWorldVector(b2Vec2(1.0f, 0.0f));
+}
+
+/// One decimal, and no locale.
+std::string Meters(double length)
+{
+    std::array<char, 64> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), length,
+                                   std::chars_format::fixed, 1);
+    return std::string(digits.data(), end.ptr) + " m";
+}
+
+class GlyphWriter
+{
+public:
+    GlyphWriter(const View& view, DrawList& list) : m_view(view), m_list(list) {}
+
+    void Add(const b2Joint& joint);
+
+private:
+    GlyphPen PenAt(const b2Vec2& origin, const b2Vec2& xAxis)
+    {
+        return GlyphPen(m_list, m_view.camera, From(origin), From(xAxis), kGlyphColor);
+    }
+    bool Shows(const b2Vec2& a, const b2Vec2& b) const
+    {
+        return m_view.Shows(From(a), From(b), kReach);
+    }
+    void AddMotor(GlyphPen& pen, bool enabled, float32 speed);
+    void AddPins(const b2Vec2& a, const b2Vec2& b);
+
+    void Add(const b2RevoluteJoint& joint);
+    void Add(const b2PrismaticJoint& joint);
+    void Add(const b2DistanceJoint& joint);
+    void Add(const b2PulleyJoint& joint);
+    void AddPulleyWheel(const b2Vec2& wheel, const b2Vec2& end, const b2Vec2& inwards);
+    void Add(const b2GearJoint& joint);
+    void AddGearWheel(const b2Vec2& center, const b2Body& body);
+    void Add(const b2WheelJoint& joint);
+    void Add(const b2WeldJoint& joint);
+    void Add(const b2RopeJoint& joint);
+    void Add(const b2FrictionJoint& joint);
+    void Add(const b2MouseJoint& joint);
+    void Add(const b2MotorJoint& joint);
+
+    const View& m_view;
+    DrawList& m_list;
+};
+
+void GlyphWriter::AddMotor(GlyphPen& pen, bool enabled, float32 speed)
+{
+    if (enabled)
+    {
+        pen.ArcArrow(kArrowRadius, -4, 12, speed < 0.0f);
+    }
+}
+
+void GlyphWriter::AddPins(const b2Vec2& a, const b2Vec2& b)
+{
+    for (const b2Vec2& end : {a, b})
+    {
+        PenAt(end, b2Vec2(1.0f, 0.0f)).Dot({}, kPin + 2.0);
+    }
+}
+
+void GlyphWriter::Add(const b2RevoluteJoint& joint)
+{
+    const b2Vec2 anchor = joint.GetAnchorB();
+    if (Shows(anchor, anchor))
+    {
+        GlyphPen pen = PenAt(anchor, b2Vec2(1.0f, 0.0f));
+        pen.Circle({}, kHub);
+        pen.Dot({}, kPin);
+        AddMotor(pen, joint.IsMotorEnabled(), joint.GetMotorSpeed());
+    }
+}
+
+void GlyphWriter::Add(const b2PrismaticJoint& joint)
+{
+    const b2Vec2 axis = joint.GetBodyA()->GetWorldVector(joint.GetLocalAxisA());
+    const b2Vec2 carriage = joint.GetAnchorB();
+    GlyphPen rail = PenAt(joint.GetAnchorA(), axis);
+    const double at = rail.Of(From(carriage)).x;
+    const double pixelsPerMeter = m_view.camera.pixelsPerMeter;
+    const bool limited = joint.IsLimitEnabled();
+    const double from =
+        limited ? joint.GetLowerLimit() * pixelsPerMeter : std::min(0.0, at) - kRail;
+    const double to = limited ? joint.GetUpperLimit() * pixelsPerMeter : std::max(0.0, at) + kRail;
+    if (!m_view.Shows(rail.At({from, 0.0}), rail.At({to, 0.0}), kReach) &&
+        !Shows(carriage, carriage))
+    {
+        return;
+    }
+    rail.Line({from, 0.0}, {to, 0.0});
+    if (limited)
+    {
+        rail.Line({from, -kHub}, {from, kHub});
+        rail.Line({to, -kHub}, {to, kHub});
+    }
+    GlyphPen pen = PenAt(carriage, axis);
+    pen.Box({}, 8.0, 4.5);
+    if (joint.IsMotorEnabled())
+    {
+        const double way = joint.GetMotorSpeed() < 0.0f ? -1.0 : 1.0;
+        pen.Line({-10.0 * way, 10.0}, {4.0 * way, 10.0});
+        pen.Triangle({11.0 * way, 10.0}, {4.0 * way, 10.0 + 3.5 * way},
+                     {4.0 * way, 10.0 - 3.5 * way});
+    }
+}
+
+void GlyphWriter::Add(const b2DistanceJoint& joint)
+{
+    const b2Vec2 a = joint.GetAnchorA();
+    const b2Vec2 b = joint.GetAnchorB();
+    if (!Shows(a, b))
+    {
+        return;
+    }
+    GlyphPen pen = PenAt(a, b - a);
+    const double length = pen.Of(From(b)).x;
+    if (joint.GetFrequency() > 0.0f && length >= kShortSpring)
+    {
+        pen.Zigzag({}, {length, 0.0}, kSpring);
+    }
+    else
+    {
+        pen.Line({0.0, -2.5}, {length, -2.5});
+        pen.Line({0.0, 2.5}, {length, 2.5});
+    }
+    AddPins(a, b);
+}
+
+// The rope touches the wheel on the side that is not turned to the other one.
+void GlyphWriter::AddPulleyWheel(const b2Vec2& wheel, const b2Vec2& end, const b2Vec2& inwards)
+{
+    GlyphPen pen = PenAt(wheel, end - wheel);
+    pen.Circle({}, kPulley);
+    pen.Dot({}, kPin);
+    const double distance = pen.Of(From(end)).x;
+    if (distance > kPulley)
+    {
+        const double cosine = kPulley / distance;
+        const double sine = std::sqrt(1.0 - cosine * cosine);
+        const Point inside = pen.Of(From(wheel + inwards));
+        const double side = inside.y > 0.0 ? -1.0 : 1.0;
+        pen.Line({kPulley * cosine, side * kPulley * sine}, {distance, 0.0});
+    }
+}
+
+void GlyphWriter::Add(const b2PulleyJoint& joint)
+{
+    const b2Vec2 wheelA = joint.GetGroundAnchorA();
+    const b2Vec2 wheelB = joint.GetGroundAnchorB();
+    const b2Vec2 endA = joint.GetAnchorA();
+    const b2Vec2 endB = joint.GetAnchorB();
+    Rect box{From(wheelA), From(wheelA)};
+    for (const b2Vec2& point : {wheelB, endA, endB})
+    {
+        box.Include(From(point));
+    }
+    if (!m_view.Shows(box, kReach))
+    {
+        return;
+    }
+    const b2Vec2 across = wheelB - wheelA;
+    AddPulleyWheel(wheelA, endA, across);
+    AddPulleyWheel(wheelB, endB, -across);
+    GlyphPen pen = PenAt(wheelA, across);
+    const double ends = pen.Of(From(endA)).y + pen.Of(From(endB)).y;
+    const double away = ends > 0.0 ? -kPulley : kPulley;
+    pen.Line({0.0, away}, {pen.Of(From(wheelB)).x, away});
+    AddPins(endA, endB);
+}
+
+void GlyphWriter::AddGearWheel(const b2Vec2& center, const b2Body& body)
+{
+    GlyphPen pen = PenAt(center, XAxisOf(body));
+    pen.Circle({}, kGear);
+    for (int step = 0; step < GlyphPen::kFullTurn; step += 3)
+    {
+        const Point out = GlyphPen::Direction(step);
+        const double tip = kGear + kTooth;
+        pen.Line({kGear * out.x, kGear * out.y}, {tip * out.x, tip * out.y});
+    }
+    pen.Dot({}, kPin);
+}
+
+void GlyphWriter::Add(const b2GearJoint& joint)
+{
+    const b2Vec2 a = joint.GetAnchorA();
+    const b2Vec2 b = joint.GetAnchorB();
+    if (!Shows(a, b))
+    {
+        return;
+    }
+    AddGearWheel(a, *joint.GetBodyA());
+    AddGearWheel(b, *joint.GetBodyB());
+    GlyphPen pen = PenAt(a, b - a);
+    const double length = pen.Of(From(b)).x;
+    const double rim = kGear + kTooth;
+    if (length > 2.0 * rim)
+    {
+        pen.Dashes({rim, 0.0}, {length - rim, 0.0});
+    }
+}
+
+void GlyphWriter::Add(const b2WheelJoint& joint)
+{
+    const b2Vec2 axle = joint.GetAnchorB();
+    if (!Shows(axle, axle))
+    {
+        return;
+    }
+    // Towards the chassis.
+    const b2Vec2 axis = joint.GetBodyA()->GetWorldVector(joint.GetLocalAxisA());
+    const b2Vec2 chassis = joint.GetBodyA()->GetWorldCenter() - axle;
+    GlyphPen pen = PenAt(axle, b2Dot(axis, chassis) < 0.0f ? -axis : axis);
+    pen.Circle({}, kHub);
+    pen.Dot({}, kPin);
+    pen.Zigzag({kHub, 0.0}, {kHub + kStrut, 0.0}, kSpring);
+    pen.Line({kHub + kStrut, -9.0}, {kHub + kStrut, 9.0});
+    AddMotor(pen, joint.IsMotorEnabled(), joint.GetMotorSpeed());
+}
+
+void GlyphWriter::Add(const b2WeldJoint& joint)
+{
+    const b2Vec2 anchor = joint.GetAnchorB();
+    if (Shows(anchor, anchor))
+    {
+        GlyphPen pen = PenAt(anchor, XAxisOf(*joint.GetBodyA()));
+        pen.Box({}, kWeld, kWeld);
+        pen.Line({-kWeld, -kWeld}, {kWeld, kWeld});
+        pen.Line({-kWeld, kWeld}, {kWeld, -kWeld});
+    }
+}
+
+// What hangs with its length L between two ends that are c apart is nearly a parabola, whose
+// length is c + 8 s^2 / (3 c) for a sag s that is small; it never hangs lower than half its length.
+void GlyphWriter::Add(const b2RopeJoint& joint)
+{
+    const b2Vec2 a = joint.GetAnchorA();
+    const b2Vec2 b = joint.GetAnchorB();
+    const double length = joint.GetMaxLength();
+    const double chord = (b - a).Length();
+    const double slack = std::max(0.0, length - chord);
+    const double sag = std::min(std::sqrt(0.375 * chord * slack + 0.25 * slack * slack),
+                                0.5 * length); // exact for ends that meet, too
+    Rect box{From(a), From(a)};
+    box.Include(From(b));
+    box.lower.y -= float(sag);
+    if (!m_view.Shows(box, kReach + kLetters))
+    {
+        return;
+    }
+    const auto at = [&](double share) {
+        return Vec2{float(a.x + share * (double(b.x) - a.x)),
+                    float(a.y + share * (double(b.y) - a.y) - 4.0 * sag * share * (1.0 - share))};
+    };
+    constexpr int kStretches = 31; // odd: both ends are drawn
+    for (int i = 0; i < kStretches; i += 2)
+    {
+        m_list.AddSegment(at(double(i) / kStretches), at(double(i + 1) / kStretches), kGlyphColor);
+    }
+    for (const b2Vec2& end : {a, b})
+    {
+        PenAt(end, b2Vec2(1.0f, 0.0f)).Circle({}, kRopeEnd);
+    }
+    GlyphPen letters(m_list, m_view.camera, at(0.5), {1.0f, 0.0f}, kGlyphColor);
+    const std::string text = Meters(length);
+    const double left = -0.5 * kDigitWidth * double(text.size());
+    m_list.AddText(letters.At({left, -3.0}), text, kGlyphColor); // below it
+}
+
+void GlyphWriter::Add(const b2FrictionJoint& joint)
+{
+    const b2Vec2 anchor = joint.GetAnchorB();
+    if (Shows(anchor, anchor))
+    {
+        GlyphPen pen = PenAt(anchor, XAxisOf(*joint.GetBodyA()));
+        pen.Circle({}, kHub);
+        for (const double side : {-1.0, 1.0})
+        {
+            pen.Box({0.0, side * (kHub + 2.5)}, 8.0, 2.5);
+        }
+        pen.Dot({}, kPin);
+    }
+}
+
+void GlyphWriter::Add(const b2MouseJoint& joint)
+{
+    const b2Vec2 target = joint.GetTarget();
+    const b2Vec2 held = joint.GetAnchorB();
+    if (!Shows(target, held))
+    {
+        return;
+    }
+    GlyphPen pen = PenAt(target, b2Vec2(1.0f, 0.0f));
+    pen.Circle({}, kHub);
+    for (int step = 0; step < GlyphPen::kFullTurn; step += 6)
+    {
+        const Point out = GlyphPen::Direction(step);
+        pen.Line({3.0 * out.x, 3.0 * out.y}, {11.0 * out.x, 11.0 * out.y});
+    }
+    pen.Dashes({}, pen.Of(From(held)));
+    PenAt(held, b2Vec2(1.0f, 0.0f)).Dot({}, kPin);
+}
+
+void GlyphWriter::Add(const b2MotorJoint& joint)
+{
+    const b2Vec2 a = joint.GetAnchorA();
+    const b2Vec2 b = joint.GetAnchorB();
+    if (!Shows(a, b))
+    {
+        return;
+    }
+    GlyphPen pen = PenAt(b, b2Vec2(1.0f, 0.0f));
+    pen.Dot({}, kPin);
+    pen.ArcArrow(kArrowRadius, -4, 12, false);
+    PenAt(a, b - a).Dashes({}, {PenAt(a, b - a).Of(From(b)).x, 0.0});
+    PenAt(a, b2Vec2(1.0f, 0.0f)).Circle({}, kPin);
+}
+
+void GlyphWriter::Add(const b2Joint& joint)
+{
+    switch (joint.GetType())
+    {
+    case e_revoluteJoint:
+        return Add(static_cast<const b2RevoluteJoint&>(joint));
+    case e_prismaticJoint:
+        return Add(static_cast<const b2PrismaticJoint&>(joint));
+    case e_distanceJoint:
+        return Add(static_cast<const b2DistanceJoint&>(joint));
+    case e_pulleyJoint:
+        return Add(static_cast<const b2PulleyJoint&>(joint));
+    case e_gearJoint:
+        return Add(static_cast<const b2GearJoint&>(joint));
+    case e_wheelJoint:
+        return Add(static_cast<const b2WheelJoint&>(joint));
+    case e_weldJoint:
+        return Add(static_cast<const b2WeldJoint&>(joint));
+    case e_ropeJoint:
+        return Add(static_cast<const b2RopeJoint&>(joint));
+    case e_frictionJoint:
+        return Add(static_cast<const b2FrictionJoint&>(joint));
+    case e_mouseJoint:
+        return Add(static_cast<const b2MouseJoint&>(joint));
+    case e_motorJoint:
+        return Add(static_cast<const b2MotorJoint&>(joint));
+    case e_unknownJoint:
+        return;
+    }
+}
+
+} // namespace
+
+void AddJointGlyphs(const b2World& world, const View& view, DrawList& list)
+{
+    list.layer = DrawLayer::JointGlyphs;
+    list.owner = kNoOwner;
+    std::vector<const b2Joint*> joints; // newest first
+    for (const b2Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
+    {
+        joints.push_back(joint);
+    }
+    GlyphWriter writer(view, list);
+    for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint)
+    {
+        writer.Add(**joint);
+    }
+}
+
+} // namespace boxreel

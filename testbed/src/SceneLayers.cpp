@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "SceneLayers.h"
+
+#include "Values.h"
+
+#include <debugdraw/DrawCollector.h>
+#include <debugdraw/WorldArrows.h>
+#include <debugdraw/WorldGlyphs.h>
+
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+struct LayerName
+{
+    const char* name;
+    bool SceneLayers::*layer;
+};
+
+constexpr LayerName kLayers[] = {
+    {"shapes", &SceneLayers::shapes},         {"joints", &SceneLayers::joints},
+    {"aabbs", &SceneLayers::aabbs},           {"pairs", &SceneLayers::pairs},
+    {"centers", &SceneLayers::centers},       {"masses", &SceneLayers::masses},
+    {"contacts", &SceneLayers::contacts},     {"normals", &SceneLayers::normals},
+    {"impulses", &SceneLayers::impulses},     {"friction", &SceneLayers::friction},
+    {"velocities", &SceneLayers::velocities}, {"forces", &SceneLayers::forces},
+    {"names", &SceneLayers::names},           {"glyphs", &SceneLayers::glyphs},
+};
+
+std::string AllNames()
+{
+    std::string names;
+    for (const LayerName& known : kLayers)
+    {
+        names.append(names.empty() ? "" : ",").append(known.name);
+    }
+    return names;
+}
+
+uint32 EngineFlags(const SceneLayers& layers)
+{
+    const std::pair<bool, uint32> flags[] = {{layers.shapes, b2Draw::e_shapeBit},
+                                             {layers.joints, b2Draw::e_jointBit},
+                                             {layers.aabbs, b2Draw::e_aabbBit},
+                                             {layers.pairs, b2Draw::e_pairBit},
+                                             {layers.centers, b2Draw::e_centerOfMassBit}};
+    uint32 all = 0;
+    for (const auto& [isOn, flag] : flags)
+    {
+        all |= isOn ? flag : 0u;
+    }
+    return all;
+}
+
+bool HasContacts(const ContactLook& look)
+{
+    return look.points || look.normals || look.impulses || look.friction;
+}
+
+} // namespace
+
+Result<SceneLayers> ParseLayers(const std::string& option, const std::string& text)
+{
+    SceneLayers layers;
+    layers.shapes = false;
+    layers.joints = false;
+    for (const std::string& part : SplitAt(',', text))
+    {
+        bool isKnown = false;
+        for (const LayerName& known : kLayers)
+        {
+            if (part == known.name)
+            {
+                layers.*known.layer = true;
+                isKnown = true;
+            }
+        }
+        if (!isKnown)
+        {
+            return Error{ErrorKind::Unusable, option + " '" + part + "': give any of " +
+                                                  AllNames() + ", with commas between them."};
+        }
+    }
+    return layers;
+}
+
+View PictureView(const Camera& camera, const Theme& theme, double scale)
+{
+    constexpr double kCorners = 8.0; // how far a pointed one reaches, in widths of an outline
+    constexpr double kEdge = 2.0;    // of the picture: pixels that are touched a little [px]
+    return ViewOf(camera, kCorners * double(theme.outlineWidth) + kEdge / scale);
+}
+
+LayerCollector::LayerCollector(const SceneLayers& layers, const ArrowScales& scales,
+                               double stepsPerSecond, const b2World& world)
+    : m_layers(layers), m_velocitySeconds(scales.velocitySeconds)
+{
+    m_contactLook.points = layers.contacts;
+    m_contactLook.normals = layers.normals;
+    m_contactLook.impulses = layers.impulses;
+    m_contactLook.friction = layers.friction;
+    m_contactLook.stepsPerSecond = stepsPerSecond;
+    const bool hasForces = layers.forces || layers.impulses || layers.friction;
+    if (scales.metersPerNewton || hasForces)
+    {
+        m_contactLook.metersPerNewton =
+            scales.metersPerNewton ? *scales.metersPerNewton : MetersPerNewtonFor(world);
+    }
+}
+
+void LayerCollector::BeforeStep(const b2World& world)
+{
+    if (m_layers.contacts)
+    {
+        m_contacts.Remember(world);
+    }
+}
+
+void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& names,
+                             DrawList& list) const
+{
+    DrawCollector collector(list);
+    collector.SetFlags(EngineFlags(m_layers));
+    collector.LookAt(view);
+    world.SetDebugDraw(&collector);
+    world.DrawDebugData();
+    world.SetDebugDraw(nullptr);
+    if (m_layers.glyphs)
+    {
+        AddJointGlyphs(world, view, list);
+    }
+    if (m_layers.masses)
+    {
+        AddCenterMarks(world, view, list);
+    }
+    if (m_layers.forces)
+    {
+        AddJointForces(world, view, m_contactLook.metersPerNewton, list);
+    }
+    if (m_layers.velocities)
+    {
+        AddVelocities(world, view, m_velocitySeconds, list);
+    }
+    if (HasContacts(m_contactLook))
+    {
+        m_contacts.Collect(world, view, m_contactLook, list);
+    }
+    if (m_layers.names)
+    {
+        AddBodyNames(world, view, names, list);
+    }
+}
+
+} // namespace boxreel
