@@ -176,6 +176,12 @@ const char* LayerName(DrawLayer layer)
         return "contacts";
     case DrawLayer::Labels:
         return "labels";
+    case DrawLayer::Trails:
+        return "trails";
+    case DrawLayer::Poses:
+        return "poses";
+    case DrawLayer::Annotations:
+        return "annotations";
     }
     return "unknown-layer";
 }
