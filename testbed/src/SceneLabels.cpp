@@ -79,22 +79,53 @@ private:
 
 } // namespace
 
-std::vector<const b2Body*> FindBodies(b2World& world, const std::vector<int>& numbers)
+std::vector<NumberedBody> NumberedBodies(b2World& world)
 {
     NumberReader reader;
     reader.VisitAllOf(world);
     assert(std::is_sorted(reader.numbers.begin(), reader.numbers.end()));
-    std::vector<const b2Body*> found(numbers.size());
-    auto number = reader.numbers.rbegin(); // the world's list has the newest first
+    std::vector<NumberedBody> bodies(reader.numbers.size());
+    std::size_t at = bodies.size(); // the world's list has the newest first
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        --at;
+        bodies[at] = {reader.numbers[at], body};
+    }
+    return bodies;
+}
+
+std::vector<const b2Body*> FindBodies(b2World& world, const std::vector<int>& numbers)
+{
+    std::vector<const b2Body*> found(numbers.size());
+    for (const NumberedBody& numbered : NumberedBodies(world))
     {
         for (std::size_t i = 0; i < numbers.size(); ++i)
         {
-            found[i] = numbers[i] == *number ? body : found[i];
+            found[i] = numbers[i] == numbered.number ? numbered.body : found[i];
         }
-        ++number;
     }
     return found;
+}
+
+Result<void> CheckBodies(const std::string& option, b2World& world, const std::vector<int>& numbers)
+{
+    const std::vector<const b2Body*> bodies = FindBodies(world, numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+        if (bodies[i] == nullptr)
+        {
+            const int count = world.GetBodyCount();
+            const std::string has =
+                count == 0 ? "no bodies"
+                : count == 1
+                    ? "one body, number 0"
+                    : std::to_string(count) + " bodies, numbers 0 to " + std::to_string(count - 1);
+            return Error{ErrorKind::Unusable, option + ": there is no body " +
+                                                  std::to_string(numbers[i]) + "; the scene has " +
+                                                  has + ", and `--labels` shows which is which."};
+        }
+    }
+    return {};
 }
 
 void AddBodyNumbers(b2World& world, double pixelsPerMeter, DrawList& list)

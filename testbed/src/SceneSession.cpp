@@ -111,6 +111,11 @@ void SceneSession::StepOnce()
                     StepSeconds(m_stepsPerSecond));
 }
 
+double SceneSession::Time() const
+{
+    return SecondsAt(m_step, m_stepsPerSecond);
+}
+
 void SceneSession::Fill(FrameContent& content)
 {
     b2World& world = m_scene->World();
