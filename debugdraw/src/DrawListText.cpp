@@ -188,6 +188,12 @@ const char* LayerName(DrawLayer layer)
         return "forces";
     case DrawLayer::JointGlyphs:
         return "glyphs";
+    case DrawLayer::Trails:
+        return "trails";
+    case DrawLayer::Poses:
+        return "poses";
+    case DrawLayer::Annotations:
+        return "annotations";
     }
     return "unknown-layer";
 }

@@ -244,13 +244,17 @@ Result<Request> CheckShot(ShotOptions options)
     {
         return Unusable("Say where the picture goes, such as -o picture.png.");
     }
-    if (options.at && options.step)
+    if (!options.at.empty() && !options.steps.empty())
     {
         return Unusable("--at and --step both say when the picture is taken; give one of them.");
     }
-    if (!options.at && !options.step)
+    if (options.at.empty() && options.steps.empty())
     {
         return Unusable("Say when the picture is taken, such as --at 3s or --step 180.");
+    }
+    if (const Result<void> motion = CheckMotion(options); !motion)
+    {
+        return motion.GetError();
     }
     if (const Result<void> pixels = CheckPixels(options); !pixels)
     {

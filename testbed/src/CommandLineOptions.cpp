@@ -9,8 +9,7 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMostFrames = 10'000'000;   // 46 hours at 60 frames a second
-constexpr std::int64_t kMostSteps = 1'000'000'000; // a mistyped number, beyond any patience
+constexpr std::int64_t kMostFrames = 10'000'000; // 46 hours at 60 frames a second
 
 /// One of a few words.
 template <class Value>
@@ -167,11 +166,7 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed)
     AddScene(*command, shot.scene);
     AddPath(*command, "-o,--output", "FILE", shot.output, "The picture: .png, .svg or .pdf");
     AddForce(*command, shot.force);
-    AddValue(*command, "--at", "TIME", shot.at, ParseDuration, "Simulated time: 3s, 500ms, 2.5")
-        ->group("Time");
-    AddValue(*command, "--step", "N", shot.step, WholeBetween(0, kMostSteps),
-             "Or the number of simulation steps")
-        ->group("Time");
+    AddMotion(*command, shot);
     AddValue(*command, "--scale", "FACTOR", shot.look.scale, ParseScale,
              "Of all lengths in pixels, lines and text too; 0.1 to 16 (1)")
         ->group("Picture");
@@ -180,14 +175,18 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed)
     command->footer(
         "The pixels of a .png are those of a film's frame at the same time. In .svg and .pdf text\n"
         "stays text, and each body is a group with a name. --theme both writes NAME-light.EXT\n"
-        "(print) and NAME-dark.EXT.\n\n"
+        "(print) and NAME-dark.EXT. --size is that of a picture, without what is beside it; of\n"
+        "several moments, that of each (640x360).\n\n"
         "Examples:\n"
         "  boxreel shot pyramid --at 3s -o pyramid.png\n"
         "  boxreel shot bridge --step 180 -o bridge.png --size 1920x1080 --hud\n"
         "  boxreel shot chain --at 500ms -o chain.png --draw shapes,joints,aabbs --labels\n"
         "  boxreel shot tumbler --at 4s -o tumbler.svg --theme okabe-ito\n"
         "  boxreel shot pyramid --at 3s -o pyramid.pdf --theme print --labels\n"
-        "  boxreel shot bridge --at 2s -o bridge.svg --theme both");
+        "  boxreel shot bridge --at 2s -o bridge.svg --theme both\n"
+        "  boxreel shot newtons-cradle --at 1s -o cradle.png --trail moving --onion 6:50ms\n"
+        "  boxreel shot dominos --at 0s,1s,2s,3s -o dominos.pdf --theme print --scale-bar\n"
+        "  boxreel shot bridge --at 2s -o b.svg --axes --dimension 3,17 --caption \"A bridge.\"");
 }
 
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed)

@@ -56,4 +56,10 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
 /// `bothThemes`: where to say that a light and a dark twin are wanted; null where there are none.
 void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes);
 
+/// Options of a still: its moments, what shows motion in it, and what is written on it.
+void AddMotion(CLI::App& command, ShotOptions& shot);
+
+/// What of them contradicts each other, or the panel.
+Result<void> CheckMotion(const ShotOptions& options);
+
 } // namespace boxreel

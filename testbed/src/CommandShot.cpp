@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "Commands.h"
 #include "OutputPath.h"
+#include "SceneMotion.h"
 #include "Terminal.h"
 
-#include <render/Figure.h>
+#include <debugdraw/NiceNumbers.h>
+#include <render/FigureFrame.h>
+#include <render/FigureSheet.h>
 #include <render/Png.h>
 #include <render/Renderer.h>
+
+#include <algorithm>
 
 namespace boxreel
 {
@@ -37,91 +42,137 @@ std::vector<Picture> PicturesOf(const ShotOptions& options)
             {WithSuffix(options.output, "-dark"), Theme::Dark()}};
 }
 
-/// Asked before anything is simulated.
-Result<void> CheckPictures(const std::vector<Picture>& pictures, bool force)
+/// The steps at which pictures are taken.
+std::vector<std::int64_t> MomentsOf(const ShotOptions& options, const Rational& stepsPerSecond)
 {
-    for (const Picture& picture : pictures)
+    std::vector<std::int64_t> moments = options.steps;
+    for (const Duration time : options.at)
     {
-        if (const Result<void> usable = CheckFigurePath(picture.path, force); !usable)
-        {
-            return usable;
-        }
+        moments.push_back(StepAt(time, stepsPerSecond));
     }
-    return PictureFormatOf(pictures.front().path) == PictureFormat::Pdf ? PreparePdf()
-                                                                        : Result<void>();
+    return moments;
 }
 
-/// One for each picture; none where no pixels are asked for. Made before anything is simulated.
-Result<std::vector<Renderer>> MakeRenderers(const ShotOptions& options,
-                                            const std::vector<Picture>& pictures)
+/// `pictures`: one a moment, with a title when there are several.
+Figure MakeFigure(const ShotOptions& options, const Theme& theme,
+                  std::vector<SheetPicture> pictures, const std::string& title)
 {
-    std::vector<Renderer> renderers;
-    const Camera size = Scaled(Camera{.width = options.look.width, .height = options.look.height},
-                               options.look.scale);
-    for (const Picture& picture : pictures)
+    return SheetOf(std::move(pictures), {.columns = options.motion.columns,
+                                         .axes = options.motion.axes,
+                                         .scaleBar = options.motion.scaleBar,
+                                         .caption = options.motion.caption,
+                                         .theme = theme,
+                                         .scale = options.look.scale,
+                                         .title = title});
+}
+
+/// The figure with the bodies' names in its groups.
+Figure Named(Figure figure, const BodyNames& names)
+{
+    for (FigurePanel& panel : figure.panels)
     {
-        if (PictureFormatOf(picture.path) == PictureFormat::Png)
-        {
-            Result<Renderer> renderer = Renderer::Create({.width = size.width,
-                                                          .height = size.height,
-                                                          .theme = picture.theme,
-                                                          .backend = options.backend,
-                                                          .scale = options.look.scale});
-            if (!renderer)
-            {
-                return renderer.GetError();
-            }
-            renderers.push_back(std::move(*renderer));
-        }
+        panel.bodyNames = names;
     }
-    return renderers;
+    return figure;
 }
 
-Result<void> WritePixels(const Picture& picture, Renderer& renderer, const FrameContent& content,
-                         bool force)
+/// Whether all moments fit on one sheet. Asked before anything is simulated, with empty pictures.
+Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
 {
-    Frame frame;
-    const Result<void> drawn = renderer.Draw(content.list, content.camera, frame, &content.overlay);
-    return drawn ? WritePng(picture.path, frame, {.overwrite = force}) : drawn;
+    const std::size_t count = options.at.size() + options.steps.size();
+    SheetPicture picture;
+    picture.camera.width = options.look.width;
+    picture.camera.height = options.look.height;
+    picture.title = count > 1 ? "0 s" : "";
+    const Figure figure =
+        MakeFigure(options, options.look.theme, std::vector<SheetPicture>(count, picture), "");
+    const Camera size = Scaled(Camera{.width = figure.width, .height = figure.height},
+                               format == PictureFormat::Png ? options.look.scale : 1.0);
+    if (std::max(size.width, size.height) > 8192)
+    {
+        return Error{ErrorKind::Unusable,
+                     "All of it together is " + std::to_string(size.width) + "x" +
+                         std::to_string(size.height) +
+                         " pixels, and 8192 is the most each way; lower --size or --scale, or give "
+                         "fewer moments or other --columns."};
+    }
+    return {};
 }
 
-Result<void> WriteFigure(const ShotOptions& options, const Picture& picture,
-                         const FrameContent& content, const SceneSession& session)
+Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, const Figure& figure)
 {
-    Figure figure = FigureOf(content.list, content.camera, picture.theme);
-    figure.scale = options.look.scale;
-    figure.title = session.Title();
-    figure.panels.front().bodyNames = session.Names();
     const FigureFileSettings settings{.overwrite = options.force};
-    return PictureFormatOf(picture.path) == PictureFormat::Svg
-               ? WriteSvg(picture.path, figure, settings)
-               : WritePdf(picture.path, figure, settings);
+    switch (*PictureFormatOf(picture.path))
+    {
+    case PictureFormat::Svg:
+        return WriteSvg(picture.path, figure, settings);
+    case PictureFormat::Pdf:
+        return WritePdf(picture.path, figure, settings);
+    case PictureFormat::Png:
+        break;
+    }
+    const Result<Frame> frame = ToFrame(figure, options.backend);
+    return frame ? WritePng(picture.path, *frame, {.overwrite = options.force})
+                 : Result<void>(frame.GetError());
+}
+
+/// A picture under the panel, which only pixels can show.
+Result<void> WriteWithPanel(const ShotOptions& options, const Picture& picture,
+                            const DrawList& list, const Camera& camera, const Overlay& panel)
+{
+    Result<Renderer> renderer = Renderer::Create({.width = camera.width,
+                                                  .height = camera.height,
+                                                  .theme = picture.theme,
+                                                  .backend = options.backend,
+                                                  .scale = options.look.scale});
+    if (!renderer)
+    {
+        return renderer.GetError();
+    }
+    Frame frame;
+    const Result<void> drawn = renderer->Draw(list, camera, frame, &panel);
+    return drawn ? WritePng(picture.path, frame, {.overwrite = options.force}) : drawn;
 }
 
 Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>& pictures,
                           SceneSource source)
 {
-    Result<std::vector<Renderer>> renderers = MakeRenderers(options, pictures);
-    if (!renderers)
+    if (PictureFormatOf(pictures.front().path) == PictureFormat::Png)
     {
-        return renderers.GetError();
+        if (const Result<void> draws = PrepareFrames(options.backend); !draws)
+        {
+            return draws;
+        }
     }
-    SceneLook look = options.look;
-    look.scale = renderers->empty() ? 1.0 : look.scale; // a figure is scaled as a whole
-    Result<SceneSession> session = SceneSession::Open(std::move(source), look);
+    Result<SceneSession> session = SceneSession::Open(std::move(source), options.look);
     if (!session)
     {
         return session.GetError();
     }
-    session->AdvanceTo(options.at ? StepAt(*options.at, session->StepsPerSecond())
-                                  : options.step.value_or(0));
+    const std::vector<std::int64_t> moments = MomentsOf(options, session->StepsPerSecond());
+    Result<SceneMotion> motion = SceneMotion::Create(options.motion, *session, moments);
+    if (!motion)
+    {
+        return motion.GetError();
+    }
+    std::vector<SheetPicture> parts;
     FrameContent content;
-    session->Fill(content);
-    for (std::size_t i = 0; i < pictures.size(); ++i)
+    for (const std::int64_t moment : moments)
+    {
+        motion->AdvanceTo(*session, moment);
+        content = {};
+        session->Fill(content);
+        parts.push_back({motion->Picture(*session, content.list), session->View(),
+                         moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
+    }
+    for (const Picture& picture : pictures)
     {
         const Result<void> written =
-            renderers->empty() ? WriteFigure(options, pictures[i], content, *session)
-                               : WritePixels(pictures[i], (*renderers)[i], content, options.force);
+            options.look.hud
+                ? WriteWithPanel(options, picture, parts.front().list, content.camera,
+                                 content.overlay)
+                : WriteFigure(options, picture,
+                              MakeFigure(options, picture.theme, parts, session->Title()));
         if (!written)
         {
             return written;
@@ -130,12 +181,30 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
     return {};
 }
 
+/// Asked before anything is simulated.
+Result<void> CheckPictures(const ShotOptions& options, const std::vector<Picture>& pictures)
+{
+    for (const Picture& picture : pictures)
+    {
+        if (const Result<void> usable = CheckFigurePath(picture.path, options.force); !usable)
+        {
+            return usable;
+        }
+    }
+    const PictureFormat format = *PictureFormatOf(pictures.front().path);
+    if (const Result<void> fits = CheckSheet(options, format); !fits)
+    {
+        return fits;
+    }
+    return format == PictureFormat::Pdf ? PreparePdf() : Result<void>();
+}
+
 } // namespace
 
 Result<int> RunShot(const ShotOptions& options)
 {
     const std::vector<Picture> pictures = PicturesOf(options);
-    if (const Result<void> usable = CheckPictures(pictures, options.force); !usable)
+    if (const Result<void> usable = CheckPictures(options, pictures); !usable)
     {
         return usable.GetError();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "MotionChoice.h"
 #include "Progress.h"
 #include "SceneSession.h"
 #include "Values.h"
@@ -44,8 +45,9 @@ struct ShotOptions
     std::string scene; ///< a name or a file
     std::filesystem::path output;
     SceneLook look;
-    std::optional<Duration> at;       ///< simulated time …
-    std::optional<std::int64_t> step; ///< … or number of steps
+    std::vector<Duration> at;        ///< simulated times …
+    std::vector<std::int64_t> steps; ///< … or numbers of steps; several make a grid of pictures
+    MotionLook motion;
     Backend backend = Backend::Auto;
     bool bothThemes = false; ///< a light and a dark picture instead of the look's theme
     bool force = false;

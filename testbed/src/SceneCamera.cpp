@@ -43,17 +43,6 @@ std::vector<int> BodiesOf(const ViewChoice& choice)
     return follow != nullptr ? follow->bodies : std::vector<int>();
 }
 
-Error NoSuchBody(int number, int count)
-{
-    const std::string has =
-        count == 0   ? "no bodies"
-        : count == 1 ? "one body, number 0"
-                     : std::to_string(count) + " bodies, numbers 0 to " + std::to_string(count - 1);
-    return Error{ErrorKind::Unusable, "--camera: there is no body " + std::to_string(number) +
-                                          "; the scene has " + has +
-                                          ", and `--labels` shows which is which."};
-}
-
 } // namespace
 
 SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, int height)
@@ -89,14 +78,9 @@ SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, in
 Result<SceneCamera> SceneCamera::Create(const ViewChoice& choice, b2World& world, int width,
                                         int height)
 {
-    const std::vector<int> numbers = BodiesOf(choice);
-    const std::vector<const b2Body*> bodies = FindBodies(world, numbers);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (const Result<void> found = CheckBodies("--camera", world, BodiesOf(choice)); !found)
     {
-        if (bodies[i] == nullptr)
-        {
-            return NoSuchBody(numbers[i], world.GetBodyCount());
-        }
+        return found.GetError();
     }
     return SceneCamera(choice, world, width, height);
 }

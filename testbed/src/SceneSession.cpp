@@ -117,6 +117,11 @@ void SceneSession::StepOnce()
                     StepSeconds(m_stepsPerSecond));
 }
 
+double SceneSession::Time() const
+{
+    return SecondsAt(m_step, m_stepsPerSecond);
+}
+
 void SceneSession::Fill(FrameContent& content)
 {
     static const BodyNames kNumbersOnly;

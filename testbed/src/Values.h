@@ -4,6 +4,7 @@
 #include <debugdraw/Result.h>
 #include <recorder/FrameClock.h>
 
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -18,7 +19,7 @@ namespace boxreel
 struct Duration
 {
     std::int64_t nanoseconds = 0;
-    friend bool operator==(const Duration&, const Duration&) = default;
+    friend auto operator<=>(const Duration&, const Duration&) = default;
 };
 
 struct PixelSize

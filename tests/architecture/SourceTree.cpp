@@ -41,6 +41,10 @@ const std::vector<Layer>& Layers()
         {"testbed",
          {"scenes", "golden state", "golden", "recorder", "render", "collector", "drawlist",
           "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+        // The programs that docs/ shows, as a user of the libraries writes them.
+        {"docs",
+         {"golden", "recorder", "render", "collector", "drawlist", "engine/Common",
+          "engine/Collision", "engine/Dynamics", "engine"}},
         {"tests",
          {"testbed", "scenes", "golden state", "golden", "recorder", "render", "collector",
           "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
@@ -133,7 +137,7 @@ std::string_view LayerOf(std::string_view path)
     {
         return "scenes";
     }
-    for (std::string_view folder : {"render", "recorder", "testbed", "tests"})
+    for (std::string_view folder : {"render", "recorder", "testbed", "docs", "tests"})
     {
         if (path.starts_with(folder) && path.substr(folder.size()).starts_with('/'))
         {

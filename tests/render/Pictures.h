@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <render/FigureFrame.h>
 #include <render/Renderer.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -51,6 +53,24 @@ inline Frame Picture(const DrawList& list, int width, int height,
 {
     Renderer renderer = MakeRenderer(width, height, theme);
     return DrawWith(renderer, list, PixelCamera(width, height));
+}
+
+inline Frame FrameOf(const Figure& figure)
+{
+    const Result<Frame> frame = ToFrame(figure);
+    EXPECT_TRUE(frame) << frame.GetError().message;
+    return frame ? *frame : Frame();
+}
+
+/// A part of a picture.
+inline Frame Cut(const Frame& frame, int x, int y, int width, int height)
+{
+    Frame part(width, height);
+    for (int row = 0; row < height; ++row)
+    {
+        std::copy_n(frame.Pixel(x, y + row), std::size_t(4 * width), part.Pixel(0, row));
+    }
+    return part;
 }
 
 using Pixel = std::array<int, 4>;

@@ -119,9 +119,12 @@ TEST(CommandLine, MillisecondsOfAStepComeWithThePanel)
 
 TEST(CommandLine, ShotTakesATimeOrAStep)
 {
-    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --at 500ms -o a.png").at, Duration{500'000'000});
-    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 180 -o a.png").step, 180);
-    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 0 -o a.png").step, 0);
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --at 500ms -o a.png").at,
+              std::vector<Duration>{{500'000'000}});
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 180 -o a.png").steps,
+              std::vector<std::int64_t>{180});
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 0 -o a.png").steps,
+              std::vector<std::int64_t>{0});
 }
 
 TEST(CommandLine, GoldenTakesNamesAndFolders)
@@ -298,7 +301,10 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
                                         "--position-iterations"};
     std::vector<std::string> record{"-o,--output", "--seconds", "--frames", "--fps",
                                     "--speed",     "--quality", "--force",  "--progress"};
-    std::vector<std::string> shot{"-o,--output", "--at", "--step", "--force"};
+    std::vector<std::string> shot{"-o,--output",     "--at",    "--step",      "--force",
+                                  "--columns",       "--trail", "--strobe",    "--onion",
+                                  "--trail-seconds", "--axes",  "--scale-bar", "--dimension",
+                                  "--caption"};
     record.insert(record.end(), look.begin(), look.end());
     shot.insert(shot.end(), look.begin(), look.end());
     const std::pair<std::string, std::vector<std::string>> commands[] = {

@@ -70,6 +70,9 @@ enum class DrawLayer : std::uint8_t
     Velocities,
     JointForces,
     JointGlyphs,
+    Trails,      ///< where bodies have been, as lines
+    Poses,       ///< how bodies stood earlier, faded
+    Annotations, ///< axes, scale bars, dimensions, captions
 };
 
 /// Whom an item belongs to: the body's number in its world, in order of creation.

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Camera.h>
+#include <debugdraw/DrawList.h>
+
+#include <string>
+
+/// Measures in a picture, as technical drawings have them: two extension lines, a line with arrows
+/// between them, and the distance.
+namespace boxreel
+{
+
+struct DimensionSettings
+{
+    double offset = 30.0; ///< of the measured points from the line with the arrows, on the side
+                          ///< where there is room: above, else below; left, else right [px]
+    std::string label;    ///< empty: the distance, such as "1.25 m"
+    Color color{255, 255, 255};
+};
+
+/// The distance between `a` and `b` [m], for a list that `view` looks at. Where the arrows do not
+/// fit between the extension lines they point at them from outside. The text stays in the picture
+/// when the arrows do. In the layer Annotations. Nothing is added when the points are one, or not
+/// finite.
+void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
+                  const DimensionSettings& settings = {});
+
+} // namespace boxreel

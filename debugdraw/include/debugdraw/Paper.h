@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Camera.h>
+#include <debugdraw/DrawList.h>
+
+#include <string_view>
+
+/// Drawing by pixels into a list of metres: what stands at a place of the picture and not of the
+/// world, and text that is centred on something. Annotations are drawn with it.
+namespace boxreel
+{
+
+/// y down from the top left corner [px].
+struct PixelPoint
+{
+    double x = 0.0;
+    double y = 0.0;
+};
+
+/// Which point of a text's box lies at the given place: 0 the left or upper end, 1 the other.
+struct TextAnchor
+{
+    double x = 0.0;
+    double y = 0.0;
+};
+
+// Colours of the classic palette, which every theme has its own for.
+inline constexpr Color kInk{255, 255, 255};     ///< stands out most
+inline constexpr Color kNoteInk{230, 230, 230}; ///< a little less
+
+class Paper
+{
+public:
+    /// Adds to `list`, in the layer Annotations and without an owner, where `camera` sees pixels.
+    Paper(DrawList& list, const Camera& camera);
+
+    PixelPoint ToPixel(Vec2 world) const;
+    Vec2 ToWorld(PixelPoint pixel) const;
+
+    void Line(PixelPoint from, PixelPoint to, Color color) const;
+    void Circle(PixelPoint center, double radius, Color color) const;
+    /// The point of the arrow's head lies at `to`.
+    void Arrow(PixelPoint from, PixelPoint to, Color color) const;
+    /// One line, as wide as TextWidth says; nothing when it is empty.
+    void Text(PixelPoint at, std::string_view line, TextAnchor anchor, Color color) const;
+
+private:
+    template <class Add>
+    void Stamped(Add add) const;
+
+    DrawList& m_list;
+    Camera m_camera;
+};
+
+/// A camera whose metres are pixels: (x, y) in pixels is (x, -y) in its world.
+Camera PaperCamera(int width, int height);
+
+} // namespace boxreel

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/Axes.h>
+
+#include <debugdraw/NiceNumbers.h>
+#include <debugdraw/Paper.h>
+#include <debugdraw/TextWidth.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace boxreel
+{
+namespace
+{
+
+// All in pixels.
+constexpr double kBeside = 1.0; // from the picture to a line, which hides nothing of it then
+constexpr double kTick = 5.0;
+constexpr double kGap = 4.0;         // between a tick and its number
+constexpr double kLetterGap = 14.0;  // between two numbers at least
+constexpr double kTickHeight = 45.0; // between two ticks of the upright axis at least
+
+// Ticks closer than this share of a step to the end count as in it.
+constexpr double kRounding = 1e-6;
+
+/// Whether numbers can be told apart in this view at all.
+bool HasTicks(const Camera& view)
+{
+    constexpr double kMostPixels = 1e12; // from the origin; a double has a thousand times as many
+    const double scale = view.pixelsPerMeter;
+    return scale > 1e-12 && scale < 1e12 && std::abs(view.centerX) * scale < kMostPixels &&
+           std::abs(view.centerY) * scale < kMostPixels;
+}
+
+struct Range
+{
+    double lower, upper; // [m]
+};
+
+Range Across(const Camera& view)
+{
+    const double half = 0.5 * view.width / view.pixelsPerMeter;
+    return {view.centerX - half, view.centerX + half};
+}
+
+Range Upwards(const Camera& view)
+{
+    const double half = 0.5 * view.height / view.pixelsPerMeter;
+    return {view.centerY - half, view.centerY + half};
+}
+
+struct Label
+{
+    double tick; // [m]
+    std::string text;
+};
+
+/// The last says what unit they all have.
+std::vector<Label> Labels(const Range& range, double step)
+{
+    std::vector<Label> labels;
+    for (const double tick : Ticks(range.lower, range.upper, step))
+    {
+        labels.push_back({tick, NumberBy(tick, step)});
+    }
+    if (!labels.empty())
+    {
+        labels.back().text += " m";
+    }
+    return labels;
+}
+
+double WidestOf(const std::vector<Label>& labels)
+{
+    double widest = 0.0;
+    for (const Label& label : labels)
+    {
+        widest = std::max(widest, TextWidth(label.text));
+    }
+    return widest;
+}
+
+double StepUpwards(const Camera& view)
+{
+    return NiceAbove(kTickHeight / view.pixelsPerMeter);
+}
+
+/// The smallest step whose numbers have room beside each other, the outer ones moved inwards.
+double StepAcross(const Camera& view)
+{
+    double step = StepUpwards(view);
+    while (step * view.pixelsPerMeter < 1.5 * WidestOf(Labels(Across(view), step)) + kLetterGap)
+    {
+        step = NiceAbove(step * 1.5);
+    }
+    return step;
+}
+
+/// As near to `place` as leaves half of `size` to both ends.
+double Inside(double place, double size, double lower, double upper)
+{
+    return upper - lower > size ? std::clamp(place, lower + 0.5 * size, upper - 0.5 * size)
+                                : 0.5 * (lower + upper);
+}
+
+void AddAcross(const Paper& paper, const Camera& view, PixelPoint corner)
+{
+    const double y = corner.y + view.height + kBeside;
+    const double right = corner.x + view.width;
+    const Range range = Across(view);
+    paper.Line({corner.x - kBeside, y}, {right, y}, kNoteInk);
+    for (const Label& label : Labels(range, StepAcross(view)))
+    {
+        const double x = corner.x + (label.tick - range.lower) * view.pixelsPerMeter;
+        paper.Line({x, y}, {x, y + kTick}, kNoteInk);
+        paper.Text({Inside(x, TextWidth(label.text), corner.x, right), y + kTick + kGap},
+                   label.text, {0.5, 0.0}, kNoteInk);
+    }
+}
+
+void AddUpwards(const Paper& paper, const Camera& view, PixelPoint corner)
+{
+    const double bottom = corner.y + view.height;
+    const Range range = Upwards(view);
+    const double x = corner.x - kBeside;
+    paper.Line({x, corner.y}, {x, bottom + kBeside}, kNoteInk);
+    for (const Label& label : Labels(range, StepUpwards(view)))
+    {
+        const double y = bottom - (label.tick - range.lower) * view.pixelsPerMeter;
+        paper.Line({x - kTick, y}, {x, y}, kNoteInk);
+        paper.Text({x - kTick - kGap, Inside(y, kTextHeight, corner.y, bottom)}, label.text,
+                   {1.0, 0.5}, kNoteInk);
+    }
+}
+
+} // namespace
+
+std::vector<double> Ticks(double lower, double upper, double step)
+{
+    std::vector<double> ticks;
+    const double first = std::ceil(lower / step - kRounding);
+    const double last = std::floor(upper / step + kRounding);
+    for (double i = first; i <= last; i += 1.0)
+    {
+        ticks.push_back(i * step);
+    }
+    return ticks;
+}
+
+int RoomForAxis(const Camera& view)
+{
+    if (!HasTicks(view))
+    {
+        return 0;
+    }
+    const double numbers = WidestOf(Labels(Upwards(view), StepUpwards(view)));
+    return static_cast<int>(std::ceil(numbers + kTick + 2.0 * kGap));
+}
+
+void AddAxes(DrawList& list, const Camera& paper, const Camera& view, Vec2 corner)
+{
+    if (!HasTicks(view))
+    {
+        return;
+    }
+    const Paper sheet(list, paper);
+    AddAcross(sheet, view, {corner.x, corner.y});
+    AddUpwards(sheet, view, {corner.x, corner.y});
+}
+
+void AddOriginMark(DrawList& list, const Camera& view)
+{
+    constexpr double kArm = 9.0;
+    constexpr double kRadius = 4.5;
+    const Paper paper(list, view);
+    const PixelPoint at{0.5 * view.width - view.centerX * view.pixelsPerMeter,
+                        0.5 * view.height + view.centerY * view.pixelsPerMeter};
+    paper.Line({at.x - kArm, at.y}, {at.x + kArm, at.y}, kInk);
+    paper.Line({at.x, at.y - kArm}, {at.x, at.y + kArm}, kInk);
+    paper.Circle(at, kRadius, kInk);
+}
+
+} // namespace boxreel

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/Dimension.h>
+
+#include <debugdraw/NiceNumbers.h>
+#include <debugdraw/Paper.h>
+#include <debugdraw/TextWidth.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+// All in pixels.
+constexpr double kFromPoint = 5.0; // from a measured point to its extension line
+constexpr double kBeyond = 5.0;    // of an extension line beyond the arrows
+constexpr double kShortest = 24.0; // two heads and something between them
+constexpr double kOutside = 18.0;  // the shaft of an arrow that comes from outside
+constexpr double kFromLine = 5.0;  // from the line to the text
+constexpr double kFromEdge = 4.0;  // from the text to the picture's edge
+
+PixelPoint operator+(PixelPoint a, PixelPoint b)
+{
+    return {a.x + b.x, a.y + b.y};
+}
+
+PixelPoint operator*(double factor, PixelPoint p)
+{
+    return {factor * p.x, factor * p.y};
+}
+
+/// The measured line, in pixels.
+struct Measured
+{
+    PixelPoint a, b;
+    PixelPoint along; // from a to b, of length 1
+    double length;
+};
+
+/// Where the text lies when its line runs through `middle` and it is on the side of `normal`: as
+/// near to it as its box can be.
+PixelPoint TextCenter(PixelPoint middle, PixelPoint normal, double width)
+{
+    const double reach =
+        0.5 * width * std::abs(normal.x) + 0.5 * kTextHeight * std::abs(normal.y) + kFromLine;
+    return middle + reach * normal;
+}
+
+/// Whether a box of these sizes around `center` lies in the picture.
+bool HasRoom(const Camera& view, PixelPoint center, double width, double height)
+{
+    return center.x - 0.5 * width >= kFromEdge && center.y - 0.5 * height >= kFromEdge &&
+           center.x + 0.5 * width <= view.width - kFromEdge &&
+           center.y + 0.5 * height <= view.height - kFromEdge;
+}
+
+/// Above lines that lie, left of those that stand.
+PixelPoint PreferredSide(const Measured& measured)
+{
+    const PixelPoint normal{measured.along.y, -measured.along.x};
+    const bool stands = std::abs(normal.x) > std::abs(normal.y);
+    const bool turn = stands ? normal.x > 0.0 : normal.y > 0.0;
+    return turn ? -1.0 * normal : normal;
+}
+
+double Kept(double place, double half, double size)
+{
+    const double border = half + kFromEdge;
+    return size > 2.0 * border ? std::clamp(place, border, size - border) : place;
+}
+
+void AddArrows(const Paper& paper, const Measured& measured, PixelPoint from, PixelPoint to,
+               Color color)
+{
+    const PixelPoint middle = 0.5 * (from + to);
+    if (measured.length >= kShortest)
+    {
+        paper.Arrow(middle, from, color);
+        paper.Arrow(middle, to, color);
+        return;
+    }
+    paper.Arrow(from + -kOutside * measured.along, from, color);
+    paper.Arrow(to + kOutside * measured.along, to, color);
+}
+
+} // namespace
+
+void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
+                  const DimensionSettings& settings)
+{
+    const Paper paper(list, view);
+    const double dx = double(b.x) - a.x;
+    const double dy = double(b.y) - a.y;
+    const double distance = std::sqrt(dx * dx + dy * dy);
+    if (!(distance > 0.0) || !std::isfinite(distance))
+    {
+        return;
+    }
+    const Measured measured{paper.ToPixel(a), paper.ToPixel(b),
+                            PixelPoint{dx / distance, -dy / distance},
+                            distance * view.pixelsPerMeter};
+    const std::string text =
+        settings.label.empty() ? NumberMeasured(distance) + " m" : settings.label;
+    const double width = TextWidth(text);
+    const PixelPoint preferred = PreferredSide(measured);
+    const PixelPoint middle = 0.5 * (measured.a + measured.b);
+    const auto place = [&](PixelPoint side) {
+        return TextCenter(middle + settings.offset * side, side, width);
+    };
+    const auto fits = [&](PixelPoint side) {
+        return HasRoom(view, place(side), width, kTextHeight) &&
+               HasRoom(view, measured.a + settings.offset * side, 0.0, 0.0) &&
+               HasRoom(view, measured.b + settings.offset * side, 0.0, 0.0);
+    };
+    const bool turn = !fits(preferred) && fits(-1.0 * preferred);
+    const PixelPoint side = turn ? -1.0 * preferred : preferred;
+    const PixelPoint from = measured.a + settings.offset * side;
+    const PixelPoint to = measured.b + settings.offset * side;
+    const double start = std::min(kFromPoint, 0.5 * settings.offset);
+    paper.Line(measured.a + start * side, from + kBeyond * side, settings.color);
+    paper.Line(measured.b + start * side, to + kBeyond * side, settings.color);
+    AddArrows(paper, measured, from, to, settings.color);
+    const PixelPoint center = place(side);
+    const bool isSeen =
+        middle.x >= 0.0 && middle.y >= 0.0 && middle.x <= view.width && middle.y <= view.height;
+    paper.Text(isSeen ? PixelPoint{Kept(center.x, 0.5 * width, view.width),
+                                   Kept(center.y, 0.5 * kTextHeight, view.height)}
+                      : center,
+               text, {0.5, 0.5}, settings.color);
+}
+
+} // namespace boxreel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/ScaleBar.h>
+
+#include <debugdraw/NiceNumbers.h>
+#include <debugdraw/Paper.h>
+
+namespace boxreel
+{
+
+void AddScaleBar(DrawList& list, const Camera& paper, double pixelsPerMeter, Vec2 left, double room)
+{
+    constexpr double kEnd = 4.0;                        // half of the lines at the ends [px]
+    constexpr double kGap = 8.0;                        // between bar and text [px]
+    const double longest = 0.5 * room / pixelsPerMeter; // [m]
+    if (!(longest > 1e-12 && longest < 1e12))
+    {
+        return;
+    }
+    const Paper sheet(list, paper);
+    const double meters = NiceBelow(longest);
+    const PixelPoint from{left.x, left.y};
+    const PixelPoint to{left.x + meters * pixelsPerMeter, left.y};
+    sheet.Line(from, to, kInk);
+    for (const PixelPoint end : {from, to})
+    {
+        sheet.Line({end.x, end.y - kEnd}, {end.x, end.y + kEnd}, kInk);
+    }
+    sheet.Text({to.x + kGap, to.y}, NumberBy(meters, meters) + " m", {0.0, 0.5}, kInk);
+}
+
+} // namespace boxreel

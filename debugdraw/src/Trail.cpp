@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <debugdraw/Trail.h>
+
+#include <debugdraw/Theme.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+// A point closer than this [px] to the line between its neighbours changes nothing that is seen.
+constexpr double kTolerance = 0.15;
+
+// A line that fades is drawn in pieces of about this length [px]: shorter than what an eye tells
+// apart in its brightness, longer than their ends.
+constexpr double kPiece = 6.0;
+
+// From one place to the next; where that is farther than a picture is wide, most of it is outside.
+constexpr double kMostPieces = 400.0;
+
+// How far a line of a theme's width reaches beyond its end [px]. Pieces that are not opaque are
+// shorter by this, for where two lie over each other a dot would be seen.
+constexpr double kEnd = 0.49;
+
+// A way that stays within this [px] is no way: what rests is never quite still.
+constexpr double kLeastExtent = 2.0;
+
+// Points that are looked at together for those that are needed: a way of any length then takes time
+// in proportion to it.
+constexpr std::size_t kTogether = 512;
+
+bool IsFinite(Vec2 p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+double Distance(Vec2 a, Vec2 b)
+{
+    const double x = double(b.x) - a.x;
+    const double y = double(b.y) - a.y;
+    return std::sqrt(x * x + y * y);
+}
+
+/// Of `p` from the line segment between `a` and `b`.
+double DistanceFromLine(Vec2 p, Vec2 a, Vec2 b)
+{
+    const double x = double(b.x) - a.x;
+    const double y = double(b.y) - a.y;
+    const double square = x * x + y * y;
+    const double along =
+        square > 0.0 ? ((double(p.x) - a.x) * x + (double(p.y) - a.y) * y) / square : 0.0;
+    const double share = std::clamp(along, 0.0, 1.0);
+    const double dx = a.x + share * x - p.x;
+    const double dy = a.y + share * y - p.y;
+    return std::sqrt(dx * dx + dy * dy);
+}
+
+/// The algorithm of Ramer (1972) and of Douglas and Peucker (1973), with a stack of its own: which
+/// points are needed so that none of the others is farther than `tolerance` [m] from the line.
+std::vector<std::size_t> Needed(std::span<const Vec2> way, double tolerance)
+{
+    std::vector<bool> keep(way.size(), false);
+    keep.front() = keep.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, way.size() - 1}};
+    while (!open.empty())
+    {
+        const auto [first, last] = open.back();
+        open.pop_back();
+        double farthest = tolerance;
+        std::size_t at = first;
+        for (std::size_t i = first + 1; i < last; ++i)
+        {
+            const double distance = DistanceFromLine(way[i], way[first], way[last]);
+            if (distance > farthest)
+            {
+                farthest = distance;
+                at = i;
+            }
+        }
+        if (at != first)
+        {
+            keep[at] = true;
+            open.emplace_back(first, at);
+            open.emplace_back(at, last);
+        }
+    }
+    std::vector<std::size_t> needed;
+    for (std::size_t i = 0; i < way.size(); ++i)
+    {
+        if (keep[i])
+        {
+            needed.push_back(i);
+        }
+    }
+    return needed;
+}
+
+Vec2 Between(Vec2 a, Vec2 b, double share)
+{
+    return {static_cast<float>(a.x + share * (double(b.x) - a.x)),
+            static_cast<float>(a.y + share * (double(b.y) - a.y))};
+}
+
+/// Where a trail's line is drawn, and how old it is there: 0 where the whole way begins, 1 at its
+/// end.
+struct Piece
+{
+    Vec2 from, to;
+    double age0, age1;
+};
+
+bool IsWay(std::span<const Vec2> way, double pixel)
+{
+    Rect bounds;
+    for (const Vec2 place : way)
+    {
+        if (IsFinite(place))
+        {
+            bounds.Include(place);
+        }
+    }
+    return !bounds.IsEmpty() && Distance(bounds.lower, bounds.upper) > kLeastExtent * pixel;
+}
+
+void AddPiece(DrawList& list, double pixel, const Piece& piece, const TrailSettings& settings)
+{
+    const double length = Distance(piece.from, piece.to);
+    if (settings.oldest >= 1.0)
+    {
+        list.AddSegment(piece.from, piece.to, settings.color);
+        return;
+    }
+    const int count = static_cast<int>(std::clamp(length / (kPiece * pixel), 1.0, kMostPieces));
+    const double shorter = std::min(kEnd * pixel / std::max(length, pixel), 0.45 / count);
+    for (int i = 0; i < count; ++i)
+    {
+        const double start = double(i) / count;
+        const double end = double(i + 1) / count;
+        const double age = piece.age0 + 0.5 * (start + end) * (piece.age1 - piece.age0);
+        const double opacity = settings.oldest + age * (1.0 - settings.oldest);
+        Color color = settings.color;
+        color.a = static_cast<std::uint8_t>(std::floor(opacity * color.a + 0.5));
+        list.AddSegment(Between(piece.from, piece.to, start + shorter),
+                        Between(piece.from, piece.to, end - shorter), color);
+    }
+}
+
+} // namespace
+
+void AddTrail(DrawList& list, const Camera& camera, std::span<const Vec2> way,
+              const TrailSettings& settings)
+{
+    const double pixel = 1.0 / camera.pixelsPerMeter;
+    if (!IsWay(way, pixel))
+    {
+        return;
+    }
+    const DrawLayer before = list.layer;
+    list.layer = DrawLayer::Trails;
+    const double whole = way.size() > 1 ? double(way.size() - 1) : 1.0;
+    for (std::size_t start = 0; start + 1 < way.size();)
+    {
+        std::size_t end = start; // the last point of this part
+        while (end + 1 < way.size() && end < start + kTogether && IsFinite(way[end + 1]))
+        {
+            ++end;
+        }
+        if (end == start || !IsFinite(way[start]))
+        {
+            ++start;
+            continue;
+        }
+        const std::span<const Vec2> part = way.subspan(start, end - start + 1);
+        const std::vector<std::size_t> needed = Needed(part, kTolerance * pixel);
+        for (std::size_t i = 0; i + 1 < needed.size(); ++i)
+        {
+            const std::size_t a = needed[i];
+            const std::size_t b = needed[i + 1];
+            if (Distance(part[a], part[b]) > kTolerance * pixel)
+            {
+                AddPiece(list, pixel,
+                         {part[a], part[b], double(start + a) / whole, double(start + b) / whole},
+                         settings);
+            }
+        }
+        start = end;
+    }
+    list.layer = before;
+}
+
+Color TrailColor(std::size_t n)
+{
+    // Of the classic palette, so that each theme has a colour of its own for them.
+    constexpr std::array<ColorRole, 5> kRoles{ColorRole::Pair, ColorRole::ContactImpulse,
+                                              ColorRole::Aabb, ColorRole::NewContact,
+                                              ColorRole::ContactNormal};
+    return kClassicPalette[static_cast<std::size_t>(kRoles[n % kRoles.size()])];
+}
+
+} // namespace boxreel

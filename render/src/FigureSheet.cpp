@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include <render/FigureSheet.h>
+
+#include <debugdraw/Axes.h>
+#include <debugdraw/Paper.h>
+#include <debugdraw/ScaleBar.h>
+#include <debugdraw/TextWidth.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+namespace
+{
+
+// All in pixels.
+constexpr int kBorder = 12;      // around all of it
+constexpr int kGap = 16;         // between pictures
+constexpr int kTitleHeight = 24; // of a line above a picture
+constexpr int kLine = 20;        // from one line of the caption to the next
+constexpr int kCaptionGap = 14;  // above the caption
+constexpr int kAxisEnd = 6;      // beside numbers, to the next picture
+
+/// What there is around each picture.
+struct Margins
+{
+    int left = 0;
+    int top = 0;
+    int bottom = 0;
+};
+
+struct Grid
+{
+    int columns = 1;
+    int rows = 1;
+    int cellWidth = 0;
+    int cellHeight = 0;
+    int gap = 0;
+    int border = 0;
+    int Width() const { return 2 * border + columns * cellWidth + (columns - 1) * gap; }
+    int Height() const { return 2 * border + rows * cellHeight + (rows - 1) * gap; }
+};
+
+int ColumnsFor(int count)
+{
+    int columns = std::min(count, 3);
+    columns = count == 4 ? 2 : columns; // two and two rather than three and one
+    while (columns * columns < count)
+    {
+        ++columns;
+    }
+    return std::max(columns, 1);
+}
+
+bool IsPlain(const std::vector<SheetPicture>& pictures, const SheetSettings& settings)
+{
+    return pictures.size() == 1 && !settings.axes && !settings.scaleBar &&
+           settings.caption.empty() && pictures.front().title.empty();
+}
+
+Margins MarginsOf(const std::vector<SheetPicture>& pictures, const SheetSettings& settings)
+{
+    Margins margins;
+    for (const SheetPicture& picture : pictures)
+    {
+        margins.left = std::max(margins.left, settings.axes ? RoomForAxis(picture.camera) : 0);
+        margins.top = std::max(margins.top, picture.title.empty() ? 0 : kTitleHeight);
+    }
+    margins.bottom = (settings.axes ? kAxisBelow : 0) + (settings.scaleBar ? kScaleBarHeight : 0);
+    return margins;
+}
+
+Grid GridOf(const std::vector<SheetPicture>& pictures, const Margins& margins,
+            const SheetSettings& settings)
+{
+    const int count = static_cast<int>(pictures.size());
+    Grid grid;
+    grid.columns = std::clamp(settings.columns > 0 ? settings.columns : ColumnsFor(count), 1,
+                              std::max(count, 1));
+    grid.rows = std::max(1, (count + grid.columns - 1) / grid.columns);
+    for (const SheetPicture& picture : pictures)
+    {
+        grid.cellWidth = std::max(grid.cellWidth, margins.left + picture.camera.width);
+        grid.cellHeight =
+            std::max(grid.cellHeight, margins.top + picture.camera.height + margins.bottom);
+    }
+    grid.gap = settings.axes ? kGap + kAxisEnd : kGap;
+    grid.border = kBorder;
+    return grid;
+}
+
+/// The frame of a picture that has no axes, just outside of it, so that one sees where it ends.
+void AddFrame(const Paper& paper, const Camera& view, PixelPoint corner)
+{
+    constexpr Color kFrame{153, 153, 153}; // that of sleeping bodies, a grey in most themes
+    const double left = corner.x - 1.0;
+    const double top = corner.y - 1.0;
+    const double right = corner.x + view.width + 1.0;
+    const double bottom = corner.y + view.height + 1.0;
+    paper.Line({left, top}, {right, top}, kFrame);
+    paper.Line({right, top}, {right, bottom}, kFrame);
+    paper.Line({right, bottom}, {left, bottom}, kFrame);
+    paper.Line({left, bottom}, {left, top}, kFrame);
+}
+
+void AddSurroundings(DrawList& list, const Camera& sheet, const SheetPicture& picture,
+                     PixelPoint corner, const SheetSettings& settings)
+{
+    const Paper paper(list, sheet);
+    const Camera& view = picture.camera;
+    const Vec2 at{float(corner.x), float(corner.y)};
+    double below = corner.y + view.height;
+    if (settings.axes)
+    {
+        AddAxes(list, sheet, view, at);
+        below += kAxisBelow;
+    }
+    else
+    {
+        AddFrame(paper, view, corner);
+    }
+    if (settings.scaleBar)
+    {
+        const double room = std::min(view.width, 240);
+        AddScaleBar(list, sheet, view.pixelsPerMeter,
+                    {at.x, float(below + 0.5 * kScaleBarHeight + 2.0)}, room);
+    }
+    paper.Text({corner.x, corner.y - 0.5 * kTitleHeight}, picture.title, {0.0, 0.5}, kInk);
+}
+
+} // namespace
+
+Figure SheetOf(std::vector<SheetPicture> pictures, const SheetSettings& settings)
+{
+    Figure figure;
+    figure.theme = settings.theme;
+    figure.scale = settings.scale;
+    figure.title = settings.title;
+    if (IsPlain(pictures, settings))
+    {
+        figure.width = pictures.front().camera.width;
+        figure.height = pictures.front().camera.height;
+        figure.panels.push_back(
+            {std::move(pictures.front().list), pictures.front().camera, 0.0, 0.0, {}});
+        return figure;
+    }
+    const Margins margins = MarginsOf(pictures, settings);
+    const Grid grid = GridOf(pictures, margins, settings);
+    figure.width = grid.Width();
+    figure.height = grid.Height();
+    std::vector<std::string> lines;
+    if (!settings.caption.empty())
+    {
+        lines = WrapText(settings.caption, grid.Width() - 2.0 * kBorder);
+        figure.height += kCaptionGap + kLine * static_cast<int>(lines.size());
+    }
+    const Camera sheet = PaperCamera(figure.width, figure.height);
+    FigurePanel around{{}, sheet, 0.0, 0.0, {}};
+    figure.panels.resize(1);
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+    {
+        const int column = static_cast<int>(i) % grid.columns;
+        const int row = static_cast<int>(i) / grid.columns;
+        const PixelPoint corner{
+            double(grid.border + column * (grid.cellWidth + grid.gap) + margins.left),
+            double(grid.border + row * (grid.cellHeight + grid.gap) + margins.top)};
+        AddSurroundings(around.list, sheet, pictures[i], corner, settings);
+        figure.panels.push_back(
+            {std::move(pictures[i].list), pictures[i].camera, corner.x, corner.y, {}});
+    }
+    const Paper paper(around.list, sheet);
+    double y = grid.Height() - grid.border + kCaptionGap;
+    for (const std::string& line : lines)
+    {
+        paper.Text({double(kBorder), y}, line, {0.0, 0.0}, kInk);
+        y += kLine;
+    }
+    figure.panels.front() = std::move(around);
+    return figure;
+}
+
+} // namespace boxreel

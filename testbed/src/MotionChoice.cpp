@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "MotionChoice.h"
+
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::int64_t kMostBodies = 1'000'000'000;
+constexpr std::int64_t kMostSteps = 1'000'000'000;
+constexpr std::int64_t kMostPoses = 100; // of an onion skin: more could not be told apart
+constexpr std::size_t kMostMoments = 64; // smaller pictures would show nothing
+constexpr double kFarthest = 1e6;        // [m], where single precision has steps of 6 cm
+
+Error Refusal(const std::string& option, const std::string& text, const std::string& remedy)
+{
+    return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
+}
+
+std::optional<int> ReadBody(std::string_view text)
+{
+    const Result<std::int64_t> number = ParseWhole("", text, 0, kMostBodies);
+    return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
+std::optional<BodyChoice> ReadBodies(std::string_view text)
+{
+    BodyChoice choice;
+    choice.moving = text == "moving";
+    for (const std::string& part : SplitAt(',', choice.moving ? "" : text))
+    {
+        const std::optional<int> number = ReadBody(part);
+        if (!number && !choice.moving)
+        {
+            return std::nullopt;
+        }
+        if (number)
+        {
+            choice.bodies.push_back(*number);
+        }
+    }
+    return choice;
+}
+
+/// Above 0.
+std::optional<Interval> ReadInterval(std::string_view text)
+{
+    for (const std::string_view unit : {"steps", "step"})
+    {
+        if (text.ends_with(unit))
+        {
+            text.remove_suffix(unit.size());
+            const Result<std::int64_t> steps = ParseWhole("", text, 1, kMostSteps);
+            return steps ? std::optional(Interval{{}, *steps}) : std::nullopt;
+        }
+    }
+    const Result<Duration> time = ParseDuration("", text);
+    return time && time->nanoseconds > 0 ? std::optional(Interval{*time, 0}) : std::nullopt;
+}
+
+std::optional<MeasuredEnd> ReadEnd(std::string_view text)
+{
+    const std::vector<std::string> parts = SplitAt(',', text);
+    if (parts.size() == 1)
+    {
+        const std::optional<int> body = ReadBody(parts[0]);
+        return body ? std::optional(MeasuredEnd(*body)) : std::nullopt;
+    }
+    const Result<double> x = ParseNumber("", parts[0]);
+    const Result<double> y = ParseNumber("", parts[1]);
+    if (parts.size() != 2 || !x || !y || std::max(std::abs(*x), std::abs(*y)) > kFarthest)
+    {
+        return std::nullopt;
+    }
+    return MeasuredEnd(Vec2{static_cast<float>(*x), static_cast<float>(*y)});
+}
+
+template <class Value>
+Result<std::vector<Value>> Growing(const std::string& option, const std::string& text,
+                                   std::vector<Value> values)
+{
+    for (std::size_t i = 1; i < values.size(); ++i)
+    {
+        if (!(values[i - 1] < values[i]))
+        {
+            return Refusal(option, text, "several must grow; give the earliest first");
+        }
+    }
+    if (values.size() > kMostMoments)
+    {
+        return Refusal(option, text, "64 moments are the most; give fewer");
+    }
+    return values;
+}
+
+} // namespace
+
+Result<BodyChoice> ParseBodyChoice(const std::string& option, const std::string& text)
+{
+    const std::optional<BodyChoice> bodies = ReadBodies(text);
+    return bodies ? Result<BodyChoice>(*bodies)
+                  : Refusal(option, text,
+                            "give the numbers of bodies, such as 3,17, or the word moving");
+}
+
+Result<StrobeChoice> ParseStrobe(const std::string& option, const std::string& text)
+{
+    const std::vector<std::string> parts = SplitAt(':', text);
+    const std::optional<Interval> every = ReadInterval(parts[0]);
+    const std::optional<BodyChoice> bodies = ReadBodies(parts.size() > 1 ? parts[1] : "moving");
+    if (!every || !bodies || parts.size() > 2)
+    {
+        return Refusal(option, text,
+                       "give a time or steps, and bodies if you like, such as 250ms, 15steps or "
+                       "250ms:3,17");
+    }
+    return StrobeChoice{*every, *bodies};
+}
+
+Result<OnionChoice> ParseOnion(const std::string& option, const std::string& text)
+{
+    const std::vector<std::string> parts = SplitAt(':', text);
+    OnionChoice onion;
+    const Result<std::int64_t> count = ParseWhole("", parts[0], 1, kMostPoses);
+    const std::optional<Interval> every =
+        parts.size() > 1 ? ReadInterval(parts[1]) : std::optional(onion.every);
+    const std::optional<BodyChoice> bodies = ReadBodies(parts.size() > 2 ? parts[2] : "moving");
+    if (!count || !every || !bodies || parts.size() > 3)
+    {
+        return Refusal(option, text,
+                       "give a number of poses from 1 to 100, and the time or steps between them "
+                       "and bodies if you like, such as 5, 5:100ms or 5:6steps:3,17");
+    }
+    return OnionChoice{*count, *every, *bodies};
+}
+
+Result<DimensionChoice> ParseDimension(const std::string& option, const std::string& text)
+{
+    constexpr std::string_view kTo = " to ";
+    const std::size_t to = text.find(kTo);
+    const std::vector<std::string> ends =
+        to == std::string::npos ? SplitAt(',', text) // of bodies, like elsewhere
+                                : std::vector{text.substr(0, to), text.substr(to + kTo.size())};
+    const std::optional<MeasuredEnd> from = ReadEnd(ends.front());
+    const std::optional<MeasuredEnd> end = ReadEnd(ends.back());
+    if (ends.size() == 2 && from && end && *from != *end)
+    {
+        return DimensionChoice{*from, *end};
+    }
+    return Refusal(option, text,
+                   "give two bodies, such as 3,17, or two ends, each a body or a point X,Y in "
+                   "metres, such as \"0,0 to 4.5,2\" or \"3 to 4.5,2\"");
+}
+
+Result<std::vector<Duration>> ParseMoments(const std::string& option, const std::string& text)
+{
+    std::vector<Duration> times;
+    for (const std::string& part : SplitAt(',', text))
+    {
+        const Result<Duration> time = ParseDuration(option, part);
+        if (!time)
+        {
+            return time.GetError();
+        }
+        times.push_back(*time);
+    }
+    return Growing(option, text, times);
+}
+
+Result<std::vector<std::int64_t>> ParseSteps(const std::string& option, const std::string& text)
+{
+    std::vector<std::int64_t> steps;
+    for (const std::string& part : SplitAt(',', text))
+    {
+        const Result<std::int64_t> step = ParseWhole(option, part, 0, kMostSteps);
+        if (!step)
+        {
+            return step.GetError();
+        }
+        steps.push_back(*step);
+    }
+    return Growing(option, text, steps);
+}
+
+} // namespace boxreel

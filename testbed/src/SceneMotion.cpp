@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "SceneMotion.h"
+
+#include "SceneLabels.h"
+
+#include <debugdraw/Axes.h>
+#include <debugdraw/Dimension.h>
+#include <debugdraw/DrawCollector.h>
+#include <debugdraw/Faded.h>
+#include <debugdraw/Trail.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+namespace
+{
+
+// Of a stroboscope: enough to tell its poses from the ground and from the last one.
+constexpr double kStrobeOpacity = 0.45;
+// Of an onion skin's oldest and newest.
+constexpr double kOldestOpacity = 0.15;
+constexpr double kNewestOpacity = 0.6;
+
+// A pose nearer than this [px] to the next one would only blur it.
+constexpr double kSamePlace = 1.5;
+
+// More would be a smear, and a file and a memory full of it.
+constexpr std::size_t kMostPoses = 2000;
+
+bool IsMeant(const BodyChoice& choice, const b2Body& body)
+{
+    return choice.moving ? body.GetType() != b2_staticBody
+                         : std::find(choice.bodies.begin(), choice.bodies.end(),
+                                     body.GetNumber()) != choice.bodies.end();
+}
+
+DrawList ShapesOf(b2World& world)
+{
+    DrawList list;
+    DrawCollector collector(list);
+    collector.SetFlags(b2Draw::e_shapeBit);
+    world.SetDebugDraw(&collector);
+    world.DrawDebugData();
+    world.SetDebugDraw(nullptr);
+    return list;
+}
+
+/// `count` intervals, in steps.
+std::int64_t StepsIn(const Interval& interval, std::int64_t count, const Rational& stepsPerSecond)
+{
+    return interval.steps > 0 ? count * interval.steps
+                              : StepAt(Duration{count * interval.time.nanoseconds}, stepsPerSecond);
+}
+
+std::optional<Vec2> PlaceOf(const MeasuredEnd& end, b2World& world)
+{
+    if (const int* const number = std::get_if<int>(&end))
+    {
+        const b2Body* const body = FindBodies(world, {*number}).front();
+        return body != nullptr
+                   ? std::optional(Vec2{body->GetWorldCenter().x, body->GetWorldCenter().y})
+                   : std::nullopt;
+    }
+    return std::get<Vec2>(end);
+}
+
+void AddBodyOf(const MeasuredEnd& end, std::vector<int>& bodies)
+{
+    if (const int* const number = std::get_if<int>(&end))
+    {
+        bodies.push_back(*number);
+    }
+}
+
+Result<void> CheckAllBodies(const MotionLook& look, b2World& world)
+{
+    std::vector<int> measured;
+    for (const DimensionChoice& dimension : look.dimensions)
+    {
+        AddBodyOf(dimension.from, measured);
+        AddBodyOf(dimension.to, measured);
+    }
+    const std::pair<const char*, std::vector<int>> named[] = {
+        {"--trail", look.trail ? look.trail->bodies : std::vector<int>()},
+        {"--strobe", look.strobe ? look.strobe->of.bodies : std::vector<int>()},
+        {"--onion", look.onion ? look.onion->of.bodies : std::vector<int>()},
+        {"--dimension", measured}};
+    for (const auto& [option, numbers] : named)
+    {
+        if (const Result<void> found = CheckBodies(option, world, numbers); !found)
+        {
+            return found;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+Result<SceneMotion> SceneMotion::Create(const MotionLook& look, SceneSession& session,
+                                        const std::vector<std::int64_t>& moments)
+{
+    if (const Result<void> found = CheckAllBodies(look, session.World()); !found)
+    {
+        return found.GetError();
+    }
+    SceneMotion motion(look);
+    for (const std::int64_t moment : moments)
+    {
+        for (const std::int64_t step : motion.PosesFor(moment, session.StepsPerSecond()))
+        {
+            motion.m_poses.try_emplace(step);
+        }
+        if (motion.m_poses.size() > kMostPoses)
+        {
+            return Error{ErrorKind::Unusable,
+                         std::string(look.strobe ? "--strobe" : "--onion") + " makes more than " +
+                             std::to_string(kMostPoses) +
+                             " poses; give more time between them, or fewer moments."};
+        }
+    }
+    motion.Observe(session);
+    return motion;
+}
+
+/// The steps of the earlier poses, the oldest first. One more than the most is enough to say so.
+std::vector<std::int64_t> SceneMotion::PosesFor(std::int64_t moment,
+                                                const Rational& stepsPerSecond) const
+{
+    std::set<std::int64_t> steps;
+    if (m_look.strobe)
+    {
+        for (std::int64_t i = 0; steps.size() <= kMostPoses; ++i)
+        {
+            const std::int64_t step = StepsIn(m_look.strobe->every, i, stepsPerSecond);
+            if (step >= moment)
+            {
+                break;
+            }
+            steps.insert(step);
+        }
+    }
+    for (std::int64_t i = 1; m_look.onion && i <= m_look.onion->count; ++i)
+    {
+        const std::int64_t step = moment - StepsIn(m_look.onion->every, i, stepsPerSecond);
+        if (step >= 0 && step < moment)
+        {
+            steps.insert(step);
+        }
+    }
+    return {steps.begin(), steps.end()};
+}
+
+void SceneMotion::AdvanceTo(SceneSession& session, std::int64_t step)
+{
+    const bool watches = m_look.trail.has_value();
+    while (session.Step() < step)
+    {
+        const auto next = m_poses.upper_bound(session.Step());
+        const std::int64_t goal = next != m_poses.end() ? std::min(step, next->first) : step;
+        session.AdvanceTo(watches ? session.Step() + 1 : goal);
+        Observe(session);
+    }
+}
+
+void SceneMotion::Observe(SceneSession& session)
+{
+    const auto pose = m_poses.find(session.Step());
+    if (pose == m_poses.end() && !m_look.trail)
+    {
+        return;
+    }
+    for (const b2Body* const body : OldestFirst(session.World()))
+    {
+        if (m_look.trail && IsMeant(*m_look.trail, *body))
+        {
+            Way& way = m_ways.try_emplace(body->GetNumber(), Way{session.Step(), {}}).first->second;
+            const b2Vec2 center = body->GetWorldCenter();
+            way.places.push_back({center.x, center.y});
+        }
+        if (pose != m_poses.end() &&
+            IsMeant(m_look.strobe ? m_look.strobe->of : m_look.onion->of, *body))
+        {
+            pose->second.bodies.insert(static_cast<std::uint32_t>(body->GetNumber()));
+        }
+    }
+    if (pose != m_poses.end())
+    {
+        pose->second.list = ShapesOf(session.World());
+    }
+}
+
+void SceneMotion::AddTrails(const SceneSession& session, DrawList& list) const
+{
+    std::int64_t start = 0;
+    if (m_look.trailTime)
+    {
+        start = session.Step() - StepAt(*m_look.trailTime, session.StepsPerSecond());
+    }
+    std::size_t number = 0;
+    for (const auto& [body, way] : m_ways)
+    {
+        const std::size_t skipped = static_cast<std::size_t>(
+            std::clamp<std::int64_t>(start - way.firstStep, 0, std::ssize(way.places)));
+        list.owner = static_cast<std::uint32_t>(body);
+        AddTrail(list, session.View(), std::span(way.places).subspan(skipped),
+                 {.color = TrailColor(number++)});
+    }
+    list.owner = kNoOwner;
+}
+
+void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
+{
+    const std::vector<std::int64_t> steps = PosesFor(session.Step(), session.StepsPerSecond());
+    if (steps.empty())
+    {
+        return;
+    }
+    const double near = kSamePlace / session.View().pixelsPerMeter;
+    const DrawList now = ShapesOf(session.World());
+    std::map<std::uint32_t, const DrawList*> later; // where a body was seen last, backwards
+    std::map<std::int64_t, std::set<std::uint32_t>> shown;
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+    {
+        const Pose& pose = m_poses.at(*step);
+        for (const std::uint32_t body : pose.bodies)
+        {
+            const DrawList*& next = later.try_emplace(body, &now).first->second;
+            if (!StandsStill(pose.list, *next, body, near) &&
+                !StandsStill(pose.list, now, body, near))
+            {
+                shown[*step].insert(body);
+                next = &pose.list;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i)
+    {
+        const double age = double(i + 1) / double(steps.size());
+        const double opacity = m_look.strobe
+                                   ? kStrobeOpacity
+                                   : kOldestOpacity + age * (kNewestOpacity - kOldestOpacity);
+        const std::set<std::uint32_t>& bodies = shown[steps[i]];
+        AddFaded(list, m_poses.at(steps[i]).list, opacity,
+                 [&bodies](const DrawItem& item) { return bodies.contains(item.owner); });
+    }
+}
+
+DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) const
+{
+    DrawList list;
+    AddPoses(session, list);
+    AddTrails(session, list);
+    Append(list, scene);
+    if (m_look.axes)
+    {
+        AddOriginMark(list, session.View());
+    }
+    for (const DimensionChoice& dimension : m_look.dimensions)
+    {
+        const std::optional<Vec2> from = PlaceOf(dimension.from, session.World());
+        const std::optional<Vec2> to = PlaceOf(dimension.to, session.World());
+        if (from && to)
+        {
+            AddDimension(list, session.View(), *from, *to);
+        }
+    }
+    return list;
+}
+
+} // namespace boxreel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "MotionChoice.h"
+#include "SceneSession.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+/// Watches a scene step by step and adds to its stills what a MotionLook asks for: trails, earlier
+/// poses, dimensions, the origin. Knows no files; never prints.
+namespace boxreel
+{
+
+class SceneMotion
+{
+public:
+    /// For pictures at these steps, before the first step. Unusable when a body that the look names
+    /// is not there, or when there are too many poses.
+    static Result<SceneMotion> Create(const MotionLook& look, SceneSession& session,
+                                      const std::vector<std::int64_t>& moments);
+
+    /// Takes the session on to `step`, looking at every step on the way.
+    void AdvanceTo(SceneSession& session, std::int64_t step);
+
+    /// What the picture of the session's step shows: `scene`, which is drawn at scale 1, with
+    /// trails and earlier poses beneath it and dimensions on top. The step is one of the moments.
+    DrawList Picture(SceneSession& session, const DrawList& scene) const;
+
+private:
+    /// How bodies stood at a step.
+    struct Pose
+    {
+        DrawList list;
+        std::set<std::uint32_t> bodies; // those that are shown
+    };
+    /// Where a body's centre of mass was, step by step.
+    struct Way
+    {
+        std::int64_t firstStep = 0;
+        std::vector<Vec2> places; // [m]
+    };
+
+    explicit SceneMotion(const MotionLook& look) : m_look(look) {}
+    std::vector<std::int64_t> PosesFor(std::int64_t moment, const Rational& stepsPerSecond) const;
+    void Observe(SceneSession& session);
+    void AddTrails(const SceneSession& session, DrawList& list) const;
+    void AddPoses(SceneSession& session, DrawList& list) const;
+
+    MotionLook m_look;
+    std::map<std::int64_t, Pose> m_poses; // by the steps that pictures need
+    std::map<int, Way> m_ways;            // by the bodies' numbers
+};
+
+} // namespace boxreel
