@@ -73,8 +73,13 @@ private:
                 0.5 * m_camera.height - (world.y - m_camera.centerY) * m_camera.pixelsPerMeter};
     }
     FigureInk Stroke(Color asked) const { return {m_theme.Outline(asked), asked.a / 255.0}; }
-    FigureInk Fill(Color asked) const
+    FigureInk Fill(const DrawItem& item) const
     {
+        const Color asked = item.color;
+        if (item.layer == DrawLayer::Annotations)
+        {
+            return Stroke(asked);
+        }
         const Color fill = m_theme.Fill(asked);
         const auto shaded = [this](std::uint8_t channel) {
             return static_cast<std::uint8_t>(std::floor(m_theme.fillShade * channel + 0.5f));
@@ -88,9 +93,9 @@ private:
     std::string UniqueId(const std::string& wanted) const;
 
     void Add(const DrawItem& item);
-    void AddSolidPolygon(const Vec2* points, std::size_t count, Color color);
+    void AddSolidPolygon(const Vec2* points, const DrawItem& item);
     void AddOutline(const Vec2* points, std::size_t count, Color color);
-    void AddSolidCircle(Point center, double radius, Point axis, Color color);
+    void AddSolidCircle(Point center, double radius, Point axis, const DrawItem& item);
     void AddLine(Point a, Point b, const FigureInk& ink);
     void AddTransform(const Vec2* points, double length);
     void AddText(Point topLeft, const std::string& text, Color color);
@@ -207,11 +212,11 @@ void PanelPainter::Add(const DrawItem& item)
     case DrawKind::Polygon:
         return AddOutline(points, item.count, item.color);
     case DrawKind::SolidPolygon:
-        return AddSolidPolygon(points, item.count, item.color);
+        return AddSolidPolygon(points, item);
     case DrawKind::Circle:
         return m_canvas.Circle(first, radius, {{}, Stroke(item.color)});
     case DrawKind::SolidCircle:
-        return AddSolidCircle(first, radius, {points[1].x, -points[1].y}, item.color);
+        return AddSolidCircle(first, radius, {points[1].x, -points[1].y}, item);
     case DrawKind::Segment:
         return AddLine(first, ToPixel(points[1]), Stroke(item.color));
     case DrawKind::Transform:
@@ -223,8 +228,10 @@ void PanelPainter::Add(const DrawItem& item)
     }
 }
 
-void PanelPainter::AddSolidPolygon(const Vec2* points, std::size_t count, Color color)
+void PanelPainter::AddSolidPolygon(const Vec2* points, const DrawItem& item)
 {
+    const std::size_t count = item.count;
+    const Color color = item.color;
     if (count > kMaxCorners - 4)
     {
         return AddOutline(points, count, color); // more corners than the interface allows
@@ -245,13 +252,13 @@ void PanelPainter::AddSolidPolygon(const Vec2* points, std::size_t count, Color 
     const auto all = [](const Convex& p) { return std::span(p.corners.data(), p.count); };
     if (color.a == 255)
     {
-        return m_canvas.Polygon(all(polygon), true, {Fill(color), Stroke(color)});
+        return m_canvas.Polygon(all(polygon), true, {Fill(item), Stroke(color)});
     }
     // What is seen through an outline is what lies below the shape, not its own fill.
     const Convex inside = Shrink(polygon, 0.5 * double(m_theme.outlineWidth));
     if (inside.count >= 3)
     {
-        m_canvas.Polygon(all(inside), true, {Fill(color), {}});
+        m_canvas.Polygon(all(inside), true, {Fill(item), {}});
     }
     m_canvas.Polygon(all(polygon), true, {{}, Stroke(color)});
 }
@@ -274,20 +281,21 @@ void PanelPainter::AddOutline(const Vec2* points, std::size_t count, Color color
     }
 }
 
-void PanelPainter::AddSolidCircle(Point center, double radius, Point axis, Color color)
+void PanelPainter::AddSolidCircle(Point center, double radius, Point axis, const DrawItem& item)
 {
+    const Color color = item.color;
     const double length = Length(axis);
     const Point direction = length > 0.0 ? (1.0 / length) * axis : Point{1.0, 0.0};
     if (color.a == 255)
     {
-        m_canvas.Circle(center, radius, {Fill(color), Stroke(color)});
+        m_canvas.Circle(center, radius, {Fill(item), Stroke(color)});
     }
     else
     {
         const double inside = radius - 0.5 * double(m_theme.outlineWidth);
         if (inside > 0.0)
         {
-            m_canvas.Circle(center, inside, {Fill(color), {}});
+            m_canvas.Circle(center, inside, {Fill(item), {}});
         }
         m_canvas.Circle(center, radius, {{}, Stroke(color)});
     }

@@ -129,12 +129,12 @@ bool ShapeBuilder::Add(const DrawList& list, const DrawItem& item)
     case DrawKind::Polygon:
         return AddOutline(points, item.count, stroke);
     case DrawKind::SolidPolygon:
-        return AddSolidPolygon(points, item.count, item.color);
+        return AddSolidPolygon(points, item.count, SolidPaint(item));
     case DrawKind::Circle:
         return AddDisc(ToPixel(points[0]), item.size * meters, std::nullopt, width, {stroke, {}});
     case DrawKind::SolidCircle:
         return AddDisc(ToPixel(points[0]), item.size * meters, Point{points[1].x, -points[1].y},
-                       width, SolidPaint(item.color));
+                       width, SolidPaint(item));
     case DrawKind::Segment:
         return AddLine(ToPixel(points[0]), ToPixel(points[1]), width, stroke);
     case DrawKind::Transform:
@@ -167,8 +167,14 @@ std::optional<PixelBounds> ShapeBuilder::InPicture(Point lower, Point upper) con
     return bounds.IsEmpty() ? std::nullopt : std::optional(bounds);
 }
 
-ShapeBuilder::Paint ShapeBuilder::SolidPaint(Color color) const
+ShapeBuilder::Paint ShapeBuilder::SolidPaint(const DrawItem& item) const
 {
+    const Color color = item.color;
+    if (item.layer == DrawLayer::Annotations)
+    {
+        const Rgba ink = Opaque(m_theme.Outline(color));
+        return {ink, ink};
+    }
     const Color fill = m_theme.Fill(color);
     const double alpha = m_theme.fillAlpha * color.a / 255.0;
     const double shade = m_theme.fillShade;
@@ -176,19 +182,18 @@ ShapeBuilder::Paint ShapeBuilder::SolidPaint(Color color) const
             Premultiplied(shade * fill.r, shade * fill.g, shade * fill.b, alpha)};
 }
 
-bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, Color color)
+bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, const Paint& paint)
 {
     if (count > kMaxCorners - 4)
     {
-        return AddOutline(points, count,
-                          SolidPaint(color).stroke); // more corners than the interface allows
+        return AddOutline(points, count, paint.stroke); // more corners than the interface allows
     }
     std::array<Point, kMaxCorners> corners;
     std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
     Convex polygon = MakeConvex(corners.data(), count);
     if (polygon.count < 3) // no inside: what is left of it is a line between its farthest corners
     {
-        return AddOutline(points, count, SolidPaint(color).stroke);
+        return AddOutline(points, count, paint.stroke);
     }
     const double width = m_outlineWidth;
     const double guard = kGuard + 2.0 * width;
@@ -205,7 +210,6 @@ bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, Color 
             return false;
         }
     }
-    const Paint paint = SolidPaint(color);
     const std::optional<OrientedBox> box = AsBox(polygon);
     if (box && std::max(box->half.x, box->half.y) + 0.5 * width >= kSmallBox)
     {

@@ -44,9 +44,9 @@ private:
 
     Point ToPixel(Vec2 world) const;
     std::optional<PixelBounds> InPicture(Point lower, Point upper) const;
-    Paint SolidPaint(Color color) const;
+    Paint SolidPaint(const DrawItem& item) const;
 
-    bool AddSolidPolygon(const Vec2* points, std::size_t count, Color color);
+    bool AddSolidPolygon(const Vec2* points, std::size_t count, const Paint& paint);
     bool AddOutline(const Vec2* points, std::size_t count, const Rgba& stroke);
     bool AddDisc(Point center, double radius, std::optional<Point> axis, double outlineWidth,
                  const Paint& paint);

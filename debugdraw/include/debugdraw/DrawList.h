@@ -72,7 +72,8 @@ enum class DrawLayer : std::uint8_t
     JointGlyphs,
     Trails,      ///< where bodies have been, as lines
     Poses,       ///< how bodies stood earlier, faded
-    Annotations, ///< axes, scale bars, dimensions, captions
+    Annotations, ///< axes, scale bars, dimensions, captions; solid shapes (heads of arrows) are
+                 ///< filled with all of their colour
 };
 
 /// Whom an item belongs to: the body's number in its world, in order of creation.
