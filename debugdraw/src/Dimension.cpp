@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/Dimension.h>
 
+#include <debugdraw/Arrow.h>
 #include <debugdraw/NiceNumbers.h>
 #include <debugdraw/Paper.h>
 #include <debugdraw/TextWidth.h>
@@ -74,11 +75,12 @@ double Kept(double place, double half, double size)
 void AddArrows(const Paper& paper, const Measured& measured, PixelPoint from, PixelPoint to,
                Color color)
 {
-    const PixelPoint middle = 0.5 * (from + to);
     if (measured.length >= kShortest)
     {
-        paper.Arrow(middle, from, color);
-        paper.Arrow(middle, to, color);
+        // One shaft for both; a little within the second head, which rounding gives none then.
+        const PixelPoint neck = to + -0.99 * ArrowHead().length * measured.along;
+        paper.Arrow(neck, from, color);
+        paper.Arrow(neck, to, color);
         return;
     }
     paper.Arrow(from + -kOutside * measured.along, from, color);
@@ -104,21 +106,22 @@ void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
     const std::string text =
         settings.label.empty() ? NumberMeasured(distance) + " m" : settings.label;
     const double width = TextWidth(text);
-    const PixelPoint preferred = PreferredSide(measured);
+    const double offset = std::abs(settings.offset);
+    const PixelPoint preferred = (settings.offset < 0.0 ? -1.0 : 1.0) * PreferredSide(measured);
     const PixelPoint middle = 0.5 * (measured.a + measured.b);
     const auto place = [&](PixelPoint side) {
-        return TextCenter(middle + settings.offset * side, side, width);
+        return TextCenter(middle + offset * side, side, width);
     };
     const auto fits = [&](PixelPoint side) {
         return HasRoom(view, place(side), width, kTextHeight) &&
-               HasRoom(view, measured.a + settings.offset * side, 0.0, 0.0) &&
-               HasRoom(view, measured.b + settings.offset * side, 0.0, 0.0);
+               HasRoom(view, measured.a + offset * side, 0.0, 0.0) &&
+               HasRoom(view, measured.b + offset * side, 0.0, 0.0);
     };
     const bool turn = !fits(preferred) && fits(-1.0 * preferred);
     const PixelPoint side = turn ? -1.0 * preferred : preferred;
-    const PixelPoint from = measured.a + settings.offset * side;
-    const PixelPoint to = measured.b + settings.offset * side;
-    const double start = std::min(kFromPoint, 0.5 * settings.offset);
+    const PixelPoint from = measured.a + offset * side;
+    const PixelPoint to = measured.b + offset * side;
+    const double start = std::min(kFromPoint, 0.5 * offset);
     paper.Line(measured.a + start * side, from + kBeyond * side, settings.color);
     paper.Line(measured.b + start * side, to + kBeyond * side, settings.color);
     AddArrows(paper, measured, from, to, settings.color);

@@ -72,6 +72,27 @@ TEST(Dimension, StandsLeftOfWhatStands)
     EXPECT_LT(TextMiddle(list).x + 0.5 * TextWidth("10.0 m"), 290.0);
 }
 
+TEST(Dimension, OfANegativeOffsetIsOnTheOtherSideWithItsText)
+{
+    DimensionSettings settings;
+    settings.offset = -30.0;
+    const DrawList list = DimensionOf({0, -5}, {0, 5}, settings);
+    EXPECT_THAT(Tips(list), ElementsAre(Vec2{3, -5}, Vec2{3, 5}));
+    EXPECT_GT(TextMiddle(list).x - 0.5 * TextWidth("10.0 m"), 350.0);
+}
+
+TEST(Dimension, HasOneShaftForBothArrows)
+{
+    const DrawList list = DimensionOf({-5, 0}, {5, 0});
+    int level = 0;
+    for (const DrawItem& item : list.items)
+    {
+        level += item.kind == DrawKind::Segment &&
+                 list.points[item.first].y == list.points[item.first + 1].y;
+    }
+    EXPECT_EQ(level, 1);
+}
+
 TEST(Dimension, GoesToTheOtherSideAtTheEdgeOfThePicture)
 {
     EXPECT_EQ(Tips(DimensionOf({-5, 16}, {5, 16})).front(), (Vec2{-5, 13}));

@@ -14,7 +14,8 @@ namespace boxreel
 struct DimensionSettings
 {
     double offset = 30.0; ///< of the measured points from the line with the arrows, on the side
-                          ///< where there is room: above, else below; left, else right [px]
+                          ///< where there is room: above, else below; left, else right; the
+                          ///< other way round when it is negative [px]
     std::string label;    ///< empty: the distance, such as "1.25 m"
     Color color{255, 255, 255};
 };
