@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "FigureTable.h"
+
+namespace figures
+{
+
+std::string Gallery(const std::vector<FigureEntry>& table)
+{
+    std::string page = "# The figures of the manual\n"
+                       "\n"
+                       "Each is drawn from a world that was simulated for it, by the programs in "
+                       "`src/`; this page "
+                       "too is\nwritten by them. To draw all of them anew, with the same bytes:\n"
+                       "\n"
+                       "```\n"
+                       "cmake --build build/release --target figures\n"
+                       "```\n"
+                       "\n"
+                       "| colour | of |\n"
+                       "| --- | --- |\n"
+                       "| green | bodies that never move |\n"
+                       "| red | bodies that move; fainter: how they stood earlier |\n"
+                       "| blue | bodies that move as they were told |\n";
+    for (const FigureEntry& entry : table)
+    {
+        const std::string name(entry.name);
+        page += "\n## " + name + "\n\n" + std::string(entry.says) + "\n\n<picture>\n" +
+                "  <source media=\"(prefers-color-scheme: dark)\" srcset=\"" + name +
+                "-dark.svg\">\n  <img src=\"" + name + "-light.svg\" alt=\"" +
+                std::string(entry.title) + "\">\n</picture>\n";
+    }
+    return page;
+}
+
+} // namespace figures

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "Drawings.h"
+#include "Setup.h"
+#include "Sketch.h"
+
+using namespace boxreel;
+
+namespace figures
+{
+namespace
+{
+
+/// A ball so fast that it goes a metre a step flies at a thin wall: its places, step by step.
+Figure DrawFastBall(bool continuous)
+{
+    constexpr int kSteps = 6;
+    Sketch sketch(640, 240, b2Vec2(0.1f, 0.0f), 100.0);
+    b2World world(b2Vec2(0.0f, 0.0f), false);
+    world.SetContinuousPhysics(continuous);
+    AddBody(world, b2_staticBody, Box(0.05f, 0.85f), b2Vec2(0.0f, 0.0f));
+    b2Body* const ball = AddBody(world, b2_dynamicBody, Disc(0.15f), b2Vec2(-2.6f, 0.0f));
+    ball->SetLinearVelocity(b2Vec2(60.0f, 0.0f));
+    std::vector<b2Vec2> places{ball->GetPosition()};
+    for (int step = 1; step < kSteps; ++step)
+    {
+        sketch.DrawFaint(world, step <= 3 || !continuous ? 0.45 : 0.0);
+        Run(world);
+        places.push_back(ball->GetPosition());
+    }
+    sketch.Draw(world);
+
+    const b2Vec2 below(0.0f, -0.35f);
+    const auto name = [](int step) { return (step == 0 ? "step " : "") + std::to_string(step); };
+    if (!continuous)
+    {
+        sketch.Measure(places[0], places[1], "1 m a step", 42.0);
+        for (int step = 0; step < kSteps; ++step)
+        {
+            sketch.Label(places[step] + below, Side::Below, name(step), kInk, 0.0);
+        }
+        sketch.Line(places[2] + b2Vec2(0.2f, 0.0f), places[3] - b2Vec2(0.2f, 0.0f), kBad);
+        sketch.Caption(310.0, 222.0, Side::Above, "never seen to touch", kBad);
+        return sketch.Finished();
+    }
+    for (int step = 0; step < 4; ++step)
+    {
+        sketch.Label(places[step] + below, Side::Below, name(step), kInk, 0.0);
+    }
+    const b2Vec2 without = places[2] + b2Vec2(1.0f, 0.0f);
+    sketch.Ring(without, 15.0, kQuiet);
+    sketch.Label(without, Side::Right, "where step 3 would have ended", kQuiet, 22.0);
+    sketch.Note(places[3] + b2Vec2(0.0f, 0.15f), -60.0, 50.0, "stopped at the time of impact",
+                kGood);
+    return sketch.Finished();
+}
+
+/// What b2TimeOfImpact is asked, drawn as a world with A at rest and B at three moments.
+class SweepSketch
+{
+public:
+    SweepSketch(Sketch& sketch, const b2Shape& a, const b2Shape& b, const b2Sweep& sweepB)
+        : m_sketch(sketch), m_world(b2Vec2(0.0f, 0.0f)), m_sweep(sweepB)
+    {
+        AddGround(m_world, a);
+        m_body = AddBody(m_world, b2_dynamicBody, b, sweepB.c0);
+        b2TOIInput input;
+        input.proxyA.Set(&a, 0);
+        input.proxyB.Set(&b, 0);
+        input.sweepB = sweepB;
+        b2TimeOfImpact(&m_output, &input);
+    }
+
+    float32 Time() const { return m_output.t; }
+    b2Vec2 PlaceAt(float32 time, const b2Vec2& local = b2Vec2(0.0f, 0.0f)) const
+    {
+        b2Transform place;
+        m_sweep.GetTransform(&place, time);
+        return b2Mul(place, local);
+    }
+    void DrawFaintAt(float32 time, double opacity)
+    {
+        MoveTo(time);
+        m_sketch.DrawFaint(m_world, opacity);
+    }
+    void DrawAtImpact()
+    {
+        MoveTo(m_output.t);
+        m_sketch.Draw(m_world);
+    }
+
+private:
+    void MoveTo(float32 time)
+    {
+        m_body->SetTransform(PlaceAt(time), (1.0f - time) * m_sweep.a0 + time * m_sweep.a);
+    }
+
+    Sketch& m_sketch;
+    b2World m_world;
+    b2Sweep m_sweep;
+    b2Body* m_body = nullptr;
+    b2TOIOutput m_output;
+};
+
+} // namespace
+
+Figure DrawTunnelling()
+{
+    return DrawFastBall(false);
+}
+
+Figure DrawContinuousCollision()
+{
+    return DrawFastBall(true);
+}
+
+Figure DrawTimeOfImpact()
+{
+    Sketch sketch(640, 300, b2Vec2(0.0f, 0.05f), 80.0);
+    b2Sweep sweep;
+    sweep.c0.Set(-2.9f, 0.9f);
+    sweep.c.Set(2.8f, -0.8f);
+    sweep.a0 = Degrees(20.0f);
+    sweep.a = Degrees(-45.0f);
+    const b2PolygonShape wall = Box(0.25f, 1.2f);
+    const b2PolygonShape box = Box(0.6f, 0.35f);
+    SweepSketch swept(sketch, wall, box, sweep);
+    sketch.Dashes(sweep.c0, sweep.c);
+    swept.DrawFaintAt(0.0f, 0.5);
+    swept.DrawFaintAt(1.0f, 0.5);
+    swept.DrawAtImpact();
+    sketch.Label(swept.PlaceAt(0.0f), Side::Below, "t = 0", kInk, 44.0);
+    sketch.Label(swept.PlaceAt(swept.Time()), Side::Below, "t = " + Text(swept.Time(), 2), kGood,
+                 50.0);
+    sketch.Label(swept.PlaceAt(1.0f), Side::Above, "t = 1", kInk, 60.0);
+    return sketch.Finished();
+}
+
+Figure DrawTimeOfImpactTurning()
+{
+    Sketch sketch(640, 320, b2Vec2(0.9f, 0.0f), 80.0);
+    b2Sweep sweep;
+    sweep.c0.Set(1.3f, 0.0f);
+    sweep.c = sweep.c0;
+    sweep.a0 = Degrees(40.0f);
+    sweep.a = Degrees(140.0f);
+    const b2PolygonShape post = Box(0.22f, 0.22f);
+    const b2PolygonShape rod = Box(0.09f, 1.6f);
+    SweepSketch swept(sketch, post, rod, sweep);
+    swept.DrawFaintAt(0.0f, 0.5);
+    swept.DrawFaintAt(1.0f, 0.5);
+    swept.DrawAtImpact();
+    sketch.Dot(sweep.c0);
+    const b2Vec2 tip(0.0f, 1.6f);
+    sketch.Label(swept.PlaceAt(0.0f, tip), Side::Above, "t = 0", kInk, 10.0);
+    sketch.Label(swept.PlaceAt(swept.Time(), tip), Side::Left, "t = " + Text(swept.Time(), 2),
+                 kGood, 8.0);
+    sketch.Label(swept.PlaceAt(1.0f, tip), Side::Below, "t = 1", kInk, 10.0);
+    sketch.ArcArrow(sweep.c0, 90.0, Degrees(-42.0f), Degrees(35.0f));
+    return sketch.Finished();
+}
+
+} // namespace figures

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The drawings of the manual are what their program draws today, and no others lie beside them.
+#include "../debugdraw/TemporaryFolder.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <string>
+
+namespace
+{
+
+const std::filesystem::path kFigures = BOXREEL_DOCS "/figures";
+
+int Draw(const TemporaryFolder& folder, const std::string& names = "")
+{
+    return std::system((BOXREEL_DOCS_FIGURES " '" + (folder / "").string() + "' " + names +
+                        " 2> '" + (folder / "errors").string() + "'")
+                           .c_str());
+}
+
+/// What the program has to keep up: drawings, but for the charts of accuracy.md, and their page.
+std::set<std::string> DrawnNames(const std::filesystem::path& folder)
+{
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    {
+        const std::string name = entry.path().filename().string();
+        const bool isDrawing = name.ends_with(".svg") && !name.starts_with("accuracy-");
+        if (isDrawing || name == "README.md")
+        {
+            names.insert(name);
+        }
+    }
+    return names;
+}
+
+const char* const kRemedy =
+    "; look at the drawings, then run: cmake --build BUILD --target figures";
+
+TEST(Figures, AreThoseThatTheirProgramDraws)
+{
+    const TemporaryFolder drawn;
+    ASSERT_EQ(Draw(drawn), 0) << ReadBytes(drawn / "errors");
+    const std::set<std::string> names = DrawnNames(drawn / "");
+    EXPECT_GT(names.size(), 50u);
+    for (const std::string& name : names)
+    {
+        // Not EXPECT_EQ, which would print both.
+        EXPECT_TRUE(ReadBytes(drawn / name) == ReadBytes(kFigures / name))
+            << "docs/figures/" << name << " is not what the program draws" << kRemedy;
+    }
+}
+
+TEST(Figures, HaveNoStaleOnesAmongThem)
+{
+    const TemporaryFolder drawn;
+    ASSERT_EQ(Draw(drawn), 0) << ReadBytes(drawn / "errors");
+    const std::set<std::string> current = DrawnNames(drawn / "");
+    for (const std::string& name : DrawnNames(kFigures))
+    {
+        EXPECT_TRUE(current.contains(name))
+            << "nobody draws docs/figures/" << name << "; remove it, or add it to FigureTable.cpp";
+    }
+}
+
+TEST(Figures, AreSmallEnoughForARepository)
+{
+    for (const std::string& name : DrawnNames(kFigures))
+    {
+        EXPECT_LT(std::filesystem::file_size(kFigures / name), 40'000u) << name;
+    }
+}
+
+TEST(Figures, AreDrawnAloneWhenTheyAreNamed)
+{
+    const TemporaryFolder drawn;
+    ASSERT_EQ(Draw(drawn, "chain"), 0) << ReadBytes(drawn / "errors");
+    EXPECT_THAT(DrawnNames(drawn / ""), testing::ElementsAre("chain-dark.svg", "chain-light.svg"));
+}
+
+TEST(Figures, ThatNobodyKnowsAreRefused)
+{
+    const TemporaryFolder drawn;
+    EXPECT_NE(Draw(drawn, "chian"), 0);
+    EXPECT_THAT(ReadBytes(drawn / "errors"), testing::HasSubstr("no figure \"chian\""));
+}
+
+} // namespace
