@@ -38,7 +38,7 @@ std::set<std::string> DrawnNames(const std::filesystem::path& folder)
 }
 
 const char* const kRemedy =
-    "; look at the drawings, then run: cmake --build BUILD --target figures";
+    "; look at the drawings, then run: cmake --build build/release --target figures";
 
 TEST(Figures, AreThoseThatTheirProgramDraws)
 {

@@ -17,12 +17,13 @@ constexpr double kRow = 27.0;
 /// A small world of bodies of each kind.
 void Furnish(b2World& world)
 {
-    AddGround(world, Edge(b2Vec2(-2.7f, -1.5f), b2Vec2(2.5f, -1.5f)));
+    AddBody(world, b2_staticBody, Edge(b2Vec2(-2.7f, 0.0f), b2Vec2(2.6f, 0.0f)),
+            b2Vec2(-0.1f, -1.5f));
     AddBody(world, b2_dynamicBody, Box(0.4f, 0.3f), b2Vec2(-2.1f, -1.18f));
     AddBody(world, b2_dynamicBody, Box(0.3f, 0.3f), b2Vec2(-2.0f, -0.55f), Degrees(4.0f));
     AddBody(world, b2_kinematicBody, Box(0.6f, 0.12f), b2Vec2(1.75f, -0.4f));
     AddBody(world, b2_dynamicBody, Disc(0.32f), b2Vec2(1.6f, 0.05f));
-    AddBody(world, b2_dynamicBody, Box(0.35f, 0.25f), b2Vec2(0.1f, -1.235f))->SetAwake(false);
+    AddBody(world, b2_dynamicBody, Box(0.35f, 0.25f), b2Vec2(0.7f, -1.235f))->SetAwake(false);
     b2Body* const beam = AddBody(world, b2_staticBody, Box(0.3f, 0.15f), b2Vec2(-0.2f, 1.6f));
     b2Body* const bob = AddBody(world, b2_dynamicBody, Box(0.3f, 0.3f), b2Vec2(0.7f, 0.4f));
     b2RevoluteJointDef def;
