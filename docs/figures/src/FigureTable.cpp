@@ -67,7 +67,7 @@ const std::vector<FigureEntry>& FigureTable()
          "A rod that turns is free at both ends of its step; that it meets the post in between is "
          "found here, where the manual lets it be missed.",
          DrawTimeOfImpactTurning},
-        {"ray-cast", "A ray through seven shapes hits three of them; the nearest hit is marked",
+        {"ray-cast", "A ray among seven shapes hits three of them; the nearest hit is marked",
          "A ray cast reports where shapes are hit, the normal there, and which fraction of the "
          "ray lies before.",
          DrawRayCast},

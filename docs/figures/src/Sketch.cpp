@@ -179,12 +179,6 @@ void Sketch::Ring(const b2Vec2& at, double radius, Color color)
     paper.Circle(paper.ToPixel(From(at)), radius, color);
 }
 
-void Sketch::Cross(const b2Vec2& at, double halfSize, Color color)
-{
-    Line(Shifted(at, -halfSize, -halfSize), Shifted(at, halfSize, halfSize), color);
-    Line(Shifted(at, -halfSize, halfSize), Shifted(at, halfSize, -halfSize), color);
-}
-
 void Sketch::Outline(const std::vector<b2Vec2>& corners, Color color)
 {
     Annotate();

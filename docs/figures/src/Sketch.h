@@ -71,7 +71,6 @@ public:
                   boxreel::Color color = kInk);
     void Dot(const b2Vec2& at, boxreel::Color color = kInk, double diameter = 7.0);
     void Ring(const b2Vec2& at, double radius, boxreel::Color color = kInk);
-    void Cross(const b2Vec2& at, double halfSize, boxreel::Color color = kBad);
     void Outline(const std::vector<b2Vec2>& corners, boxreel::Color color);
     void Trail(const std::vector<b2Vec2>& way, boxreel::Color color = kHelp);
     /// With arrows between extension lines, `offset` pixels away: above or on the left, on the
