@@ -10,6 +10,25 @@
 namespace boxreel
 {
 
+/// A rectangle of pixels, y down, upper bounds excluded.
+struct PixelBounds
+{
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+    bool IsEmpty() const { return x1 <= x0 || y1 <= y0; }
+    std::int64_t Area() const { return std::int64_t(x1 - x0) * (y1 - y0); } ///< when not empty
+    friend bool operator==(const PixelBounds&, const PixelBounds&) = default;
+};
+
+/// Empty, in one way or another, when they share no pixel.
+inline PixelBounds Intersection(const PixelBounds& a, const PixelBounds& b)
+{
+    return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0, a.x1 < b.x1 ? a.x1 : b.x1,
+            a.y1 < b.y1 ? a.y1 : b.y1};
+}
+
 struct Frame
 {
     int width = 0;                  ///< [px]
