@@ -14,19 +14,21 @@
 namespace boxreel
 {
 
-/// What a batch is drawn with. The ground, which wipes out what is below it; boxes and thin lines;
-/// discs, rings and thick lines; convex polygons of few and of many corners; letters.
+/// What a batch is drawn with. Pixels pay for whatever a program can do, so each does little.
 enum class ProgramKind : std::uint8_t
 {
-    Ground,
-    Box,
-    Round,
-    SmallPolygon,
+    Ground,       ///< wipes out what is below it
+    Box,          ///< whose inside is wider than a pixel
+    ThinBox,      ///< or not, or that has none: lines too
+    Disc,         ///< and rings
+    Capsule,      ///< thick lines
+    SmallPolygon, ///< by the number of corners (SlotsOf)
+    Hexagon,
     Polygon,
     LargePolygon,
     Glyph,
 };
-inline constexpr std::size_t kProgramKinds = 7;
+inline constexpr std::size_t kProgramKinds = 10;
 
 /// One draw call: instances of one kind, in painter's order.
 struct Batch

@@ -33,7 +33,7 @@ public:
 
     /// Finer tiles hold less that has not changed, coarser ones make fewer rectangles. Even, so
     /// that rectangles are whole cells of a film's coarser colours too.
-    static constexpr int kSize = 8;
+    static constexpr int kSize = 4;
 
 private:
     using Tile = std::uint8_t;

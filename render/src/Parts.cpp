@@ -26,7 +26,7 @@ constexpr float kVastRadius = 16384.0f;
 bool IsDrawnAsRectangle(ProgramKind kind, std::span<const float> attributes)
 {
     return kind == ProgramKind::Glyph ||
-           (kind == ProgramKind::Round && !(attributes[5] < kVastRadius));
+           (kind == ProgramKind::Disc && !(attributes[5] < kVastRadius));
 }
 
 Batches::Part PartOf(const PixelBounds& b)
@@ -40,7 +40,8 @@ Convex QuadAround(ProgramKind kind, std::span<const float> a)
 {
     const Point center{a[0], a[1]};
     const Point axis{a[2], a[3]};
-    const double along = kind == ProgramKind::Round ? double(a[4]) + double(a[5]) : double(a[4]);
+    const bool isRound = kind == ProgramKind::Disc || kind == ProgramKind::Capsule;
+    const double along = isRound ? double(a[4]) + double(a[5]) : double(a[4]);
     const Point u = (along + kQuadMargin) * axis;
     const Point v = (double(a[5]) + kQuadMargin) * Point{-axis.y, axis.x};
     Convex quad;

@@ -32,8 +32,8 @@ constexpr std::size_t kQuadsToSpare = 256;
 
 // Clean tiles that are taken in to have fewer rectangles: a quad costs as much as some tiles of
 // pixels, a call to read as much as a hundred of them.
-constexpr int kDrawGap = 1;
-constexpr int kReadGap = 6;
+constexpr int kDrawGap = 2;
+constexpr int kReadGap = 12;
 
 std::string Size(int width, int height)
 {
@@ -58,11 +58,11 @@ Result<void> CheckCamera(const Camera& camera, const RendererSettings& settings)
     return {};
 }
 
-/// Premultiplied, 0 to 1, in steps of 1 / 255: so that whoever writes it, clearing or drawing,
-/// rounds it to the same bits.
-std::array<float, 4> Rounded(Color color)
+/// Premultiplied, 0 to 1. A product of two bytes never lies halfway between two steps of 1 / 255,
+/// so whoever writes it, clearing or drawing, rounds it to the same bits.
+std::array<float, 4> Premultiplied(Color color)
 {
-    const auto channel = [&](int value) { return float((value * color.a + 127) / 255) / 255.0f; };
+    const auto channel = [&](int value) { return float(value * color.a) / (255.0f * 255.0f); };
     return {channel(color.r), channel(color.g), channel(color.b), channel(255)};
 }
 
@@ -87,7 +87,7 @@ struct Renderer::Impl
 {
     explicit Impl(const RendererSettings& chosen)
         : settings(chosen), builder(chosen.theme, chosen.scale),
-          background(Rounded(chosen.theme.background)), dirty(chosen.width, chosen.height),
+          background(Premultiplied(chosen.theme.background)), dirty(chosen.width, chosen.height),
           unread(chosen.width, chosen.height)
     {
         unread.AddAll();

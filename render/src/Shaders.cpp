@@ -28,6 +28,13 @@ float G(float t, vec4 k)
     float g = (u - v * v * k.w) * k.z;
     return t < 0.0 ? -g : g;
 }
+// The same, to the bit, for edges farther apart than a pixel is wide, when x >= 0: of the far one,
+// all is inside.
+float Edge(float x, float h, vec4 k)
+{
+    float v = max(k.x - k.y, 0.0);
+    return G(h - x, k) + (k.x - v * v * k.w) * k.z;
+}
 float Slab(float x, float h, vec4 k)
 {
     return G(h - x, k) + G(h + x, k);
@@ -117,24 +124,41 @@ layout(location = 0) out vec4 color;
 )";
 
 // size: outer half extents, inner half extents (0, 0 when there is no inside). Exact along edges;
-// at corners of turned boxes the product of two slabs is a little off.
+// at corners of turned boxes the product of two slabs is a little off. SIDES: Edge or Slab.
 constexpr const char* kBoxFragment = R"(
 void main()
 {
     vec2 p = gl_FragCoord.xy - place.xy;
     float x = abs(dot(p, place.zw));
     float y = abs(place.z * p.y - place.w * p.x);
-    float outer = Slab(x, size.x, k) * Slab(y, size.y, k);
-    float inner = Slab(x, size.z, k) * Slab(y, size.w, k);
+    float outer = SIDES(x, size.x, k) * SIDES(y, size.y, k);
+    float inner = SIDES(x, size.z, k) * SIDES(y, size.w, k);
     color = stroke * (outer - inner) + fill * inner;
 }
 )";
 
-// size: half length of the spine (0 for a disc), outer radius, inner radius (negative when there is
-// no inside), half width of the axis line (0 for none). A pixel sees the edge as its tangent; a
-// circle bends away from that by 1/(24 d) on the average over a pixel, which is what 1/12 under the
-// root adds.
-constexpr const char* kRoundFragment = R"(
+// size: 0, outer radius, inner radius (negative when there is no inside), half width of the axis
+// line (0 for none). A pixel sees the edge as its tangent; a circle bends away from that by 1/(24
+// d) on the average over a pixel, which is what 1/12 under the root adds.
+constexpr const char* kDiscFragment = R"(
+void main()
+{
+    vec2 p = gl_FragCoord.xy - place.xy;
+    float x = dot(p, place.zw);
+    float y = place.z * p.y - place.w * p.x;
+    float d = sqrt(x * x + y * y + 1.0 / 12.0);
+    vec2 n = vec2(x * place.z - y * place.w, x * place.w + y * place.z) / d;
+    vec4 kn = Trapezoid(dot(n, n) > 0.01 ? n : vec2(1.0, 0.0));
+    float outer = G(size.y - d, kn) + 0.5;
+    float inner = G(size.z - d, kn) + 0.5;
+    float axis = Slab(abs(y), size.w, k) * (G(x + 0.785 * size.w, k) + 0.5);
+    float filled = inner * (1.0 - axis);
+    color = stroke * (outer - filled) + fill * filled;
+}
+)";
+
+// size: half length of the spine, radius. Round ends as those of a disc.
+constexpr const char* kCapsuleFragment = R"(
 void main()
 {
     vec2 p = gl_FragCoord.xy - place.xy;
@@ -145,11 +169,7 @@ void main()
     float d = sqrt(beyond * beyond + y * y + bend);
     vec2 n = vec2(beyond * place.z - y * place.w, beyond * place.w + y * place.z) / max(d, 1e-6);
     vec4 kn = Trapezoid(dot(n, n) > 0.01 ? n : vec2(1.0, 0.0));
-    float outer = G(size.y - d, kn) + 0.5;
-    float inner = G(size.z - d, kn) + 0.5;
-    float axis = Slab(abs(y), size.w, k) * (G(x + 0.785 * size.w, k) + 0.5);
-    float filled = inner * (1.0 - axis);
-    color = stroke * (outer - filled) + fill * filled;
+    color = stroke * (G(size.y - d, kn) + 0.5);
 }
 )";
 
@@ -311,10 +331,10 @@ ShaderSource QuadShader(int vectors, const std::string& vertex, const std::strin
             kVersion + fragment, vectors};
 }
 
-ShaderSource ShapeShader(const char* reach, const char* fragment)
+ShaderSource ShapeShader(const char* reach, const std::string& fragment)
 {
     return QuadShader(5, Define("REACH", reach) + kCoverage + kQuad + kShapeVertex,
-                      std::string(kCoverage) + kShapeInputs + fragment);
+                      kCoverage + (kShapeInputs + fragment));
 }
 
 ShaderSource PolygonShader(CornerSlots slots)
@@ -335,6 +355,8 @@ CornerSlots SlotsOf(ProgramKind polygon)
     {
     case ProgramKind::SmallPolygon: // up to four corners, and two mitres cut off
         return {6, 4};
+    case ProgramKind::Hexagon:
+        return {6, 6};
     case ProgramKind::Polygon:
         return {8, 8};
     default:
@@ -349,10 +371,15 @@ ShaderSource InstancedShader(ProgramKind kind)
     case ProgramKind::Ground:
         return QuadShader(2, kGroundVertex, kGroundFragment);
     case ProgramKind::Box:
-        return ShapeShader("size.xy", kBoxFragment);
-    case ProgramKind::Round:
-        return ShapeShader("vec2(size.x + size.y, size.y)", kRoundFragment);
+        return ShapeShader("size.xy", Define("SIDES", "Edge") + kBoxFragment);
+    case ProgramKind::ThinBox:
+        return ShapeShader("size.xy", Define("SIDES", "Slab") + kBoxFragment);
+    case ProgramKind::Disc:
+        return ShapeShader("size.yy", kDiscFragment);
+    case ProgramKind::Capsule:
+        return ShapeShader("vec2(size.x + size.y, size.y)", kCapsuleFragment);
     case ProgramKind::SmallPolygon:
+    case ProgramKind::Hexagon:
     case ProgramKind::Polygon:
     case ProgramKind::LargePolygon:
         return PolygonShader(SlotsOf(kind));

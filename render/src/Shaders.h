@@ -20,7 +20,7 @@ struct ShaderSource
 };
 
 /// Room for the corners of a polygon's outline, outside and inside. Pixels pay for all of it, so
-/// there are three sizes.
+/// there are four sizes.
 struct CornerSlots
 {
     std::size_t outer;

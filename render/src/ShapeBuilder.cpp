@@ -351,7 +351,8 @@ bool ShapeBuilder::EmitBox(const OrientedBox& box, double outlineWidth, const Pa
                                            paint.fill[1],
                                            paint.fill[2],
                                            paint.fill[3]};
-    m_instances->Add(ProgramKind::Box, *bounds, attributes);
+    const bool isWide = std::min(inner.x, inner.y) >= kPixelReach;
+    m_instances->Add(isWide ? ProgramKind::Box : ProgramKind::ThinBox, *bounds, attributes);
     return true;
 }
 
@@ -383,7 +384,8 @@ bool ShapeBuilder::EmitRound(const OrientedBox& spine, double outerRadius, doubl
                                            paint.fill[1],
                                            paint.fill[2],
                                            paint.fill[3]};
-    m_instances->Add(ProgramKind::Round, *bounds, attributes);
+    m_instances->Add(length > 0.0 || innerRadius < 0.0 ? ProgramKind::Capsule : ProgramKind::Disc,
+                     *bounds, attributes);
     return true;
 }
 
@@ -401,7 +403,8 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     // Pixels whose centre is this near the middle are all fill.
     const double core = InsideDistance(inner, quad.center) - kPixelReach;
     ProgramKind kind = ProgramKind::LargePolygon;
-    for (const ProgramKind smaller : {ProgramKind::Polygon, ProgramKind::SmallPolygon})
+    for (const ProgramKind smaller :
+         {ProgramKind::Polygon, ProgramKind::Hexagon, ProgramKind::SmallPolygon})
     {
         const CornerSlots room = SlotsOf(smaller);
         kind = outer.count <= room.outer && inner.count <= room.inner ? smaller : kind;

@@ -26,8 +26,7 @@ TEST(Batches, GatherNeighboursOfAKindWhateverLiesBetweenInTheList)
     {
         const int x = i % 20 * 64;
         const int y = i / 20 % 11 * 64;
-        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Round, {x, y, x + 20, y + 20}, {},
-                    data);
+        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Disc, {x, y, x + 20, y + 20}, {}, data);
     }
     EXPECT_LE(batches.All().size(), 10u);
 }
