@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Commands.h"
 #include "OutputPath.h"
+#include "RenderReport.h"
 #include "Terminal.h"
 
 #include <render/Figure.h>
@@ -124,6 +125,10 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
         if (!written)
         {
             return written;
+        }
+        if (options.stats)
+        {
+            WriteMessage(DescribeDrawing((*renderers)[i].Totals()));
         }
     }
     return {};

@@ -36,6 +36,7 @@ struct RecordOptions
     Quality quality = Quality::Standard;
     Backend backend = Backend::Auto;
     bool force = false;
+    bool stats = false; ///< say what was drawn and what was left as it was
     ProgressMode progress = ProgressMode::Auto;
 };
 
@@ -47,8 +48,9 @@ struct ShotOptions
     std::optional<Duration> at;       ///< simulated time …
     std::optional<std::int64_t> step; ///< … or number of steps
     Backend backend = Backend::Auto;
-    bool bothThemes = false;          ///< a light and a dark picture instead of the look's theme
+    bool bothThemes = false; ///< a light and a dark picture instead of the look's theme
     bool force = false;
+    bool stats = false; ///< say what was drawn; of pixels only
 };
 
 struct DiffOptions
