@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-/// A picture in memory: what renderers fill, files store, films are made of and golden tests compare.
-/// Header only; any program's RGBA picture can be put into one.
+/// A picture in memory: what renderers fill, files store, films are made of and golden tests
+/// compare. Header only; any program's RGBA picture can be put into one.
 namespace boxreel
 {
 
@@ -38,7 +38,10 @@ struct Frame
     Frame() = default;
     Frame(int w, int h) : width(w), height(h), rgba(std::size_t(w) * std::size_t(h) * 4) {}
 
-    std::uint8_t* Pixel(int x, int y) { return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4; }
+    std::uint8_t* Pixel(int x, int y)
+    {
+        return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
+    }
     const std::uint8_t* Pixel(int x, int y) const
     {
         return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
