@@ -188,7 +188,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
         motion->AdvanceTo(*session, moment);
         content = {};
         session->Fill(content);
-        parts.push_back({motion->Picture(*session, content.list), session->View(),
+        parts.push_back({motion->Picture(*session, content.list), session->CurrentCamera(),
                          moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
     }
     for (const Picture& picture : pictures)
