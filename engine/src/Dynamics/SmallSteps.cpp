@@ -49,7 +49,11 @@ public:
           m_b(bodies[block.bodyB[lane]]), m_normal(block.normalX[lane], block.normalY[lane])
     {}
 
-    /// False when it does not come near fast enough.
+    /// False when it does not come near fast enough. Never wins energy: of a push x at a point
+    /// whose speed goes from v to v' the work is x (v + v') / 2. Both points are pushed together
+    /// only where both come near, so that v' = -e v at each that is pushed; where one goes away it
+    /// would be held at v' = 0, which is work, so it has to wait until it comes near itself.
+    /// Friction follows when the normal speeds are done, for what it turns they would not know of.
     bool Bounce(float32 restitution)
     {
         const int32 count = m_block.pointCount;
@@ -64,33 +68,32 @@ public:
         {
             return false;
         }
-        if (count == 2 && m_block.coupled[m_lane] != 0.0f)
+        const float32 more = 1.0f + restitution;
+        float32 x[2] = {};
+        if (count == 2 && m_block.coupled[m_lane] != 0.0f && speeds[0] < 0.0f && speeds[1] < 0.0f &&
+            EnumerateImpulses(m_block.k11[m_lane], m_block.k12[m_lane], m_block.k22[m_lane],
+                              more * speeds[0], more * speeds[1], x[0], x[1]))
         {
-            float32 x[2] = {};
-            if (EnumerateImpulses(m_block.k11[m_lane], m_block.k12[m_lane], m_block.k22[m_lane],
-                                  Wanting(speeds[0], restitution), Wanting(speeds[1], restitution),
-                                  x[0], x[1]))
-            {
-                Push(0, x[0]);
-                Push(1, x[1]);
-            }
+            Push(0, x[0]);
+            Push(1, x[1]);
         }
         else
         {
             for (int32 i = 0; i < count; ++i)
             {
-                const float32 wanting = Wanting(NormalSpeed(i), restitution);
-                Push(i, b2Max(-wanting * m_block.points[i].normalMass[m_lane], 0.0f));
+                const float32 coming = b2Max(-NormalSpeed(i), 0.0f);
+                x[i] = more * coming * m_block.points[i].normalMass[m_lane];
+                Push(i, x[i]);
             }
+        }
+        for (int32 i = 0; i < count; ++i)
+        {
+            Rub(i, x[i]);
         }
         return true;
     }
 
 private:
-    static float32 Wanting(float32 speed, float32 restitution)
-    {
-        return speed < 0.0f ? (1.0f + restitution) * speed : speed;
-    }
     float32 NormalSpeed(int32 i) const
     {
         const PointLanes& p = m_block.points[i];
@@ -108,6 +111,11 @@ private:
         const PointLanes& p = m_block.points[i];
         Apply(impulse, m_normal, p.normalLeverA[m_lane], p.normalLeverB[m_lane]);
         m_totals.normal[i][m_lane] += impulse;
+    }
+    /// Friction of a push.
+    void Rub(int32 i, float32 impulse)
+    {
+        const PointLanes& p = m_block.points[i];
         const float32 limit = m_block.friction[m_lane] * impulse;
         const float32 drag = b2Clamp(-TangentSpeed(i) * p.tangentMass[m_lane], -limit, limit);
         Apply(drag, b2Cross(m_normal, 1.0f), p.tangentLeverA[m_lane], p.tangentLeverB[m_lane]);
@@ -445,7 +453,7 @@ void StepSolver::Fly(std::size_t index)
     const SolverBody middle = s;
     for (int32 i = 0; i < m_world.subStepCount; ++i)
     {
-        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallWay);
+        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallMove);
     }
     s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been slowed down
     s.w = Bounded(s.w + (0.5f * h) * alpha);
@@ -457,7 +465,7 @@ void StepSolver::Drift(float32 timeStep, int32 sweeps)
     ForBodies([&](std::size_t i) {
         if (m_arrays.ways[i] == WayOfBody::Together)
         {
-            MoveByVelocity(m_arrays.bodies[i + 1], timeStep, kMostSmallWay);
+            MoveByVelocity(m_arrays.bodies[i + 1], timeStep, kMostSmallMove);
         }
     });
     m_arrays.jointSystem.SolvePositions(m_context, timeStep, sweeps, m_arrays.kicks.data());
