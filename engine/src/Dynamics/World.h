@@ -175,9 +175,9 @@ public:
     b2DestructionListener* destructionListener = nullptr;
     b2Draw* debugDraw = nullptr;
 
-    int32 subStepCount = 1;     ///< small steps of a step
-    int32 lastSubSteps = 1;     ///< of the last step in which anything was solved
-    float32 inverseStep = 0.0f; ///< of the last step [1/s], 0 before the first
+    int32 subStepCount = 1;                ///< small steps of a step
+    int32 lastSubSteps = 1;                ///< of the last step in which anything was solved
+    float32 inverseStep = 0.0f;            ///< of the last step [1/s], 0 before the first
     std::uint32_t stepNumber = kHandLasts; ///< of steps that take time
     b2Profile profile;
     mutable b2ContactManager contactManager; ///< what b2World::GetContactManager hands out
