@@ -253,7 +253,7 @@ HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpul
         for (Link& link : m_links)
         {
             link.noted = link.total;
-            MoveByVelocity(*link.state, time, kMostSmallWay);
+            MoveByVelocity(*link.state, time, kMostSmallMove);
         }
         byImpulses ? Close(time) : ClosePoses(time);
         Kick(i < count ? time : 0.5f * time);

@@ -16,6 +16,9 @@ namespace
 constexpr int32 kMostUpdates = 16;
 /// Of finding what gives way: one is the rule.
 constexpr int32 kMostTries = 12;
+/// From this one on what gives way does not hold again: tries may go round in circles, and the last
+/// would leave something holding with more than it has, fifty times as much in a random world.
+constexpr int32 kSettlingTry = 6;
 constexpr double kEndless = 1e30; ///< [Ns]
 
 } // namespace
@@ -243,7 +246,9 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
                 m_speeds[joint] = SpeedOf(context, m_system.Rows(joint));
             });
             m_system.ForItems(part, [&](std::size_t joint) {
-                changed = (m_gives[joint] != 0 && Reconsider(joint, context)) || changed;
+                changed =
+                    (m_gives[joint] != 0 && Reconsider(joint, context, tries >= kSettlingTry)) ||
+                    changed;
             });
         }
         p.factored = !changed;
@@ -275,7 +280,7 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
             m_system.SolveSwept(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
             m_speeds[i] = SpeedOf(context, m_system.Rows(i));
-            if (m_gives[i] == 0 || !Reconsider(i, context))
+            if (m_gives[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
             {
                 break;
             }

@@ -73,8 +73,10 @@ public:
         }
     }
     /// What motors, springs and limits of a joint can have done at most by the impulses of a kick:
-    /// an impulse is given to something that is slower than wanted [J].
-    double MostWork(std::size_t joint) const;
+    /// an impulse is given to something that is slower than wanted, and does no more work than by
+    /// the mean of the speeds before and after [J]. A spring may want thousands of metres a second.
+    double MostWork(std::size_t joint, const SolverContext& before,
+                    const SolverContext& after) const;
     /// Makes the speeds of all rows what they should be; what no contact touches, the first time.
     void SolveVelocities(const SolverContext& context, bool first);
     /// Before a drift.
@@ -138,9 +140,11 @@ private:
     void SetActive(std::size_t joint);
     bool SetActiveToClose(std::size_t joint);
     void WantSpeeds(std::size_t joint, const SolverContext& context);
-    bool Reconsider(std::size_t joint, const SolverContext& context);
-    bool Reconsider(const SolverContext& context, std::size_t joint, int32 row, float32 speed);
-    bool ReconsiderDisc(const SolverContext& context, std::size_t joint, const Vector3& speed);
+    bool Reconsider(std::size_t joint, const SolverContext& context, bool settles);
+    bool Reconsider(const SolverContext& context, std::size_t joint, int32 row, float32 speed,
+                    bool settles);
+    bool ReconsiderDisc(const SolverContext& context, std::size_t joint, const Vector3& speed,
+                        bool settles);
     static Yield After(const JointRows::Law& law, Yield yield, float32 impulse, float32 speed);
     Vector3 Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const;
     void AddTotals();

@@ -262,7 +262,7 @@ void StepSolver::TurnAsSeen()
 void StepSolver::IntegratePositions()
 {
     ForBodies([this](std::size_t i) {
-        MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep, b2_maxTranslation);
+        MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep, kMostMove);
     });
 }
 
@@ -422,17 +422,17 @@ void StepSolver::LetRest()
     }
 }
 
-void MoveByVelocity(SolverBody& body, float32 timeStep, float32 mostWay)
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MostMove& most)
 {
     const b2Vec2 way = timeStep * body.v;
-    if (way.LengthSquared() > mostWay * mostWay)
+    if (way.LengthSquared() > most.way * most.way)
     {
-        body.v *= mostWay / way.Length();
+        body.v *= most.way / way.Length();
     }
     const float32 turn = timeStep * body.w;
-    if (turn * turn > b2_maxRotationSquared)
+    if (turn * turn > most.turn * most.turn)
     {
-        body.w *= b2_maxRotation / b2Abs(turn);
+        body.w *= most.turn / b2Abs(turn);
     }
     body.d += timeStep * body.v;
     const float32 delta = timeStep * body.w;
