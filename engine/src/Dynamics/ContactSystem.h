@@ -49,6 +49,8 @@ private:
                          float32 tolerance);
     void SolveOverlaps(Pile& pile, SolverArrays& arrays, const SolverContext& context,
                        float32 rate);
+    int32 TakePile();
+    void FindRoom(Pile& pile);
     int32 PileOf(int32 bodyA, int32 bodyB) const;
     template <class Function>
     void ForContacts(SolverArrays& arrays, Function&& function) const;
@@ -57,7 +59,7 @@ private:
     Array<int32> m_contacts; // number by island
     Array<int32> m_pileOf;   // by island, -1: none, or too large
     Array<Pile> m_piles;
-    int32 m_pileCount = 0;
+    Array<int32> m_free;       // piles of no island
     Array<RowSides> m_sides;   // scratch: of a pile
     Elimination m_elimination; // of piles
     Array<SolverBody> m_moves; // by solver index: in place of velocities when overlaps are solved
