@@ -61,6 +61,7 @@ private:
     void Fly(std::size_t index);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
     static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
+    static bool IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep);
 
     // What one thread takes at a time.
     static constexpr int32 kBlockGrain = 8;
