@@ -140,7 +140,7 @@ private:
 /// An overlap as an item: rows for its points, which are to move apart by a share of what exceeds
 /// the slop, and may come as near as that.
 void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
-                 float32 rate, JointRows& rows, BoundedSystem::Item& item)
+                 PushPace pace, JointRows& rows, BoundedSystem::Item& item)
 {
     rows.Clear();
     item = BoundedSystem::Item();
@@ -156,8 +156,8 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
         const b2Vec2 tangent = share * b2Cross(overlap.normal, 1.0f);
         a.AddTo(2, -tangent, -b2Cross(overlap.armA, tangent));
         b.AddTo(2, tangent, b2Cross(overlap.armB, tangent));
-        const float32 out = -rate * (overlap.separation + kOverlap);
-        item.speeds.at[i] = double(b2Min(out, b2_maxLinearCorrection));
+        const float32 out = -pace.rate * (overlap.separation + kOverlap);
+        item.speeds.at[i] = double(b2Min(out, pace.most));
         item.most.at[i] = kEndless;
         item.active = uint8(item.active | int(out > 0.0f) << i);
     }
@@ -396,7 +396,7 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
     }
 }
 
-void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& context, float32 rate)
+void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& context, PushPace pace)
 {
     m_moves.resize(b2Max(m_moves.size(), m_islandOf.size()));
     for (Pile& pile : m_piles)
@@ -415,14 +415,14 @@ void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& con
         }
         if (smallest < -kMostOverlap && Follow(pile, arrays))
         {
-            SolveOverlaps(pile, arrays, context, rate);
+            SolveOverlaps(pile, arrays, context, pace);
         }
     }
 }
 
 /// What is a velocity for velocities is a way here.
 void ContactSystem::SolveOverlaps(Pile& pile, SolverArrays& arrays, const SolverContext& context,
-                                  float32 rate)
+                                  PushPace pace)
 {
     SolverContext ways = context;
     ways.bodies = m_moves.data();
@@ -433,7 +433,7 @@ void ContactSystem::SolveOverlaps(Pile& pile, SolverArrays& arrays, const Solver
         const Place& place = pile.contacts[i];
         ContactBlocks& blocks = arrays.contacts[place.color];
         FillOverlap(OverlapOf(blocks.Overlaps(place.block), place.lane),
-                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, rate,
+                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, pace,
                     system.Rows(i), system.At(i));
     }
     for (std::size_t i = 0; i < pile.joints.size(); ++i)

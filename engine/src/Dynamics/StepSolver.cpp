@@ -165,7 +165,7 @@ bool StepSolver::SolveContacts(Direction direction)
 }
 
 /// Returns the smallest separation [m], or 0 if that is smaller.
-float32 StepSolver::SolveOverlaps(Direction direction, float32 rate)
+float32 StepSolver::SolveOverlaps(Direction direction, PushPace pace)
 {
     std::atomic<float32> smallest = 0.0f;
     ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
@@ -173,7 +173,7 @@ float32 StepSolver::SolveOverlaps(Direction direction, float32 rate)
         for (int32 i = 0; i < end - begin; ++i)
         {
             const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
-            found = b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, rate));
+            found = b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, pace));
         }
         float32 before = smallest.load(std::memory_order_relaxed);
         while (found < before && !smallest.compare_exchange_weak(before, found))
@@ -232,7 +232,7 @@ void StepSolver::SolvePositions(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveOverlaps(DirectionOf(i), b2_baumgarte) >= -3.0f * b2_linearSlop;
+        const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -3.0f * b2_linearSlop;
         const bool joined = m_arrays.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
         {
@@ -301,7 +301,7 @@ void StepSolver::FindDeep()
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         const OverlapBlock& block = blocks.Overlaps(i);
         // At a rate of 0 it is only measured.
-        if (SolveBlock(block, m_context.bodies, 0.0f) >= -kLeftOverlap)
+        if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kLeftOverlap)
         {
             return;
         }
