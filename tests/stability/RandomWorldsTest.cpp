@@ -27,6 +27,7 @@ struct Tally
 {
     int worlds = 0, gain = 0, leave = 0;
     double widest = 0.0;
+    double farthestOut = 0.0; ///< of any shape beyond the walls [m]
 };
 
 std::pair<int, int> Numbers()
@@ -73,6 +74,7 @@ void Try(const WorldPlan& plan, Tally& tally)
     tally.gain += trial.excess > kMostExcess;
     tally.leave += trial.centreOut > 0.0;
     tally.widest = b2Max(tally.widest, trial.excess);
+    tally.farthestOut = b2Max(tally.farthestOut, trial.out);
 }
 
 TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
@@ -86,8 +88,9 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
     }
     for (const auto& [subSteps, t] : tallies)
     {
-        std::printf("%2d sub-steps: %d worlds, %d gain energy, %d lose a body, widest excess %g\n",
-                    subSteps, t.worlds, t.gain, t.leave, t.widest);
+        std::printf("%2d sub-steps: %d worlds, %d gain energy, %d lose a body, widest excess %g, "
+                    "%.3f m out of the walls at most\n",
+                    subSteps, t.worlds, t.gain, t.leave, t.widest, t.farthestOut);
     }
 }
 
@@ -160,6 +163,9 @@ TEST(RandomWorlds, FailWhenTheAccountIsOverdrawn)
     EXPECT_NE(WhyFailed(trial), "");
     trial = Trial();
     trial.centreOut = 0.01;
+    EXPECT_NE(WhyFailed(trial), "");
+    trial = Trial();
+    trial.out = 1.1 * kMostOut;
     EXPECT_NE(WhyFailed(trial), "");
 }
 

@@ -191,7 +191,7 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     }
     for (int32 i = 0; i < kImpactPositionIterations; ++i)
     {
-        if (SolveOverlaps(m_arrays.impactOverlaps, m_context.bodies, b2_toiBaugarte,
+        if (SolveOverlaps(m_arrays.impactOverlaps, m_context.bodies, {b2_toiBaugarte},
                           DirectionOf(i)) >= -1.5f * b2_linearSlop)
         {
             break;

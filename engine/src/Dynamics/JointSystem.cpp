@@ -36,8 +36,7 @@ void JointSystem::Update(const ConstraintGraph& graph)
     {
         m_sides.push_back(SidesOf(*joint));
     }
-    Elimination elimination;
-    m_system.Build(m_sides, kMostUpdates, elimination);
+    m_system.Build(m_sides, kMostUpdates, m_elimination);
     m_parts.assign(std::size_t(m_system.Components()), Part());
     BuildTrees();
     m_gives.assign(m_joints.size(), 0);
@@ -67,18 +66,21 @@ void JointSystem::Update(const ConstraintGraph& graph)
 
 void JointSystem::BuildTrees()
 {
-    m_trees.clear();
     m_treeOf.assign(m_parts.size(), -1);
-    Array<b2Joint*> joints;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < m_parts.size(); ++i)
     {
-        joints.clear();
-        m_system.ForItems(int32(i), [&](std::size_t item) { joints.push_back(m_joints[item]); });
-        HingeTree tree;
-        if (!m_system.HasLoops(int32(i)) && tree.Build(joints))
+        if (m_system.HasLoops(int32(i)))
         {
-            m_treeOf[i] = int32(m_trees.size());
-            m_trees.push_back(std::move(tree));
+            continue;
+        }
+        m_partJoints.clear();
+        m_system.ForItems(int32(i),
+                          [&](std::size_t item) { m_partJoints.push_back(m_joints[item]); });
+        m_trees.resize(b2Max(m_trees.size(), count + 1));
+        if (m_trees[count].Build(m_partJoints))
+        {
+            m_treeOf[i] = int32(count++);
         }
     }
 }

@@ -175,7 +175,7 @@ private:
     Array<RowSides> m_sides;
     RowSystem m_system;
     Array<Part> m_parts;        // the system's components
-    Array<HingeTree> m_trees;   // those among them
+    Array<HingeTree> m_trees;   // those among them, and memory for more
     Array<int32> m_treeOf;      // of each part, -1: none
     Array<uint8> m_inTree;      // of each joint, in this step
     Array<std::size_t> m_rowed; // joints that are not in a tree, in this step
@@ -188,7 +188,9 @@ private:
     Array<SolverBody> m_before; // of swept joints' bodies: the same
     Array<Vector3> m_speeds;    // scratch: of each joint's rows
     Array<const BodyData*> m_sweptBodies;
-    JointRows m_now; // scratch
+    JointRows m_now;              // scratch
+    Elimination m_elimination;    // scratch of Update, as joints wake and sleep
+    Array<b2Joint*> m_partJoints; // the same: of one part
     int32 m_version = -1;
 };
 

@@ -245,12 +245,19 @@ struct Overlap
 Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
                        const SolverBody& b);
 
-/// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop.
-/// Returns the smallest separation that was met [m].
-float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,
+/// How far overlaps are pushed out at once: by a share of what exceeds the slop, up to `most` [m].
+struct PushPace
+{
+    float32 rate;
+    float32 most = b2_maxLinearCorrection;
+};
+
+/// One iteration of moving overlapping bodies apart. Returns the smallest separation that was met
+/// [m].
+float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, PushPace pace,
                       Direction direction);
 
 /// Two points that are nearly one, pushed apart one after the other.
-float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, float32 rate);
+float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace);
 
 } // namespace box2d
