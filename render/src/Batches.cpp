@@ -24,6 +24,7 @@ void Batches::Clear(int width, int height)
         batches.clear();
     }
     m_used = 0;
+    m_instances = 0;
 }
 
 std::size_t Batches::Place(ProgramKind kind, const PixelBounds& bounds)
@@ -60,11 +61,14 @@ std::size_t Batches::Place(ProgramKind kind, const PixelBounds& bounds)
     return std::size_t(batch);
 }
 
-void Batches::Add(ProgramKind kind, const PixelBounds& bounds, std::span<const float> attributes)
+void Batches::Add(ProgramKind kind, const PixelBounds& bounds, const Part& part,
+                  std::span<const float> attributes)
 {
     Batch& batch = m_batches[Place(kind, bounds)];
+    batch.data.insert(batch.data.end(), part.begin(), part.end());
     batch.data.insert(batch.data.end(), attributes.begin(), attributes.end());
     ++batch.instances;
+    ++m_instances;
 }
 
 } // namespace boxreel

@@ -3,6 +3,7 @@
 
 #include "FontAtlas.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace boxreel
@@ -11,6 +12,18 @@ namespace
 {
 
 constexpr std::size_t kVectorBytes = 4 * sizeof(float);
+
+// Texture units.
+constexpr GLint kFontUnit = 0;
+constexpr GLint kInstancesUnit = 1;
+
+// Indices are made for so many quads at first, and for twice as many when they do not suffice.
+constexpr std::size_t kFirstQuads = 4096;
+
+std::size_t VectorsOf(const Batch& batch)
+{
+    return batch.data.size() / 4;
+}
 
 const void* Offset(std::size_t bytes)
 {
@@ -44,7 +57,6 @@ Canvas::~Canvas()
         if (program)
         {
             m_gl.DeleteProgram(program->program);
-            m_gl.DeleteVertexArrays(1, &program->vertexArray);
         }
     };
     for (const std::optional<Program>& program : m_programs)
@@ -52,9 +64,12 @@ Canvas::~Canvas()
         drop(program);
     }
     drop(m_mesh);
-    const GLuint buffers[] = {m_instances, m_meshVertices, m_meshIndices};
-    m_gl.DeleteBuffers(3, buffers);
-    m_gl.DeleteTextures(1, &m_font);
+    const GLuint arrays[] = {m_quadArray, m_meshArray};
+    m_gl.DeleteVertexArrays(2, arrays);
+    const GLuint buffers[] = {m_instances, m_quadIndices, m_meshVertices, m_meshIndices};
+    m_gl.DeleteBuffers(4, buffers);
+    const GLuint textures[] = {m_font, m_instancesTexture};
+    m_gl.DeleteTextures(2, textures);
     m_gl.DeleteFramebuffers(1, &m_framebuffer);
     m_gl.DeleteRenderbuffers(1, &m_renderbuffer);
 }
@@ -81,9 +96,19 @@ Result<void> Canvas::MakeTarget()
     m_gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    m_gl.GenBuffers(1, &m_instances);
-    m_gl.GenBuffers(1, &m_meshVertices);
-    m_gl.GenBuffers(1, &m_meshIndices);
+    for (GLuint* const buffer : {&m_instances, &m_quadIndices, &m_meshVertices, &m_meshIndices})
+    {
+        m_gl.GenBuffers(1, buffer);
+    }
+    m_gl.GenVertexArrays(1, &m_quadArray);
+    m_gl.GenVertexArrays(1, &m_meshArray);
+    m_gl.GenTextures(1, &m_instancesTexture);
+    m_gl.ActiveTexture(GL_TEXTURE0 + kInstancesUnit);
+    m_gl.BindTexture(GL_TEXTURE_BUFFER, m_instancesTexture);
+    m_gl.ActiveTexture(GL_TEXTURE0 + kFontUnit);
+    GLint most = 0;
+    m_gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    m_mostVectors = std::size_t(most);
     return {};
 }
 
@@ -101,7 +126,7 @@ Result<Canvas::Program> Canvas::Link(const ShaderSource& source)
     const Result<GLuint> vertex = Compile(GL_VERTEX_SHADER, source.vertex);
     const Result<GLuint> fragment = Compile(GL_FRAGMENT_SHADER, source.fragment);
     Program made;
-    made.vectors = source.vectors;
+    made.vectors = std::size_t(source.vectors);
     made.program = m_gl.CreateProgram();
     m_gl.AttachShader(made.program, *vertex);
     m_gl.AttachShader(made.program, *fragment);
@@ -123,7 +148,9 @@ Result<Canvas::Program> Canvas::Link(const ShaderSource& source)
     m_gl.UseProgram(made.program);
     m_gl.Uniform2f(m_gl.GetUniformLocation(made.program, "pixelToClip"), 2.0f / float(m_width),
                    2.0f / float(m_height));
-    m_gl.GenVertexArrays(1, &made.vertexArray);
+    m_gl.Uniform1i(m_gl.GetUniformLocation(made.program, "font"), kFontUnit);
+    m_gl.Uniform1i(m_gl.GetUniformLocation(made.program, "instances"), kInstancesUnit);
+    made.first = m_gl.GetUniformLocation(made.program, "first");
     return made;
 }
 
@@ -138,12 +165,6 @@ Result<const Canvas::Program*> Canvas::Need(ProgramKind kind)
             return made.GetError();
         }
         program = *made;
-        m_gl.BindVertexArray(program->vertexArray);
-        for (GLuint i = 0; i < GLuint(program->vectors); ++i)
-        {
-            m_gl.EnableVertexAttribArray(i);
-            m_gl.VertexAttribDivisor(i, 1);
-        }
     }
     if (kind == ProgramKind::Glyph)
     {
@@ -163,7 +184,7 @@ Result<const Canvas::Program*> Canvas::NeedMesh()
             return made.GetError();
         }
         m_mesh = *made;
-        m_gl.BindVertexArray(m_mesh->vertexArray);
+        m_gl.BindVertexArray(m_meshArray);
         m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshVertices);
         m_gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_meshIndices);
         const auto attribute = [this](GLuint index, GLint size, GLenum type, GLboolean normalized,
@@ -199,36 +220,83 @@ void Canvas::NeedFont()
                     GL_UNSIGNED_BYTE, atlas.Coverage());
 }
 
-void Canvas::Clear(Color background)
+void Canvas::Clear(const std::array<float, 4>& background)
 {
-    const float alpha = float(background.a) / 255.0f;
-    const float scale = alpha / 255.0f;
-    m_gl.ClearColor(float(background.r) * scale, float(background.g) * scale,
-                    float(background.b) * scale, alpha);
+    m_gl.ClearColor(background[0], background[1], background[2], background[3]);
     m_gl.Clear(GL_COLOR_BUFFER_BIT);
+}
+
+/// Two triangles for each four corners, which the vertex shader places.
+void Canvas::NeedQuads(std::size_t count)
+{
+    m_gl.BindVertexArray(m_quadArray);
+    if (count <= m_quads)
+    {
+        return;
+    }
+    m_quads = std::max({count, 2 * m_quads, kFirstQuads});
+    std::vector<GLuint> indices;
+    indices.reserve(6 * m_quads);
+    for (GLuint corner = 0; corner < GLuint(4 * m_quads); corner += 4)
+    {
+        for (const GLuint index : {0u, 1u, 2u, 2u, 1u, 3u})
+        {
+            indices.push_back(corner + index);
+        }
+    }
+    m_gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_quadIndices);
+    m_gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(GLuint)),
+                    indices.data(), GL_STATIC_DRAW);
 }
 
 Result<void> Canvas::Draw(std::span<const Batch> batches)
 {
     std::size_t total = 0;
+    std::size_t most = 0;
     for (const Batch& batch : batches)
     {
-        total += batch.data.size() * sizeof(float);
+        total += VectorsOf(batch);
+        most = std::max(most, batch.instances);
     }
     if (total == 0)
     {
         return {};
     }
-    m_gl.BindBuffer(GL_ARRAY_BUFFER, m_instances);
-    m_gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(total), nullptr, GL_STREAM_DRAW);
-    std::size_t offset = 0;
+    NeedQuads(most);
+    if (total <= m_mostVectors)
+    {
+        MakeRoom(total);
+        return DrawFitting(batches);
+    }
     for (const Batch& batch : batches)
     {
-        m_gl.BufferSubData(GL_ARRAY_BUFFER, GLintptr(offset),
-                           GLsizeiptr(batch.data.size() * sizeof(float)), batch.data.data());
-        offset += batch.data.size() * sizeof(float);
+        if (Result<void> drawn = DrawSliced(batch); !drawn)
+        {
+            return drawn;
+        }
     }
-    offset = 0;
+    return {};
+}
+
+void Canvas::MakeRoom(std::size_t vectors)
+{
+    m_gl.BindBuffer(GL_TEXTURE_BUFFER, m_instances);
+    m_gl.BufferData(GL_TEXTURE_BUFFER, GLsizeiptr(vectors * kVectorBytes), nullptr, GL_STREAM_DRAW);
+    m_gl.ActiveTexture(GL_TEXTURE0 + kInstancesUnit);
+    m_gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_instances);
+    m_gl.ActiveTexture(GL_TEXTURE0 + kFontUnit);
+}
+
+Result<void> Canvas::DrawFitting(std::span<const Batch> batches)
+{
+    std::size_t first = 0;
+    for (const Batch& batch : batches)
+    {
+        m_gl.BufferSubData(GL_TEXTURE_BUFFER, GLintptr(first * kVectorBytes),
+                           GLsizeiptr(batch.data.size() * sizeof(float)), batch.data.data());
+        first += VectorsOf(batch);
+    }
+    first = 0;
     for (const Batch& batch : batches)
     {
         const Result<const Program*> program = Need(batch.kind);
@@ -236,28 +304,59 @@ Result<void> Canvas::Draw(std::span<const Batch> batches)
         {
             return program.GetError();
         }
-        DrawBatch(batch, **program, offset);
-        offset += batch.data.size() * sizeof(float);
+        DrawInstances(batch.kind, **program, first, batch.instances);
+        first += VectorsOf(batch);
     }
     return {};
 }
 
-void Canvas::DrawBatch(const Batch& batch, const Program& program, std::size_t offset)
+/// For a GL whose textures are too short for a whole picture's instances.
+Result<void> Canvas::DrawSliced(const Batch& batch)
 {
-    m_gl.UseProgram(program.program);
-    m_gl.BindVertexArray(program.vertexArray);
-    const GLsizei stride = GLsizei(std::size_t(program.vectors) * kVectorBytes);
-    for (GLuint i = 0; i < GLuint(program.vectors); ++i)
+    const Result<const Program*> program = Need(batch.kind);
+    if (!program)
     {
-        m_gl.VertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, stride,
-                                 Offset(offset + i * kVectorBytes));
+        return program.GetError();
     }
-    m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(batch.instances));
+    const std::size_t vectors = (*program)->vectors;
+    const std::size_t most = m_mostVectors / vectors;
+    for (std::size_t done = 0; done < batch.instances; done += most)
+    {
+        const std::size_t count = std::min(most, batch.instances - done);
+        MakeRoom(count * vectors);
+        m_gl.BufferSubData(GL_TEXTURE_BUFFER, 0, GLsizeiptr(count * vectors * kVectorBytes),
+                           batch.data.data() + done * vectors * 4);
+        DrawInstances(batch.kind, **program, 0, count);
+    }
+    return {};
 }
 
-Result<void> Canvas::Draw(const Overlay& overlay)
+void Canvas::DrawInstances(ProgramKind kind, const Program& program, std::size_t first,
+                           std::size_t count)
 {
-    if (overlay.IsEmpty())
+    m_gl.UseProgram(program.program);
+    m_gl.Uniform1i(program.first, GLint(first));
+    const bool wipes = kind == ProgramKind::Ground;
+    if (wipes)
+    {
+        m_gl.Disable(GL_BLEND);
+    }
+    m_gl.DrawElements(GL_TRIANGLES, GLsizei(6 * count), GL_UNSIGNED_INT, nullptr);
+    if (wipes)
+    {
+        m_gl.Enable(GL_BLEND);
+    }
+}
+
+Result<void> Canvas::Draw(const Overlay& overlay, std::span<const PixelBounds> rectangles)
+{
+    const auto isUnder = [&](const PixelBounds& rectangle) {
+        return std::any_of(
+            overlay.commands.begin(), overlay.commands.end(), [&](const OverlayCommand& c) {
+                return !Intersection(rectangle, {c.clipX0, c.clipY0, c.clipX1, c.clipY1}).IsEmpty();
+            });
+    };
+    if (std::none_of(rectangles.begin(), rectangles.end(), isUnder))
     {
         return {};
     }
@@ -267,7 +366,7 @@ Result<void> Canvas::Draw(const Overlay& overlay)
         return program.GetError();
     }
     m_gl.UseProgram((*program)->program);
-    m_gl.BindVertexArray((*program)->vertexArray);
+    m_gl.BindVertexArray(m_meshArray);
     m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshVertices);
     m_gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(overlay.vertices.size() * sizeof(OverlayVertex)),
                     overlay.vertices.data(), GL_STREAM_DRAW);
@@ -275,29 +374,32 @@ Result<void> Canvas::Draw(const Overlay& overlay)
                     GLsizeiptr(overlay.indices.size() * sizeof(std::uint32_t)),
                     overlay.indices.data(), GL_STREAM_DRAW);
     m_gl.Enable(GL_SCISSOR_TEST);
-    for (const OverlayCommand& command : overlay.commands)
+    for (const PixelBounds& rectangle : rectangles)
     {
-        if (command.clipX1 <= command.clipX0 || command.clipY1 <= command.clipY0)
+        for (const OverlayCommand& command : overlay.commands)
         {
-            continue;
+            const PixelBounds part = Intersection(
+                rectangle, {command.clipX0, command.clipY0, command.clipX1, command.clipY1});
+            if (!part.IsEmpty())
+            {
+                m_gl.Scissor(part.x0, part.y0, part.x1 - part.x0, part.y1 - part.y0);
+                m_gl.DrawElements(GL_TRIANGLES, GLsizei(command.indexCount), GL_UNSIGNED_INT,
+                                  Offset(command.firstIndex * sizeof(std::uint32_t)));
+            }
         }
-        m_gl.Scissor(command.clipX0, command.clipY0, command.clipX1 - command.clipX0,
-                     command.clipY1 - command.clipY0);
-        m_gl.DrawElements(GL_TRIANGLES, GLsizei(command.indexCount), GL_UNSIGNED_INT,
-                          Offset(command.firstIndex * sizeof(std::uint32_t)));
     }
     m_gl.Disable(GL_SCISSOR_TEST);
     return {};
 }
 
-Result<void> Canvas::Read(Frame& frame)
+Result<void> Canvas::Read(std::span<const PixelBounds> rectangles, Frame& frame)
 {
-    if (frame.width != m_width || frame.height != m_height ||
-        frame.rgba.size() != std::size_t(m_width) * std::size_t(m_height) * 4)
+    m_gl.PixelStorei(GL_PACK_ROW_LENGTH, m_width);
+    for (const PixelBounds& r : rectangles)
     {
-        frame = Frame(m_width, m_height);
+        m_gl.ReadPixels(r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0, GL_RGBA, GL_UNSIGNED_BYTE,
+                        frame.Pixel(r.x0, r.y0));
     }
-    m_gl.ReadPixels(0, 0, m_width, m_height, GL_RGBA, GL_UNSIGNED_BYTE, frame.rgba.data());
     if (const GLenum error = m_gl.GetError(); error != GL_NO_ERROR)
     {
         return Error{

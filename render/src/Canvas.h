@@ -5,7 +5,6 @@
 #include "Shaders.h"
 
 #include <debugdraw/Result.h>
-#include <debugdraw/Theme.h>
 #include <render/Frame.h>
 #include <render/Overlay.h>
 
@@ -28,11 +27,16 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    void Clear(Color background);
+    /// Premultiplied, 0 to 1.
+    void Clear(const std::array<float, 4>& background);
     Result<void> Draw(std::span<const Batch> batches);
-    Result<void> Draw(const Overlay& overlay);
+
+    /// What of it lies in the rectangles, which share no pixel.
+    Result<void> Draw(const Overlay& overlay, std::span<const PixelBounds> rectangles);
     void Flush() { m_gl.Flush(); }
-    Result<void> Read(Frame& frame);
+
+    /// The pixels of the rectangles, each to its place in a frame of the canvas's size.
+    Result<void> Read(std::span<const PixelBounds> rectangles, Frame& frame);
 
     /// Who draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
     std::string Description() const;
@@ -41,8 +45,8 @@ private:
     struct Program
     {
         GLuint program = 0;
-        GLuint vertexArray = 0;
-        int vectors = 0;
+        GLint first = -1; // where the number of its first vector goes
+        std::size_t vectors = 0;
     };
 
     Canvas(const GlFunctions& gl, int width, int height, double scale)
@@ -54,7 +58,12 @@ private:
     Result<const Program*> Need(ProgramKind kind);
     Result<const Program*> NeedMesh();
     void NeedFont();
-    void DrawBatch(const Batch& batch, const Program& program, std::size_t offset);
+    void NeedQuads(std::size_t count);
+    Result<void> DrawFitting(std::span<const Batch> batches);
+    Result<void> DrawSliced(const Batch& batch);
+    void MakeRoom(std::size_t vectors);
+    void DrawInstances(ProgramKind kind, const Program& program, std::size_t first,
+                       std::size_t count);
 
     GlFunctions m_gl;
     int m_width;
@@ -62,7 +71,13 @@ private:
     double m_scale; // of letters
     GLuint m_framebuffer = 0;
     GLuint m_renderbuffer = 0;
-    GLuint m_instances = 0;
+    GLuint m_instances = 0;        // a buffer of vectors of four floats …
+    GLuint m_instancesTexture = 0; // … as the shaders see it
+    std::size_t m_mostVectors = 0; // in it
+    GLuint m_quadArray = 0;
+    GLuint m_quadIndices = 0;
+    std::size_t m_quads = 0; // that the indices suffice for
+    GLuint m_meshArray = 0;
     GLuint m_meshVertices = 0;
     GLuint m_meshIndices = 0;
     GLuint m_font = 0;

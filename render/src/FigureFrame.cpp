@@ -3,8 +3,6 @@
 
 #include "FigureCanvas.h"
 
-#include <render/Renderer.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -129,6 +127,16 @@ public:
         return drawn ? Result<Frame>(std::move(frame)) : drawn.GetError();
     }
 
+    RenderTotals Totals() const
+    {
+        RenderTotals sum;
+        for (const auto& [key, renderer] : m_renderers)
+        {
+            sum += renderer.Totals();
+        }
+        return sum;
+    }
+
 private:
     const Figure& m_figure;
     Backend m_backend;
@@ -137,7 +145,7 @@ private:
 
 } // namespace
 
-Result<Frame> ToFrame(const Figure& figure, Backend backend)
+Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* totals)
 {
     if (const Result<void> usable = CheckFigure(figure); !usable)
     {
@@ -166,6 +174,10 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend)
             return drawn.GetError();
         }
         (onGround ? CopyInto : BlendInto)(frame, *drawn, at);
+    }
+    if (totals != nullptr)
+    {
+        *totals = renderers.Totals();
     }
     return frame;
 }

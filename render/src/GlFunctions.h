@@ -38,7 +38,6 @@ namespace boxreel
     F(DELETETEXTURES, DeleteTextures)                                                              \
     F(DELETEVERTEXARRAYS, DeleteVertexArrays)                                                      \
     F(DISABLE, Disable)                                                                            \
-    F(DRAWARRAYSINSTANCED, DrawArraysInstanced)                                                    \
     F(DRAWELEMENTS, DrawElements)                                                                  \
     F(ENABLE, Enable)                                                                              \
     F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                                            \
@@ -61,11 +60,12 @@ namespace boxreel
     F(RENDERBUFFERSTORAGE, RenderbufferStorage)                                                    \
     F(SCISSOR, Scissor)                                                                            \
     F(SHADERSOURCE, ShaderSource)                                                                  \
+    F(TEXBUFFER, TexBuffer)                                                                        \
     F(TEXIMAGE2D, TexImage2D)                                                                      \
     F(TEXPARAMETERI, TexParameteri)                                                                \
+    F(UNIFORM1I, Uniform1i)                                                                        \
     F(UNIFORM2F, Uniform2f)                                                                        \
     F(USEPROGRAM, UseProgram)                                                                      \
-    F(VERTEXATTRIBDIVISOR, VertexAttribDivisor)                                                    \
     F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                    \
     F(VIEWPORT, Viewport)
 

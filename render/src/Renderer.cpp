@@ -4,8 +4,13 @@
 #include "Batches.h"
 #include "Canvas.h"
 #include "Context.h"
+#include "DirtyTiles.h"
+#include "ListMatch.h"
+#include "OverlayChange.h"
+#include "Parts.h"
 #include "ShapeBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace boxreel
@@ -16,6 +21,19 @@ namespace
 constexpr int kMaxSize = 8192;
 constexpr double kMinScale = 0.1; // letters of 1.5 px
 constexpr double kMaxScale = 16.0;
+
+// Redrawn as a whole, a picture costs each of its instances once; in rectangles, each as often as
+// it has parts, and cutting them. Beyond this share of the picture the whole is not slower.
+constexpr double kMostShare = 0.6;
+
+// So many quads more than as a whole are worth it, for they cost less than to clear and to read the
+// whole picture.
+constexpr std::size_t kQuadsToSpare = 256;
+
+// Clean tiles that are taken in to have fewer rectangles: a quad costs as much as some tiles of
+// pixels, a call to read as much as a hundred of them.
+constexpr int kDrawGap = 2;
+constexpr int kReadGap = 12;
 
 std::string Size(int width, int height)
 {
@@ -40,14 +58,23 @@ Result<void> CheckCamera(const Camera& camera, const RendererSettings& settings)
     return {};
 }
 
+/// Premultiplied, 0 to 1. A product of two bytes never lies halfway between two steps of 1 / 255,
+/// so whoever writes it, clearing or drawing, rounds it to the same bits.
+std::array<float, 4> Premultiplied(Color color)
+{
+    const auto channel = [&](int value) { return float(value * color.a) / (255.0f * 255.0f); };
+    return {channel(color.r), channel(color.g), channel(color.b), channel(255)};
+}
+
 } // namespace
 
-/// What the last Submit drew, to tell when the next one is the same.
+/// What the last Submit drew, to tell what the next one changes.
 struct Submitted
 {
     DrawList list;
     Camera camera;
     Overlay overlay;
+    Instances instances; // an item's are those of the list's
 
     bool Equals(const DrawList& otherList, const Camera& otherCamera,
                 const Overlay& otherOverlay) const
@@ -58,7 +85,13 @@ struct Submitted
 
 struct Renderer::Impl
 {
-    explicit Impl(const RendererSettings& chosen) : settings(chosen) {}
+    explicit Impl(const RendererSettings& chosen)
+        : settings(chosen), builder(chosen.theme, chosen.scale),
+          background(Premultiplied(chosen.theme.background)), dirty(chosen.width, chosen.height),
+          unread(chosen.width, chosen.height)
+    {
+        unread.AddAll();
+    }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
     ~Impl()
@@ -69,15 +102,211 @@ struct Renderer::Impl
         }
     }
 
+    void Build(const DrawList& list);
+    void FindDirty(const Overlay& overlay);
+    void Plan();
+    bool PlanParts();
+    void PlanWhole();
+    Result<void> Draw(const Overlay& overlay);
+    void Keep(const DrawList& list, const Camera& camera, const Overlay& overlay);
+    void Count();
+
+    bool IsWhole() const { return rectangles.size() == 1 && rectangles.front() == Picture(); }
+    PixelBounds Picture() const { return {0, 0, settings.width, settings.height}; }
+
     RendererSettings settings;
     std::unique_ptr<Context> context;
     std::unique_ptr<Canvas> canvas; // after the context, which must outlive it
     std::string description;
-    Batches batches;
-    RenderStatistics statistics;
+    ShapeBuilder builder;
+    std::array<float, 4> background; // premultiplied
+
     Submitted last;
     bool hasLast = false;
+
+    // Of the Submit in hand.
+    Instances instances;
+    std::vector<std::size_t> matches; // per item: the same one in the last list
+    DirtyTiles dirty;
+    std::vector<PixelBounds> rectangles; // to draw
+    Batches batches;
+    RenderStatistics statistics;
+    RenderTotals totals;
+
+    Frame frame;       // as it was read last …
+    DirtyTiles unread; // … and what has been drawn since
+    std::vector<PixelBounds> changes;
 };
+
+/// The list becomes instances; what the last list had too is copied.
+void Renderer::Impl::Build(const DrawList& list)
+{
+    instances.Clear();
+    for (std::size_t i = 0; i < list.items.size(); ++i)
+    {
+        if (matches[i] != kNoMatch)
+        {
+            instances.CopyItem(last.instances, matches[i]);
+            ++statistics.itemsReused;
+        }
+        else
+        {
+            builder.Add(list, list.items[i], instances);
+            instances.EndItem();
+        }
+        statistics.itemsOutside += instances.OfItem(i).empty() ? 1 : 0;
+    }
+}
+
+/// Where something is that was not there before, or was and is no more. Everywhere else the same
+/// instances lie over each other in the same order.
+void Renderer::Impl::FindDirty(const Overlay& overlay)
+{
+    const auto add = [this](std::span<const Instance> item) {
+        for (const Instance& instance : item)
+        {
+            dirty.Add(instance.bounds);
+        }
+    };
+    std::size_t old = 0; // the first item of the last list that is not accounted for
+    for (std::size_t i = 0; i < matches.size(); ++i)
+    {
+        if (matches[i] == kNoMatch)
+        {
+            add(instances.OfItem(i));
+            continue;
+        }
+        for (; old < matches[i]; ++old)
+        {
+            add(last.instances.OfItem(old));
+        }
+        old = matches[i] + 1;
+    }
+    for (; old < last.instances.Items(); ++old)
+    {
+        add(last.instances.OfItem(old));
+    }
+    AddDifference(last.overlay, overlay, settings.width, settings.height, dirty);
+}
+
+/// What to draw: the rectangles, and the batches that fill them.
+void Renderer::Impl::Plan()
+{
+    dirty.Gather(kDrawGap, rectangles);
+    std::int64_t pixels = 0;
+    for (const PixelBounds& rectangle : rectangles)
+    {
+        pixels += rectangle.Area();
+    }
+    if (double(pixels) > kMostShare * double(Picture().Area()) || !PlanParts())
+    {
+        PlanWhole();
+        pixels = Picture().Area();
+    }
+    statistics.rectangles = rectangles.size();
+    statistics.pixels = pixels;
+    statistics.drawCalls = batches.All().size();
+}
+
+/// False when it would be more work than the whole picture.
+bool Renderer::Impl::PlanParts()
+{
+    const std::size_t most = instances.All().size() + kQuadsToSpare;
+    batches.Clear(settings.width, settings.height);
+    for (const PixelBounds& r : rectangles)
+    {
+        batches.Add(ProgramKind::Ground, r, {float(r.x0), float(r.y0), float(r.x1), float(r.y1)},
+                    background);
+    }
+    statistics.itemsDrawn = 0;
+    for (std::size_t i = 0; i < instances.Items() && batches.Instances() <= most; ++i)
+    {
+        bool isDrawn = false;
+        for (const Instance& instance : instances.OfItem(i))
+        {
+            if (dirty.Touches(instance.bounds))
+            {
+                for (const PixelBounds& rectangle : rectangles)
+                {
+                    isDrawn |= AddPart(instances, instance, rectangle, batches);
+                }
+            }
+        }
+        statistics.itemsDrawn += isDrawn ? 1 : 0;
+    }
+    return batches.Instances() <= most;
+}
+
+void Renderer::Impl::PlanWhole()
+{
+    batches.Clear(settings.width, settings.height);
+    for (const Instance& instance : instances.All())
+    {
+        AddWhole(instances, instance, batches);
+    }
+    statistics.itemsDrawn = statistics.items - statistics.itemsOutside;
+    rectangles.assign(1, Picture());
+}
+
+Result<void> Renderer::Impl::Draw(const Overlay& overlay)
+{
+    for (const PixelBounds& rectangle : rectangles)
+    {
+        unread.Add(rectangle);
+    }
+    if (IsWhole())
+    {
+        canvas->Clear(background);
+    }
+    if (Result<void> drawn = canvas->Draw(batches.All()); !drawn)
+    {
+        return drawn;
+    }
+    if (Result<void> drawn = canvas->Draw(overlay, rectangles); !drawn)
+    {
+        return drawn;
+    }
+    canvas->Flush();
+    return {};
+}
+
+void Renderer::Impl::Keep(const DrawList& list, const Camera& camera, const Overlay& overlay)
+{
+    last.list = list;
+    last.camera = camera;
+    last.overlay = overlay;
+    std::swap(last.instances, instances);
+    hasLast = true;
+}
+
+void Renderer::Impl::Count()
+{
+    ++totals.frames;
+    totals.framesUnchanged += statistics.unchanged ? 1 : 0;
+    totals.framesInPart += !statistics.unchanged && !IsWhole() ? 1 : 0;
+    totals.pixels += Picture().Area();
+    totals.pixelsDrawn += statistics.pixels;
+    totals.items += std::int64_t(statistics.items);
+    totals.itemsDrawn += std::int64_t(statistics.itemsDrawn);
+    totals.itemsOutside += std::int64_t(statistics.itemsOutside);
+    totals.itemsReused += std::int64_t(statistics.itemsReused);
+    totals.drawCalls += std::int64_t(statistics.drawCalls);
+}
+
+RenderTotals& RenderTotals::operator+=(const RenderTotals& other)
+{
+    frames += other.frames;
+    framesUnchanged += other.framesUnchanged;
+    framesInPart += other.framesInPart;
+    pixels += other.pixels;
+    pixelsDrawn += other.pixelsDrawn;
+    items += other.items;
+    itemsDrawn += other.itemsDrawn;
+    itemsOutside += other.itemsOutside;
+    itemsReused += other.itemsReused;
+    drawCalls += other.drawCalls;
+    return *this;
+}
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -131,48 +360,91 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
     {
         return checked;
     }
+    const std::size_t outside = impl.statistics.itemsOutside;
     impl.statistics = {};
-    impl.statistics.unchanged = impl.hasLast && impl.last.Equals(list, camera, top);
-    if (impl.statistics.unchanged)
+    impl.statistics.items = list.items.size();
+    if (impl.hasLast && impl.last.Equals(list, camera, top))
     {
+        impl.statistics.itemsOutside = outside;
+        impl.statistics.itemsReused = list.items.size();
+        impl.statistics.unchanged = true;
+        impl.Count();
         return {};
     }
     if (Result<void> current = impl.context->MakeCurrent(); !current)
     {
         return current;
     }
+    const bool isWhole = !impl.hasLast || impl.last.camera != camera || impl.settings.redrawsWhole;
     impl.hasLast = false; // until all of it is drawn
-    impl.batches.Clear(camera.width, camera.height);
-    ShapeBuilder builder(camera, impl.settings.theme, impl.settings.scale, impl.batches);
-    for (const DrawItem& item : list.items)
+    impl.builder.SetCamera(camera);
+    impl.dirty.Clear();
+    if (isWhole)
     {
-        ++(builder.Add(list, item) ? impl.statistics.itemsDrawn : impl.statistics.itemsSkipped);
+        impl.matches.assign(list.items.size(), kNoMatch);
+        impl.Build(list);
+        impl.dirty.AddAll();
     }
-    impl.statistics.drawCalls = impl.batches.All().size();
-    impl.canvas->Clear(impl.settings.theme.background);
-    if (Result<void> drawn = impl.canvas->Draw(impl.batches.All()); !drawn)
+    else
     {
-        return drawn;
+        MatchItems(impl.last.list, list, impl.matches);
+        impl.Build(list);
+        impl.FindDirty(top);
     }
-    if (Result<void> drawn = impl.canvas->Draw(top); !drawn)
+    impl.statistics.unchanged = impl.dirty.IsEmpty();
+    impl.rectangles.clear();
+    if (!impl.statistics.unchanged)
     {
-        return drawn;
+        impl.Plan();
+        if (Result<void> drawn = impl.Draw(top); !drawn)
+        {
+            return drawn;
+        }
     }
-    impl.canvas->Flush();
-    impl.last.list = list;
-    impl.last.camera = camera;
-    impl.last.overlay = top;
-    impl.hasLast = true;
+    impl.Keep(list, camera, top);
+    impl.Count();
     return {};
 }
 
 Result<void> Renderer::Read(Frame& frame)
 {
-    if (Result<void> current = m_impl->context->MakeCurrent(); !current)
+    Impl& impl = *m_impl;
+    if (Result<void> current = impl.context->MakeCurrent(); !current)
     {
         return current;
     }
-    return m_impl->canvas->Read(frame);
+    const PixelBounds picture = impl.Picture();
+    if (frame.width != picture.x1 || frame.height != picture.y1 ||
+        frame.rgba.size() != std::size_t(picture.Area()) * 4)
+    {
+        frame = Frame(picture.x1, picture.y1);
+    }
+    return impl.canvas->Read({&picture, 1}, frame);
+}
+
+Result<const Frame*> Renderer::ReadChanges()
+{
+    Impl& impl = *m_impl;
+    if (Result<void> current = impl.context->MakeCurrent(); !current)
+    {
+        return current.GetError();
+    }
+    if (impl.frame.rgba.empty())
+    {
+        impl.frame = Frame(impl.settings.width, impl.settings.height);
+    }
+    impl.unread.Gather(kReadGap, impl.changes);
+    if (Result<void> read = impl.canvas->Read(impl.changes, impl.frame); !read)
+    {
+        return read.GetError();
+    }
+    impl.unread.Clear();
+    return &impl.frame;
+}
+
+std::span<const PixelBounds> Renderer::Changes() const
+{
+    return m_impl->changes;
 }
 
 Result<void> Renderer::Draw(const DrawList& list, const Camera& camera, Frame& frame,
@@ -188,6 +460,11 @@ Result<void> Renderer::Draw(const DrawList& list, const Camera& camera, Frame& f
 const RenderStatistics& Renderer::Statistics() const
 {
     return m_impl->statistics;
+}
+
+const RenderTotals& Renderer::Totals() const
+{
+    return m_impl->totals;
 }
 
 const std::string& Renderer::Description() const

@@ -28,29 +28,76 @@ float G(float t, vec4 k)
     float g = (u - v * v * k.w) * k.z;
     return t < 0.0 ? -g : g;
 }
+// The same, to the bit, for edges farther apart than a pixel is wide, when x >= 0: of the far one,
+// all is inside.
+float Edge(float x, float h, vec4 k)
+{
+    float v = max(k.x - k.y, 0.0);
+    return G(h - x, k) + (k.x - v * v * k.w) * k.z;
+}
 float Slab(float x, float h, vec4 k)
 {
     return G(h - x, k) + G(h + x, k);
 }
 )";
 
-// Corners of a quad around an oriented box, a little larger than what its coverage reaches.
-constexpr const char* kQuad = R"(
-uniform vec2 pixelToClip; // 2 / size
-void PlaceQuad(vec2 center, vec2 axis, vec2 reach)
+// Corners of the part that is to be drawn: a rectangle of whole pixels. Every pixel's colour
+// depends on its place alone, never on the quad, so a shape may be drawn in any parts with the same
+// bits.
+constexpr const char* kPart = R"(
+uniform samplerBuffer instances; // VECTORS for each four vertices
+uniform int first;               // vector of the draw call
+uniform vec2 pixelToClip;        // 2 / size
+vec4 Attribute(int i)
 {
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-    vec2 local = corner * (reach + 0.75);
-    vec2 pixel = center + local.x * axis + local.y * vec2(-axis.y, axis.x);
+    return texelFetch(instances, first + (gl_VertexID >> 2) * VECTORS + i);
+}
+vec2 Corner()
+{
+    return vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1);
+}
+void PlacePart(vec4 part)
+{
+    vec2 pixel = mix(part.xy, part.zw, Corner());
     gl_Position = vec4(pixel * pixelToClip - 1.0, 0.0, 1.0);
 }
 )";
 
+// Or, where no part is asked for, of a quad around an oriented box, a little larger (kQuadMargin)
+// than what its coverage reaches.
+constexpr const char* kQuad = R"(
+void PlaceQuad(vec2 center, vec2 axis, vec2 reach)
+{
+    vec4 part = Attribute(0); // [px]
+    vec2 local = (Corner() * 2.0 - 1.0) * (reach + 0.75);
+    vec2 pixel = center + local.x * axis + local.y * vec2(-axis.y, axis.x);
+    PlacePart(part);
+    if (part.x == part.z)
+    {
+        gl_Position = vec4(pixel * pixelToClip - 1.0, 0.0, 1.0);
+    }
+}
+)";
+
+constexpr const char* kGroundVertex = R"(
+flat out vec4 ground; // premultiplied
+void main()
+{
+    PlacePart(Attribute(0));
+    ground = Attribute(1);
+}
+)";
+
+constexpr const char* kGroundFragment = R"(
+flat in vec4 ground;
+layout(location = 0) out vec4 color;
+void main()
+{
+    color = ground;
+}
+)";
+
 constexpr const char* kShapeVertex = R"(
-layout(location = 0) in vec4 placeIn;
-layout(location = 1) in vec4 sizeIn;
-layout(location = 2) in vec4 strokeIn;
-layout(location = 3) in vec4 fillIn;
 flat out vec4 place;
 flat out vec4 size;
 flat out vec4 stroke;
@@ -58,12 +105,12 @@ flat out vec4 fill;
 flat out vec4 k;
 void main()
 {
-    place = placeIn;
-    size = sizeIn;
-    stroke = strokeIn;
-    fill = fillIn;
-    k = Trapezoid(placeIn.zw);
-    PlaceQuad(placeIn.xy, placeIn.zw, REACH);
+    place = Attribute(1);
+    size = Attribute(2);
+    stroke = Attribute(3);
+    fill = Attribute(4);
+    k = Trapezoid(place.zw);
+    PlaceQuad(place.xy, place.zw, REACH);
 }
 )";
 
@@ -77,24 +124,41 @@ layout(location = 0) out vec4 color;
 )";
 
 // size: outer half extents, inner half extents (0, 0 when there is no inside). Exact along edges;
-// at corners of turned boxes the product of two slabs is a little off.
+// at corners of turned boxes the product of two slabs is a little off. SIDES: Edge or Slab.
 constexpr const char* kBoxFragment = R"(
 void main()
 {
     vec2 p = gl_FragCoord.xy - place.xy;
     float x = abs(dot(p, place.zw));
     float y = abs(place.z * p.y - place.w * p.x);
-    float outer = Slab(x, size.x, k) * Slab(y, size.y, k);
-    float inner = Slab(x, size.z, k) * Slab(y, size.w, k);
+    float outer = SIDES(x, size.x, k) * SIDES(y, size.y, k);
+    float inner = SIDES(x, size.z, k) * SIDES(y, size.w, k);
     color = stroke * (outer - inner) + fill * inner;
 }
 )";
 
-// size: half length of the spine (0 for a disc), outer radius, inner radius (negative when there is
-// no inside), half width of the axis line (0 for none). A pixel sees the edge as its tangent; a
-// circle bends away from that by 1/(24 d) on the average over a pixel, which is what 1/12 under the
-// root adds.
-constexpr const char* kRoundFragment = R"(
+// size: 0, outer radius, inner radius (negative when there is no inside), half width of the axis
+// line (0 for none). A pixel sees the edge as its tangent; a circle bends away from that by 1/(24
+// d) on the average over a pixel, which is what 1/12 under the root adds.
+constexpr const char* kDiscFragment = R"(
+void main()
+{
+    vec2 p = gl_FragCoord.xy - place.xy;
+    float x = dot(p, place.zw);
+    float y = place.z * p.y - place.w * p.x;
+    float d = sqrt(x * x + y * y + 1.0 / 12.0);
+    vec2 n = vec2(x * place.z - y * place.w, x * place.w + y * place.z) / d;
+    vec4 kn = Trapezoid(dot(n, n) > 0.01 ? n : vec2(1.0, 0.0));
+    float outer = G(size.y - d, kn) + 0.5;
+    float inner = G(size.z - d, kn) + 0.5;
+    float axis = Slab(abs(y), size.w, k) * (G(x + 0.785 * size.w, k) + 0.5);
+    float filled = inner * (1.0 - axis);
+    color = stroke * (outer - filled) + fill * filled;
+}
+)";
+
+// size: half length of the spine, radius. Round ends as those of a disc.
+constexpr const char* kCapsuleFragment = R"(
 void main()
 {
     vec2 p = gl_FragCoord.xy - place.xy;
@@ -105,11 +169,7 @@ void main()
     float d = sqrt(beyond * beyond + y * y + bend);
     vec2 n = vec2(beyond * place.z - y * place.w, beyond * place.w + y * place.z) / max(d, 1e-6);
     vec4 kn = Trapezoid(dot(n, n) > 0.01 ? n : vec2(1.0, 0.0));
-    float outer = G(size.y - d, kn) + 0.5;
-    float inner = G(size.z - d, kn) + 0.5;
-    float axis = Slab(abs(y), size.w, k) * (G(x + 0.785 * size.w, k) + 0.5);
-    float filled = inner * (1.0 - axis);
-    color = stroke * (outer - filled) + fill * filled;
+    color = stroke * (G(size.y - d, kn) + 0.5);
 }
 )";
 
@@ -134,11 +194,6 @@ float UnderEdge(vec2 a, vec2 b, float slope)
 )";
 
 constexpr const char* kPolygonVertex = R"(
-layout(location = 0) in vec4 placeIn;
-layout(location = 1) in vec4 sizeIn;
-layout(location = 2) in vec4 strokeIn;
-layout(location = 3) in vec4 fillIn;
-layout(location = 4) in vec4 cornersIn[(OUTER + INNER) / 2];
 flat out vec4 stroke;
 flat out vec4 fill;
 flat out vec3 core;
@@ -148,23 +203,26 @@ float Slope(vec2 a, vec2 b)
 {
     return a.x == b.x ? 0.0 : (b.y - a.y) / (b.x - a.x);
 }
-void Ring(int first, int count)
+void Ring(int begin, int count)
 {
-    for (int i = first; i < first + count; ++i)
+    for (int i = begin; i < begin + count; ++i)
     {
-        vec4 next = cornersIn[i + 1 < first + count ? i + 1 : first];
-        corners[i] = cornersIn[i];
-        slopes[i] = vec2(Slope(cornersIn[i].xy, cornersIn[i].zw), Slope(cornersIn[i].zw, next.xy));
+        vec4 here = Attribute(5 + i);
+        vec4 next = Attribute(5 + (i + 1 < begin + count ? i + 1 : begin));
+        corners[i] = here;
+        slopes[i] = vec2(Slope(here.xy, here.zw), Slope(here.zw, next.xy));
     }
 }
 void main()
 {
-    stroke = strokeIn;
-    fill = fillIn;
-    core = vec3(placeIn.xy, sizeIn.z > 0.0 ? sizeIn.z * sizeIn.z : -1.0);
+    vec4 place = Attribute(1); // centre and axis of the box around
+    vec4 size = Attribute(2);  // its half extents, and the distance within which all is fill
+    stroke = Attribute(3);
+    fill = Attribute(4);
+    core = vec3(place.xy, size.z > 0.0 ? size.z * size.z : -1.0);
     Ring(0, OUTER / 2);
     Ring(OUTER / 2, INNER / 2);
-    PlaceQuad(placeIn.xy, placeIn.zw, sizeIn.xy);
+    PlaceQuad(place.xy, place.zw, size.xy);
 }
 )";
 
@@ -207,18 +265,29 @@ void main()
 )";
 
 constexpr const char* kGlyphVertex = R"(
-layout(location = 0) in vec4 rectangle; // [px]
-layout(location = 1) in vec4 texture01;
-layout(location = 2) in vec4 inkIn;     // premultiplied
-uniform vec2 pixelToClip;
-out vec2 uv;
+flat out vec4 origin; // of the letter [px], and in the texture
+flat out vec2 step01; // in the texture, a pixel
 flat out vec4 ink;
 void main()
 {
-    bvec2 far = bvec2((gl_VertexID & 1) != 0, (gl_VertexID >> 1) != 0);
-    ink = inkIn;
-    uv = mix(texture01.xy, texture01.zw, far);
-    gl_Position = vec4(mix(rectangle.xy, rectangle.zw, far) * pixelToClip - 1.0, 0.0, 1.0);
+    vec4 rectangle = Attribute(1); // [px]
+    vec4 texture01 = Attribute(2);
+    origin = vec4(rectangle.xy, texture01.xy);
+    step01 = (texture01.zw - texture01.xy) / (rectangle.zw - rectangle.xy);
+    ink = Attribute(3); // premultiplied
+    PlacePart(Attribute(0));
+}
+)";
+
+constexpr const char* kGlyphFragment = R"(
+uniform sampler2D font;
+flat in vec4 origin;
+flat in vec2 step01;
+flat in vec4 ink;
+layout(location = 0) out vec4 color;
+void main()
+{
+    color = ink * texture(font, origin.zw + (gl_FragCoord.xy - origin.xy) * step01).r;
 }
 )";
 
@@ -237,10 +306,10 @@ void main()
 }
 )";
 
-constexpr const char* kInkFragment = R"(
+constexpr const char* kMeshFragment = R"(
 uniform sampler2D font;
 in vec2 uv;
-INK
+in vec4 ink;
 layout(location = 0) out vec4 color;
 void main()
 {
@@ -255,10 +324,17 @@ std::string Define(const char* name, const std::string& value)
     return std::string("#define ") + name + " " + value + "\n";
 }
 
-ShaderSource ShapeShader(const char* reach, const char* fragment)
+/// Of quads that are placed by their number, with so many vectors each.
+ShaderSource QuadShader(int vectors, const std::string& vertex, const std::string& fragment)
 {
-    return {kVersion + Define("REACH", reach) + kCoverage + kQuad + kShapeVertex,
-            kVersion + kCoverage + kShapeInputs + fragment, 4};
+    return {kVersion + Define("VECTORS", std::to_string(vectors)) + kPart + vertex,
+            kVersion + fragment, vectors};
+}
+
+ShaderSource ShapeShader(const char* reach, const std::string& fragment)
+{
+    return QuadShader(5, Define("REACH", reach) + kCoverage + kQuad + kShapeVertex,
+                      kCoverage + (kShapeInputs + fragment));
 }
 
 ShaderSource PolygonShader(CornerSlots slots)
@@ -266,9 +342,9 @@ ShaderSource PolygonShader(CornerSlots slots)
     const int outer = int(slots.outer);
     const int inner = int(slots.inner);
     const std::string head =
-        kVersion + Define("OUTER", std::to_string(outer)) + Define("INNER", std::to_string(inner));
-    return {head + kQuad + kPolygonVertex, head + kPolygonArea + kPolygonFragment,
-            4 + (outer + inner) / 2};
+        Define("OUTER", std::to_string(outer)) + Define("INNER", std::to_string(inner));
+    return QuadShader(5 + (outer + inner) / 2, head + kQuad + kPolygonVertex,
+                      head + kPolygonArea + kPolygonFragment);
 }
 
 } // namespace
@@ -279,6 +355,8 @@ CornerSlots SlotsOf(ProgramKind polygon)
     {
     case ProgramKind::SmallPolygon: // up to four corners, and two mitres cut off
         return {6, 4};
+    case ProgramKind::Hexagon:
+        return {6, 6};
     case ProgramKind::Polygon:
         return {8, 8};
     default:
@@ -290,24 +368,30 @@ ShaderSource InstancedShader(ProgramKind kind)
 {
     switch (kind)
     {
+    case ProgramKind::Ground:
+        return QuadShader(2, kGroundVertex, kGroundFragment);
     case ProgramKind::Box:
-        return ShapeShader("sizeIn.xy", kBoxFragment);
-    case ProgramKind::Round:
-        return ShapeShader("vec2(sizeIn.x + sizeIn.y, sizeIn.y)", kRoundFragment);
+        return ShapeShader("size.xy", Define("SIDES", "Edge") + kBoxFragment);
+    case ProgramKind::ThinBox:
+        return ShapeShader("size.xy", Define("SIDES", "Slab") + kBoxFragment);
+    case ProgramKind::Disc:
+        return ShapeShader("size.yy", kDiscFragment);
+    case ProgramKind::Capsule:
+        return ShapeShader("vec2(size.x + size.y, size.y)", kCapsuleFragment);
     case ProgramKind::SmallPolygon:
+    case ProgramKind::Hexagon:
     case ProgramKind::Polygon:
     case ProgramKind::LargePolygon:
         return PolygonShader(SlotsOf(kind));
     case ProgramKind::Glyph:
         break;
     }
-    return {kVersion + kGlyphVertex, kVersion + Define("INK", "flat in vec4 ink;") + kInkFragment,
-            3};
+    return QuadShader(4, kGlyphVertex, kGlyphFragment);
 }
 
 ShaderSource MeshShader()
 {
-    return {kVersion + kMeshVertex, kVersion + Define("INK", "in vec4 ink;") + kInkFragment, 0};
+    return {kVersion + kMeshVertex, kVersion + kMeshFragment, 0};
 }
 
 } // namespace boxreel

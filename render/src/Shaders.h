@@ -16,11 +16,11 @@ struct ShaderSource
 {
     std::string vertex;
     std::string fragment;
-    int vectors; ///< attributes of four floats an instance
+    int vectors; ///< of four floats an instance
 };
 
 /// Room for the corners of a polygon's outline, outside and inside. Pixels pay for all of it, so
-/// there are three sizes.
+/// there are four sizes.
 struct CornerSlots
 {
     std::size_t outer;
@@ -28,7 +28,12 @@ struct CornerSlots
 };
 CornerSlots SlotsOf(ProgramKind polygon);
 
-/// A quad an instance, corners from gl_VertexID (a strip of four).
+/// How far beyond a shape's outline the quad around it reaches [px]: more than a pixel's half
+/// diagonal, so that it holds every pixel that the shape touches.
+inline constexpr double kQuadMargin = 0.75;
+
+/// A quad an instance, four vertices each: everything is read from a texture by gl_VertexID. Drawn
+/// as instances of GL's, each quad would go through Mesa's vertex pipeline by itself.
 ShaderSource InstancedShader(ProgramKind kind);
 
 /// Plain triangles: position, texture coordinates, colour not premultiplied.

@@ -104,12 +104,17 @@ std::optional<OrientedBox> AsBox(const Convex& p)
 
 } // namespace
 
-ShapeBuilder::ShapeBuilder(const Camera& camera, const Theme& theme, double scale, Batches& batches)
-    : m_camera(camera), m_theme(theme), m_scale(scale), m_outlineWidth(scale * theme.outlineWidth),
-      m_batches(batches)
+ShapeBuilder::ShapeBuilder(const Theme& theme, double scale)
+    : m_theme(theme), m_scale(scale), m_outlineWidth(scale * theme.outlineWidth)
 {}
 
-bool ShapeBuilder::Add(const DrawList& list, const DrawItem& item)
+void ShapeBuilder::Add(const DrawList& list, const DrawItem& item, Instances& instances)
+{
+    m_instances = &instances;
+    AddItem(list, item);
+}
+
+bool ShapeBuilder::AddItem(const DrawList& list, const DrawItem& item)
 {
     assert(std::size_t(item.first) + item.count <= list.points.size() &&
            "a DrawItem's points lie outside its list");
@@ -305,12 +310,15 @@ bool ShapeBuilder::AddText(Vec2 topLeft, const std::string& text, const Rgba& in
     {
         const Point lower = at + Point{glyph.x0, glyph.y0};
         const Point upper = at + Point{glyph.x1, glyph.y1};
-        if (const auto bounds = InPicture(lower, upper))
+        // Pixels whose centre it holds: at odd scales lines stand between two rows.
+        const auto bounds = InPicture({std::ceil(lower.x - 0.5), std::ceil(lower.y - 0.5)},
+                                      {std::ceil(upper.x - 0.5), std::ceil(upper.y - 0.5)});
+        if (bounds)
         {
             const std::array<float, 12> attributes{
                 float(lower.x), float(lower.y), float(upper.x), float(upper.y), glyph.u0, glyph.v0,
                 glyph.u1,       glyph.v1,       ink[0],         ink[1],         ink[2],   ink[3]};
-            m_batches.Add(ProgramKind::Glyph, *bounds, attributes);
+            m_instances->Add(ProgramKind::Glyph, *bounds, attributes);
             drawn = true;
         }
     }
@@ -347,7 +355,8 @@ bool ShapeBuilder::EmitBox(const OrientedBox& box, double outlineWidth, const Pa
                                            paint.fill[1],
                                            paint.fill[2],
                                            paint.fill[3]};
-    m_batches.Add(ProgramKind::Box, *bounds, attributes);
+    const bool isWide = std::min(inner.x, inner.y) >= kPixelReach;
+    m_instances->Add(isWide ? ProgramKind::Box : ProgramKind::ThinBox, *bounds, attributes);
     return true;
 }
 
@@ -379,7 +388,8 @@ bool ShapeBuilder::EmitRound(const OrientedBox& spine, double outerRadius, doubl
                                            paint.fill[1],
                                            paint.fill[2],
                                            paint.fill[3]};
-    m_batches.Add(ProgramKind::Round, *bounds, attributes);
+    m_instances->Add(length > 0.0 || innerRadius < 0.0 ? ProgramKind::Capsule : ProgramKind::Disc,
+                     *bounds, attributes);
     return true;
 }
 
@@ -397,7 +407,8 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     // Pixels whose centre is this near the middle are all fill.
     const double core = InsideDistance(inner, quad.center) - kPixelReach;
     ProgramKind kind = ProgramKind::LargePolygon;
-    for (const ProgramKind smaller : {ProgramKind::Polygon, ProgramKind::SmallPolygon})
+    for (const ProgramKind smaller :
+         {ProgramKind::Polygon, ProgramKind::Hexagon, ProgramKind::SmallPolygon})
     {
         const CornerSlots room = SlotsOf(smaller);
         kind = outer.count <= room.outer && inner.count <= room.inner ? smaller : kind;
@@ -427,7 +438,7 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     };
     putCorners(outer, slots.outer);
     putCorners(inner, slots.inner);
-    m_batches.Add(kind, *bounds, {attributes.data(), used});
+    m_instances->Add(kind, *bounds, {attributes.data(), used});
     return true;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "Batches.h"
 #include "Convex.h"
 #include "FontAtlas.h"
+#include "Instances.h"
 
 #include <debugdraw/Camera.h>
 #include <debugdraw/DrawList.h>
@@ -15,7 +15,7 @@
 
 /// Turns the items of a DrawList into instances for the shaders, in pixels. Pure arithmetic in
 /// double, made float at the end, so that the same list gives the same bits on any machine. Called
-/// by Renderer, once a frame; knows no GL.
+/// by Renderer; knows no GL.
 ///
 /// What an instance's attributes mean is written beside the shaders, in Shaders.cpp.
 namespace boxreel
@@ -24,13 +24,15 @@ namespace boxreel
 class ShapeBuilder
 {
 public:
-    /// The camera's size is the picture's; its numbers are finite and its scale is positive.
     /// `scale` times as large are outlines, points and letters.
-    ShapeBuilder(const Camera& camera, const Theme& theme, double scale, Batches& batches);
+    ShapeBuilder(const Theme& theme, double scale);
 
-    /// Adds what the item shows in the picture. False when that is nothing (outside, or not
-    /// finite).
-    bool Add(const DrawList& list, const DrawItem& item);
+    /// What is added from now on is seen by this camera, whose size is the picture's; its numbers
+    /// are finite and its scale is positive.
+    void SetCamera(const Camera& camera) { m_camera = camera; }
+
+    /// Adds what the item shows in the picture: nothing when it is outside, or not finite.
+    void Add(const DrawList& list, const DrawItem& item, Instances& instances);
 
 private:
     /// Premultiplied, 0 to 1.
@@ -42,6 +44,7 @@ private:
         Rgba fill{};
     };
 
+    bool AddItem(const DrawList& list, const DrawItem& item);
     Point ToPixel(Vec2 world) const;
     std::optional<PixelBounds> InPicture(Point lower, Point upper) const;
     Paint SolidPaint(const DrawItem& item) const;
@@ -62,8 +65,8 @@ private:
     Camera m_camera;
     Theme m_theme;
     double m_scale;
-    double m_outlineWidth; // [px]
-    Batches& m_batches;
+    double m_outlineWidth;            // [px]
+    Instances* m_instances = nullptr; // of the item in hand
     std::vector<GlyphQuad> m_glyphs;
 };
 

@@ -99,7 +99,7 @@ private:
             m_reachesFloor = m_reachesFloor || run.error <= m_floor;
             point.y = std::max(run.error, m_floor);
         }
-        if (!HasError(run) || !run.ending.empty())
+        if (!HasError(run) || !run.ending.empty() || !MissedRemarks(m_result.info, run).empty())
         {
             point.mark = ChartMark::Cross;
             m_anyCross = true;
@@ -119,16 +119,22 @@ private:
         }
         for (const AccuracyFigures& run : m_result.runs)
         {
-            const bool isOnCurve =
-                std::any_of(std::begin(kFamilies), std::end(kFamilies), [&](const Family& family) {
-                    return IsIn(family, run.settings, usual);
-                });
+            bool isOnCurve = false;
+            for (std::size_t i = 0; i < curves.size(); ++i)
+            {
+                isOnCurve = isOnCurve ||
+                            (!curves[i].points.empty() && IsIn(kFamilies[i], run.settings, usual));
+            }
             if (run.engine == engine && HasTime(run) && !isOnCurve)
             {
                 others.points.push_back(PointOf(run));
-                const bool isCross = others.points.back().mark == ChartMark::Cross;
-                others.points.back().mark = ChartMark::Speck;
-                m_anySpeck = m_anySpeck || !isCross;
+                ChartMark& mark = others.points.back().mark;
+                if (mark == ChartMark::Disc)
+                {
+                    const bool isUsual = IsSame(run.settings, usual);
+                    mark = isUsual ? ChartMark::Ring : ChartMark::Speck;
+                    m_anySpeck = m_anySpeck || !isUsual;
+                }
             }
         }
         for (ChartLine& curve : curves)
@@ -229,7 +235,10 @@ private:
         }
         if (m_anyCross)
         {
-            m_chart.legend.push_back({{"falls or bursts"}, LegendKey::Cross});
+            m_chart.legend.push_back(
+                {{m_result.info.remarkGoals.empty() ? "falls or bursts"
+                                                    : "falls, bursts or misses another goal"},
+                 LegendKey::Cross});
         }
     }
 
@@ -248,6 +257,7 @@ private:
             m_chart.frame.notes.back() +=
                 " Green: the goal is met at no more time than Box2D takes.";
         }
+        AppendGoals();
         if (m_reachesFloor)
         {
             const bool isCount = info.goal <= 0.0;
@@ -256,6 +266,18 @@ private:
         }
         m_chart.x = {"CPU time for 1/60 s [\u00b5s]", true};
         m_chart.y = {"error [" + info.unit + "]", true};
+    }
+
+    void AppendGoals()
+    {
+        for (const RemarkGoal& goal : m_result.info.remarkGoals)
+        {
+            std::string name = goal.name;
+            std::replace(name.begin(), name.end(), '_', ' ');
+            m_chart.frame.notes.push_back("Another goal: " + name + " at " +
+                                          (goal.isLeast ? "least " : "most ") +
+                                          ChartNumber(goal.bound) + ".");
+        }
     }
 
     const AccuracyResult& m_result;

@@ -49,11 +49,10 @@ AccuracyFigures RunFrom(const Json& json, const char* cpu)
     run.engine = Text(json, "engine");
     run.failure = Text(json, "failure");
     run.cpu = Number(json, cpu, 0.0);
-    run.settings = {int(Number(json, "velocityIterations", 0.0)),
-                    int(Number(json, "positionIterations", 0.0)), int(Number(json, "hz", 60.0)),
-                    int(Number(json, "subSteps", 1.0))};
-    run.each = {int(Number(json, "velocityIterationsOfASubStep", 0.0)),
-                int(Number(json, "positionIterationsOfASubStep", 0.0))};
+    run.settings = {Integer(json, "velocityIterations", 0), Integer(json, "positionIterations", 0),
+                    Integer(json, "hz", 60), Integer(json, "subSteps", 1)};
+    run.each = {Integer(json, "velocityIterationsOfASubStep", 0),
+                Integer(json, "positionIterationsOfASubStep", 0)};
     run.error = Number(json, "error", kNoValue); // null is what is no number
     run.held = json.is_object() && json.contains("held") && json["held"] == true;
     run.ending = Text(json, "ending");
@@ -73,6 +72,35 @@ bool IsRun(const AccuracyFigures& run)
            run.settings.subSteps > 0;
 }
 
+Json GoalsOf(const Json& json)
+{
+    const bool has = json.is_object() && json.contains("goals") && json["goals"].is_array();
+    return has ? json["goals"] : Json::array();
+}
+
+/// What is wrong with the numbers of a case, to be put behind the name of its file; empty: nothing.
+std::string WrongNumberOf(const Json& json, const AccuracyResult& result)
+{
+    const auto isGoal = [](double goal) { return std::isfinite(goal) && goal >= 0.0; };
+    bool goalsAreNumbers = isGoal(Number(json, "goal", kNoValue));
+    for (const RemarkGoal& goal : result.info.remarkGoals)
+    {
+        goalsAreNumbers = goalsAreNumbers && !goal.name.empty() && isGoal(goal.bound);
+    }
+    if (!goalsAreNumbers)
+    {
+        return " has a goal for '" + result.info.name + "' that is no number from 0 on";
+    }
+    for (const AccuracyFigures& run : result.runs)
+    {
+        if (run.error < 0.0)
+        {
+            return " has an error below 0 for '" + result.info.name + "' and " + run.engine;
+        }
+    }
+    return "";
+}
+
 /// No name, or no runs: it is not a case.
 AccuracyResult CaseFrom(const Json& json)
 {
@@ -81,6 +109,12 @@ AccuracyResult CaseFrom(const Json& json)
     result.info.what = Text(json, "what");
     result.info.unit = Text(json, "unit");
     result.info.goal = Number(json, "goal", 0.0);
+    for (const Json& goal : GoalsOf(json))
+    {
+        const bool isLeast = goal.is_object() && goal.contains("least");
+        result.info.remarkGoals.push_back(
+            {Text(goal, "remark"), Number(goal, isLeast ? "least" : "most", kNoValue), isLeast});
+    }
     const bool hasRuns = json.is_object() && json.contains("runs") && json["runs"].is_array();
     for (const Json& entry : hasRuns ? json["runs"] : Json::array())
     {
@@ -118,10 +152,16 @@ std::string AccuracyJson(const std::vector<AccuracyResult>& results)
         {
             runs.push_back(RunJson(run));
         }
+        Json goals = Json::array();
+        for (const RemarkGoal& goal : result.info.remarkGoals)
+        {
+            goals.push_back({{"remark", goal.name}, {goal.isLeast ? "least" : "most", goal.bound}});
+        }
         cases.push_back({{"case", result.info.name},
                          {"what", result.info.what},
                          {"unit", result.info.unit},
                          {"goal", result.info.goal},
+                         {"goals", goals},
                          {"runs", runs}});
     }
     return Json{{"cases", cases}}.dump(2) + "\n";
@@ -140,6 +180,12 @@ Result<std::vector<AccuracyResult>> ParseAccuracyJson(const std::string& text,
         {
             results.clear();
             break;
+        }
+        const std::string wrong = WrongNumberOf(entry, results.back());
+        if (!wrong.empty())
+        {
+            return Error{ErrorKind::Unusable, "'" + name + "'" + wrong + "; make it again with " +
+                                                  "`boxreel bench --accuracy --json`."};
         }
     }
     if (results.empty())

@@ -11,11 +11,6 @@ namespace boxreel
 namespace
 {
 
-bool HasFigures(const AccuracyFigures& run)
-{
-    return run.failure.empty() && run.held && std::isfinite(run.error) && run.cpu > 0.0;
-}
-
 std::string Ending(const AccuracyFigures& run)
 {
     return !run.failure.empty() ? run.failure : !run.ending.empty() ? run.ending : "not finite";
@@ -41,11 +36,11 @@ std::string Row(const AccuracyCase& info, const AccuracyFigures& run)
     {
         return row + Format("%11s %-6s %9s %9s  %s\n", "-", "", "-", "-", Ending(run).c_str());
     }
-    const char* verdict = !run.ending.empty()      ? run.ending.c_str()
-                          : run.error <= info.goal ? "goal met"
-                                                   : "";
+    const std::string verdict = !run.ending.empty()     ? run.ending
+                                : MeetsGoals(info, run) ? "goal met"
+                                                        : MissedRemarks(info, run);
     row += Format("%11.4g %-6s %9s %9s  %s", run.error, info.unit.c_str(),
-                  TimeText(run.cpu).c_str(), TimeText(run.CpuOfAFrame()).c_str(), verdict);
+                  TimeText(run.cpu).c_str(), TimeText(run.CpuOfAFrame()).c_str(), verdict.c_str());
     return row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
 }
 
@@ -88,12 +83,46 @@ std::string SummaryRow(const AccuracyResult& result, const std::vector<std::stri
                           ? Format("%.2fx", run->CpuOfAFrame() / ours->CpuOfAFrame()).c_str()
                           : "");
     }
-    const bool met =
-        ours != nullptr && HasFigures(*ours) && ours->ending.empty() && ours->error <= info.goal;
-    return row + (!met ? "  goal not met\n" : isSlower ? "  goal met, slower\n" : "  goal met\n");
+    if (ours == nullptr || !MeetsGoals(info, *ours))
+    {
+        const bool ended = ours != nullptr && HasFigures(*ours) && ours->ending.empty();
+        const std::string missed = ended ? MissedRemarks(info, *ours) : "";
+        return row + "  goal not met" + (missed.empty() ? "\n" : ": " + missed + "\n");
+    }
+    return row + (isSlower ? "  goal met, slower\n" : "  goal met\n");
 }
 
 } // namespace
+
+bool HasFigures(const AccuracyFigures& run)
+{
+    return run.failure.empty() && run.held && std::isfinite(run.error) && run.cpu > 0.0;
+}
+
+std::string MissedRemarks(const AccuracyCase& info, const AccuracyFigures& run)
+{
+    std::string missed;
+    for (const RemarkGoal& goal : info.remarkGoals)
+    {
+        const auto remark = std::find_if(run.remarks.begin(), run.remarks.end(),
+                                         [&](const auto& one) { return one.first == goal.name; });
+        const double value = remark != run.remarks.end() ? remark->second : kNoValue;
+        if (goal.isLeast ? value >= goal.bound : value <= goal.bound)
+        {
+            continue;
+        }
+        missed += (missed.empty() ? "" : "; ") + goal.name +
+                  (std::isfinite(value) ? Format(" %.3g", value) : " unknown") +
+                  Format(", at %s %g", goal.isLeast ? "least" : "most", goal.bound);
+    }
+    return missed;
+}
+
+bool MeetsGoals(const AccuracyCase& info, const AccuracyFigures& run)
+{
+    return HasFigures(run) && run.ending.empty() && run.error <= info.goal &&
+           MissedRemarks(info, run).empty();
+}
 
 std::vector<std::string> EnginesOf(const AccuracyResult& result)
 {

@@ -24,6 +24,11 @@ AccuracyCase ParseAccuracyCase(const std::string& line)
         info.unit = key == "unit" ? value : info.unit;
         info.goal = key == "goal" ? std::strtod(value.c_str(), nullptr) : info.goal;
         info.mostSubSteps = key == "sub-steps" ? std::atoi(value.c_str()) : info.mostSubSteps;
+        if (!key.empty() && (key.back() == '<' || key.back() == '>'))
+        {
+            info.remarkGoals.push_back({key.substr(0, key.size() - 1),
+                                        std::strtod(value.c_str(), nullptr), key.back() == '>'});
+        }
     }
     return info;
 }

@@ -31,6 +31,14 @@ struct SubStepIterations
     int position = 0; ///< 0: none
 };
 
+/// What one of a run's further numbers has to be.
+struct RemarkGoal
+{
+    std::string name;
+    double bound = 0.0;
+    bool isLeast = false; ///< at least the bound, else at most
+};
+
 struct AccuracyCase
 {
     std::string name;
@@ -38,6 +46,7 @@ struct AccuracyCase
     std::string unit;  ///< of the error
     double goal = 0.0; ///< the largest error that is good enough, in that unit
     int mostSubSteps = 1;
+    std::vector<RemarkGoal> remarkGoals{}; ///< besides
 };
 
 struct AccuracyFigures
@@ -77,6 +86,14 @@ std::vector<AccuracySettings> AccuracySweep(int mostSubSteps);
 
 AccuracyFigures RunAccuracyCase(const std::filesystem::path& program, const std::string& name,
                                 const AccuracySettings& settings);
+
+/// Whether the run ended as it should with numbers for everything.
+bool HasFigures(const AccuracyFigures& run);
+/// Which further numbers of the run are not what the case asks for, as "gap_mm 0.3, at most 0.1";
+/// empty: none.
+std::string MissedRemarks(const AccuracyCase& info, const AccuracyFigures& run);
+/// Whether the run meets all goals of the case.
+bool MeetsGoals(const AccuracyCase& info, const AccuracyFigures& run);
 
 /// By their names, in the order in which they first come.
 std::vector<std::string> EnginesOf(const AccuracyResult& result);

@@ -19,6 +19,13 @@ inline double Number(const Json& json, const char* name, double otherwise)
                : otherwise;
 }
 
+/// What is beyond a million either way, and no int for sure, is -1.
+inline int Integer(const Json& json, const char* name, int otherwise)
+{
+    const double number = Number(json, name, otherwise);
+    return number >= -1e6 && number <= 1e6 ? int(number) : -1;
+}
+
 inline std::string Text(const Json& json, const char* name)
 {
     return json.is_object() && json.contains(name) && json[name].is_string()

@@ -217,6 +217,11 @@ Result<void> CheckPixels(const ShotOptions& options)
         return Unusable("--hud draws a panel of pixels, which '" + options.output.string() +
                         "' cannot hold; leave it out, or write a .png.");
     }
+    if (isVector && options.stats)
+    {
+        return Unusable("--stats counts pixels, and '" + options.output.string() +
+                        "' has none; leave it out, or write a .png.");
+    }
     const Camera size = Scaled(Camera{.width = options.look.width, .height = options.look.height},
                                options.look.scale);
     if (!isVector && std::max(size.width, size.height) > 8192)

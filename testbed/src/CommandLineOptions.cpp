@@ -96,6 +96,11 @@ void AddForce(CLI::App& command, bool& force)
     command.add_flag("--force", force, "Overwrite an existing file");
 }
 
+void AddStats(CLI::App& command, bool& stats)
+{
+    command.add_flag("--stats", stats, "Then say what was drawn, and what left as it was");
+}
+
 CLI::Option* AddBackend(CLI::App& command, Backend& backend)
 {
     return AddValue(command, "--backend", "NAME", backend, ParseBackend,
@@ -121,6 +126,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
     AddPath(*command, "-o,--output", "FILE", record.output,
             "The film: .mp4 .mkv .webm .gif, or frames-####.png");
     AddForce(*command, record.force);
+    AddStats(*command, record.stats);
     AddValue(*command, "--quality", "LEVEL", record.quality,
              OneOf<Quality>({{"draft", Quality::Draft},
                              {"standard", Quality::Standard},
@@ -166,6 +172,7 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed)
     AddScene(*command, shot.scene);
     AddPath(*command, "-o,--output", "FILE", shot.output, "The picture: .png, .svg or .pdf");
     AddForce(*command, shot.force);
+    AddStats(*command, shot.stats);
     AddMotion(*command, shot);
     AddValue(*command, "--scale", "FACTOR", shot.look.scale, ParseScale,
              "Of all lengths in pixels, lines and text too; 0.1 to 16 (1)")

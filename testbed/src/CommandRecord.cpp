@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Commands.h"
+#include "RenderReport.h"
 #include "StopSignals.h"
 #include "Terminal.h"
 
@@ -125,6 +126,10 @@ Result<int> RecordScene(const RecordOptions& options, std::int64_t frameCount, S
         return 128 + signal;
     }
     progress.Finish(ReportOf(options, frameCount, progress.Seconds()));
+    if (options.stats)
+    {
+        WriteMessage(DescribeDrawing(renderer->Totals()));
+    }
     return 0;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Commands.h"
 #include "OutputPath.h"
+#include "RenderReport.h"
 #include "SceneMotion.h"
 #include "Terminal.h"
 
@@ -99,6 +100,14 @@ Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
     return {};
 }
 
+void Describe(const ShotOptions& options, const RenderTotals& totals)
+{
+    if (options.stats)
+    {
+        WriteMessage(DescribeDrawing(totals));
+    }
+}
+
 Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, const Figure& figure)
 {
     const FigureFileSettings settings{.overwrite = options.force};
@@ -111,9 +120,18 @@ Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, con
     case PictureFormat::Png:
         break;
     }
-    const Result<Frame> frame = ToFrame(figure, options.backend);
-    return frame ? WritePng(picture.path, *frame, {.overwrite = options.force})
-                 : Result<void>(frame.GetError());
+    RenderTotals totals;
+    const Result<Frame> frame = ToFrame(figure, options.backend, &totals);
+    if (!frame)
+    {
+        return frame.GetError();
+    }
+    const Result<void> written = WritePng(picture.path, *frame, {.overwrite = options.force});
+    if (written)
+    {
+        Describe(options, totals);
+    }
+    return written;
 }
 
 /// A picture under the panel, which only pixels can show.
@@ -130,8 +148,16 @@ Result<void> WriteWithPanel(const ShotOptions& options, const Picture& picture,
         return renderer.GetError();
     }
     Frame frame;
-    const Result<void> drawn = renderer->Draw(list, camera, frame, &panel);
-    return drawn ? WritePng(picture.path, frame, {.overwrite = options.force}) : drawn;
+    if (const Result<void> drawn = renderer->Draw(list, camera, frame, &panel); !drawn)
+    {
+        return drawn;
+    }
+    const Result<void> written = WritePng(picture.path, frame, {.overwrite = options.force});
+    if (written)
+    {
+        Describe(options, renderer->Totals());
+    }
+    return written;
 }
 
 Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>& pictures,
@@ -162,7 +188,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
         motion->AdvanceTo(*session, moment);
         content = {};
         session->Fill(content);
-        parts.push_back({motion->Picture(*session, content.list), session->View(),
+        parts.push_back({motion->Picture(*session, content.list), session->CurrentCamera(),
                          moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
     }
     for (const Picture& picture : pictures)
@@ -172,7 +198,8 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
                 ? WriteWithPanel(options, picture, parts.front().list, content.camera,
                                  content.overlay)
                 : WriteFigure(options, picture,
-                              MakeFigure(options, picture.theme, parts, session->Title()));
+                              Named(MakeFigure(options, picture.theme, parts, session->Title()),
+                                    session->Names()));
         if (!written)
         {
             return written;

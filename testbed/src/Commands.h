@@ -37,6 +37,7 @@ struct RecordOptions
     Quality quality = Quality::Standard;
     Backend backend = Backend::Auto;
     bool force = false;
+    bool stats = false; ///< say what was drawn and what was left as it was
     ProgressMode progress = ProgressMode::Auto;
 };
 
@@ -51,6 +52,7 @@ struct ShotOptions
     Backend backend = Backend::Auto;
     bool bothThemes = false; ///< a light and a dark picture instead of the look's theme
     bool force = false;
+    bool stats = false; ///< say what was drawn; of pixels only
 };
 
 struct DiffOptions

@@ -204,7 +204,7 @@ void SceneMotion::AddTrails(const SceneSession& session, DrawList& list) const
         const std::size_t skipped = static_cast<std::size_t>(
             std::clamp<std::int64_t>(start - way.firstStep, 0, std::ssize(way.places)));
         list.owner = static_cast<std::uint32_t>(body);
-        AddTrail(list, session.View(), std::span(way.places).subspan(skipped),
+        AddTrail(list, session.CurrentCamera(), std::span(way.places).subspan(skipped),
                  {.color = TrailColor(number++)});
     }
     list.owner = kNoOwner;
@@ -217,7 +217,7 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
     {
         return;
     }
-    const double near = kSamePlace / session.View().pixelsPerMeter;
+    const double near = kSamePlace / session.CurrentCamera().pixelsPerMeter;
     const DrawList now = ShapesOf(session.World());
     std::map<std::uint32_t, const DrawList*> later; // where a body was seen last, backwards
     std::map<std::int64_t, std::set<std::uint32_t>> shown;
@@ -255,7 +255,7 @@ DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) cons
     Append(list, scene);
     if (m_look.axes)
     {
-        AddOriginMark(list, session.View());
+        AddOriginMark(list, session.CurrentCamera());
     }
     for (const DimensionChoice& dimension : m_look.dimensions)
     {
@@ -263,7 +263,7 @@ DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) cons
         const std::optional<Vec2> to = PlaceOf(dimension.to, session.World());
         if (from && to)
         {
-            AddDimension(list, session.View(), *from, *to);
+            AddDimension(list, session.CurrentCamera(), *from, *to);
         }
     }
     return list;

@@ -60,9 +60,9 @@ public:
     const std::string& Title() const { return m_title; }
     const BodyNames& Names() const { return m_scene->Names(); }
     const b2World& World() const { return m_scene->World(); }
-    b2World& World() { return m_scene->World(); }          ///< whose debug drawing may be borrowed
-    const Camera& View() const { return m_camera.View(); } ///< at scale 1
-    double Time() const;                                   ///< simulated since the start [s]
+    b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
+    const Camera& CurrentCamera() const { return m_camera.View(); } ///< at scale 1
+    double Time() const; ///< simulated since the start [s]
 
 private:
     SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,

@@ -28,6 +28,14 @@ struct Outcome
     std::string ending{}; ///< "falls", "bursts": what no error tells; empty: as it should
 };
 
+/// What a remark has to be for the case to be as good as it should.
+struct RemarkGoal
+{
+    std::string name; ///< of the remark
+    double bound = 0.0;
+    bool isLeast = false; ///< at least the bound, else at most
+};
+
 /// One run of a case: made, built, stepped and judged once.
 class Experiment
 {
@@ -50,6 +58,7 @@ struct AccuracyCase
     double seconds = 0.0; ///< that are simulated
     double gravity = -10.0;
     std::function<std::unique_ptr<Experiment>()> make;
+    std::vector<RemarkGoal> remarkGoals{};
 };
 
 using AccuracyCases = std::vector<AccuracyCase>;

@@ -179,7 +179,7 @@ public:
 
 /// I: two such rods in a row, hinged where they meet; one spins at 4.5 rad/s, the other does not,
 /// and the hinge, of which both agree how fast it moves, leaves their common centre at rest. What
-/// is lost at the end, of the angular momentum (the error) and of the energy.
+/// is off at the end, of the angular momentum (the error) and of the energy.
 class PairExperiment final : public Experiment
 {
 public:
@@ -204,7 +204,7 @@ public:
     Outcome Judge(Sim& sim) override
     {
         return {100.0 * std::abs(1.0 - Momentum(sim) / m_momentum),
-                {{"energy_percent", 100.0 * (1.0 - Energy(sim) / m_energy)}}};
+                {{"energy_percent", 100.0 * std::abs(1.0 - Energy(sim) / m_energy)}}};
     }
 
 private:
@@ -235,9 +235,11 @@ private:
 
 void AppendJointCases(AccuracyCases& cases)
 {
-    cases.push_back(MakeCase<PendulumExperiment>(
-        "B-pendulum", "a rod let go level, the largest error of its energy in 10 s", "%", 1.0,
-        10.0));
+    cases.push_back(WithMost(
+        MakeCase<PendulumExperiment>("B-pendulum",
+                                     "a rod let go level, the largest error of its energy in 10 s",
+                                     "%", 1.0, 10.0),
+        "gap_mm", 0.1));
     cases.push_back(MakeCase<DoublePendulumExperiment>(
         "C-double-pendulum", "two rods let go level, the largest error of the free end in 2 s", "m",
         0.01, 2.0));
@@ -247,9 +249,11 @@ void AppendJointCases(AccuracyCases& cases)
     cases.push_back(MakeCase<SwungChainExperiment>(
         "D-chain-1000", "20 links and a ball of 1000 swung from level, the stretch in 10 s", "%",
         1.0, 10.0));
-    cases.push_back(Weightless(MakeCase<PairExperiment>(
-        "I-pair", "two hinged rods, free, one spinning, the angular momentum lost in 60 s", "%",
-        0.1, 60.0)));
+    cases.push_back(WithMost(
+        Weightless(MakeCase<PairExperiment>(
+            "I-pair", "two hinged rods, free, one spinning, the angular momentum lost in 60 s", "%",
+            0.1, 60.0)),
+        "energy_percent", 0.2));
 }
 
 } // namespace bench

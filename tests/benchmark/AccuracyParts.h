@@ -59,7 +59,19 @@ AccuracyCase MakeCase(const char* name, const char* what, const char* unit, doub
                       double seconds, Arguments... arguments)
 {
     const auto make = [=] { return std::make_unique<Kind>(arguments...); };
-    return AccuracyCase{name, what, unit, goal, seconds, -kGravity, make};
+    return AccuracyCase{name, what, unit, goal, seconds, -kGravity, make, {}};
+}
+
+/// The same, where a remark has to be at most, or at least, so much besides.
+inline AccuracyCase WithMost(AccuracyCase result, const char* remark, double most)
+{
+    result.remarkGoals.push_back({remark, most, false});
+    return result;
+}
+inline AccuracyCase WithLeast(AccuracyCase result, const char* remark, double least)
+{
+    result.remarkGoals.push_back({remark, least, true});
+    return result;
 }
 
 /// The same without gravity.

@@ -247,9 +247,34 @@ TEST(Sweeps, BoxOfACircleIsThatOfItsTransforms)
         circle.ComputeAABB(&start, from, 0);
         circle.ComputeAABB(&expected, to, 0);
         expected.Combine(start);
-        const b2AABB box = SweptBox(circle, 0, sweep);
+        const b2AABB box = SweptBox(circle, 0, sweep, circle.m_radius);
         ASSERT_EQ(box.lowerBound, expected.lowerBound) << i;
         ASSERT_EQ(box.upperBound, expected.upperBound) << i;
+    }
+}
+
+/// A rod that lies level at the start and at the end has been upright between.
+TEST(SweptBox, HoldsWhatTurnsFarAtEveryTime)
+{
+    b2PolygonShape rod;
+    rod.SetAsBox(1.0f, 0.1f);
+    b2Sweep sweep;
+    sweep.localCenter.SetZero();
+    sweep.c0.SetZero();
+    sweep.c.Set(0.5f, 0.0f);
+    sweep.a0 = 0.0f;
+    sweep.a = 4.0f * b2_pi;
+    sweep.alpha0 = 0.0f;
+    const b2AABB box = SweptBox(rod, 0, sweep, b2Vec2(1.0f, 0.1f).Length() + b2_polygonRadius);
+    for (int i = 0; i <= 100; ++i)
+    {
+        b2Transform at;
+        sweep.GetTransform(&at, 0.01f * float32(i));
+        b2AABB now;
+        rod.ComputeAABB(&now, at, 0);
+        now.lowerBound += b2Vec2(b2_polygonRadius, b2_polygonRadius); // both stand out by a skin
+        now.upperBound -= b2Vec2(b2_polygonRadius, b2_polygonRadius);
+        ASSERT_TRUE(box.Contains(now)) << i;
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 /// The guard by itself: a step is begun, a bad solver is played, and what it has won is taken away.
@@ -245,7 +246,186 @@ TEST(EnergyGuard, NoticesThatASliderHasGoneFar)
     pair.scene.world.CreateJoint(&def);
     EXPECT_FALSE(IsGuarded(pair));
     pair.b->SetTransform(b2Vec2(12.0f, 0.0f), 0.0f);
+    pair.World().stepNumber += box2d::World::kHandLasts;
     EXPECT_TRUE(IsGuarded(pair));
+}
+
+/// Leaves alone what `give` has moved, for as long as it may matter, and then no longer.
+template <class Function>
+void ExpectGift(Pair& pair, const char* what, Function&& give)
+{
+    EXPECT_TRUE(IsGuarded(pair)) << what;
+    give();
+    EXPECT_FALSE(IsGuarded(pair)) << what;
+    pair.World().stepNumber += box2d::World::kHandLasts;
+    EXPECT_TRUE(IsGuarded(pair)) << what;
+}
+
+TEST(EnergyGuard, LeavesAloneWhatTheProgramMovesByHand)
+{
+    Pair pair;
+    b2Body* post = pair.scene.Body(b2_staticBody, 5.0f, 0.0f);
+    b2RevoluteJointDef def;
+    def.Initialize(post, pair.b, b2Vec2(5.0f, 0.0f));
+    pair.scene.world.CreateJoint(&def);
+    ExpectGift(pair, "its anchor", [&] { post->SetTransform(b2Vec2(5.0f, 0.1f), 0.0f); });
+    ExpectGift(pair, "a body of it", [&] { pair.a->SetTransform(b2Vec2(0.0f, 0.1f), 0.0f); });
+    b2Body* other = pair.scene.Box(50.0f, 0.0f);
+    other->SetTransform(b2Vec2(60.0f, 0.0f), 0.0f);
+    EXPECT_TRUE(IsGuarded(pair)) << "nothing of it was moved";
+}
+
+TEST(EnergyGuard, LeavesAloneWhatAMovedBodyTouches)
+{
+    Pair pair;
+    b2Body* wall = pair.scene.Body(b2_staticBody, 3.0f, 0.0f);
+    Scene::AddBox(wall, 0.5f, 0.5f);
+    pair.scene.world.Step(1e-6f, 8, 3); // finds the contact
+    ASSERT_NE(pair.b->GetContactList(), nullptr);
+    ASSERT_TRUE(pair.b->GetContactList()->contact->IsTouching());
+    ExpectGift(pair, "a wall", [&] { wall->SetTransform(b2Vec2(2.95f, 0.0f), 0.0f); });
+}
+
+TEST(EnergyGuard, LeavesAloneWhatAChangedJointMoves)
+{
+    Pair pair;
+    b2Body* ground = pair.scene.Ground();
+    ExpectGift(pair, "hinge's limits", [&] { pair.hinge->SetLimits(0.5f, 1.0f); });
+    ExpectGift(pair, "a limit switched on", [&] { pair.hinge->EnableLimit(true); });
+    b2PrismaticJointDef slide;
+    slide.Initialize(ground, pair.b, b2Vec2(2.0f, 0.0f), b2Vec2(1.0f, 0.0f));
+    auto* slider = static_cast<b2PrismaticJoint*>(pair.scene.world.CreateJoint(&slide));
+    ExpectGift(pair, "slider's limits", [&] { slider->SetLimits(0.5f, 1.0f); });
+    ExpectGift(pair, "a limit switched on", [&] { slider->EnableLimit(true); });
+    b2RopeJointDef tie;
+    tie.bodyA = ground;
+    tie.bodyB = pair.b;
+    tie.maxLength = 5.0f;
+    auto* rope = static_cast<b2RopeJoint*>(pair.scene.world.CreateJoint(&tie));
+    ExpectGift(pair, "a rope's length", [&] { rope->SetMaxLength(1.0f); });
+    b2DistanceJointDef hold;
+    hold.Initialize(ground, pair.b, b2Vec2(0.0f, 5.0f), b2Vec2(2.0f, 0.0f));
+    hold.frequencyHz = 1.0f;
+    auto* rod = static_cast<b2DistanceJoint*>(pair.scene.world.CreateJoint(&hold));
+    ExpectGift(pair, "a rod's length", [&] { rod->SetLength(1.0f); });
+    ExpectGift(pair, "a spring made rigid", [&] { rod->SetFrequency(0.0f); });
+    b2WeldJointDef glue;
+    glue.Initialize(ground, pair.b, b2Vec2(2.0f, 0.0f));
+    glue.frequencyHz = 1.0f;
+    auto* weld = static_cast<b2WeldJoint*>(pair.scene.world.CreateJoint(&glue));
+    ExpectGift(pair, "a weld made rigid", [&] { weld->SetFrequency(0.0f); });
+    b2RevoluteJointDef axle;
+    axle.Initialize(ground, pair.a, b2Vec2(0.0f, 0.0f));
+    b2GearJointDef teeth;
+    teeth.joint1 = pair.scene.world.CreateJoint(&axle);
+    teeth.joint2 = slider;
+    teeth.bodyA = pair.a;
+    teeth.bodyB = pair.b;
+    auto* gear = static_cast<b2GearJoint*>(pair.scene.world.CreateJoint(&teeth));
+    ExpectGift(pair, "a gear's ratio", [&] { gear->SetRatio(2.0f); });
+}
+
+/// What is given between steps is no gain of the step: velocities, impulses, masses, weight.
+TEST(EnergyGuard, LeavesWhatTheProgramGivesAsMotion)
+{
+    Pair pair(b2Vec2(0.0f, -10.0f));
+    const auto expectKept = [&](const char* what) {
+        pair.Begin();
+        const double start = pair.Energy();
+        pair.Balance();
+        EXPECT_EQ(pair.Energy(), start) << what;
+        pair.WriteBack();
+    };
+    expectKept("nothing");
+    pair.b->SetLinearVelocity(b2Vec2(0.0f, 50.0f));
+    pair.a->SetAngularVelocity(20.0f);
+    expectKept("velocities");
+    pair.b->ApplyLinearImpulse(b2Vec2(100.0f, 0.0f), pair.b->GetWorldCenter(), true);
+    pair.b->ApplyAngularImpulse(10.0f, true);
+    expectKept("impulses");
+    pair.b->GetFixtureList()->SetDensity(100.0f);
+    pair.b->ResetMassData();
+    expectKept("masses");
+    pair.scene.world.SetGravity(b2Vec2(0.0f, -1000.0f));
+    pair.b->SetGravityScale(-10.0f);
+    expectKept("weight");
+
+    // Forces, and what they do on the way.
+    pair.b->ApplyForceToCenter(b2Vec2(6000.0f, 0.0f), true);
+    pair.Begin();
+    pair.At(pair.b).v.x += kStep * 6000.0f / pair.b->GetMass();
+    pair.At(pair.b).d = kStep * pair.At(pair.b).v;
+    const double driven = pair.Energy();
+    pair.Balance();
+    EXPECT_EQ(pair.Energy(), driven);
+}
+
+TEST(EnergyGuard, LeavesWhatAMouseGives)
+{
+    Pair pair;
+    b2MouseJointDef def;
+    def.bodyA = pair.scene.Ground();
+    def.bodyB = pair.b;
+    def.target = pair.b->GetWorldCenter();
+    def.maxForce = 1000.0f;
+    auto* mouse = static_cast<b2MouseJoint*>(pair.scene.world.CreateJoint(&def));
+    mouse->SetTarget(b2Vec2(2.0f, 5.0f));
+    pair.Begin();
+    pair.At(pair.b).v.y += 10.0f;
+    pair.At(pair.b).d.y = 0.3f; // along which the pull does more than that
+    const double driven = pair.Energy();
+    pair.Balance();
+    EXPECT_EQ(pair.Energy(), driven);
+}
+
+/// A ball on a link whose anchor is moved to and fro by hand, or as a platform. Its swing may not
+/// depend on whether its mass is a little below or above the ratio from which it is guarded.
+double WidestSwing(float32 ratio, b2BodyType type, int32 subSteps)
+{
+    Scene scene;
+    scene.world.SetSubStepCount(subSteps);
+    b2Body* post = scene.Body(type, 0.0f, 0.0f);
+    b2Body* link = scene.Body(b2_dynamicBody, 0.0f, -0.5f);
+    Scene::AddBox(link, 0.1f, 0.5f);
+    b2Body* ball = scene.Body(b2_dynamicBody, 0.0f, -1.0f);
+    Scene::AddBox(ball, 0.3f, 0.3f);
+    ball->GetFixtureList()->SetDensity(0.2f * ratio / 0.36f);
+    ball->ResetMassData();
+    b2RevoluteJointDef def;
+    def.Initialize(post, link, b2Vec2(0.0f, 0.0f));
+    scene.world.CreateJoint(&def);
+    def.Initialize(link, ball, b2Vec2(0.0f, -1.0f));
+    scene.world.CreateJoint(&def);
+    double widest = 0.0;
+    for (int i = 0; i < 600; ++i)
+    {
+        const double time = double(i) * double(kStep);
+        if (type == b2_staticBody)
+        {
+            post->SetTransform(b2Vec2(float32(0.3 * std::sin(3.0 * time)), 0.0f), 0.0f);
+        }
+        else
+        {
+            post->SetLinearVelocity(b2Vec2(float32(0.9 * std::cos(3.0 * time)), 0.0f));
+        }
+        scene.world.Step(kStep, 8, 3);
+        widest = std::max(widest, double(b2Abs(ball->GetPosition().x)));
+    }
+    return widest;
+}
+
+TEST(EnergyGuard, TakesNothingOfTheSwingThatAMovedAnchorGives)
+{
+    for (const int32 subSteps : {1, 4})
+    {
+        for (const b2BodyType type : {b2_staticBody, b2_kinematicBody})
+        {
+            const double below = WidestSwing(9.95f, type, subSteps);
+            EXPECT_GT(below, 0.35) << "farther than the anchor";
+            EXPECT_NEAR(WidestSwing(10.05f, type, subSteps), below, 0.01)
+                << type << ' ' << subSteps;
+        }
+    }
 }
 
 TEST(EnergyGuard, TakesCorrectionsBackThatWindUpASpring)

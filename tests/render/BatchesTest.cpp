@@ -26,7 +26,7 @@ TEST(Batches, GatherNeighboursOfAKindWhateverLiesBetweenInTheList)
     {
         const int x = i % 20 * 64;
         const int y = i / 20 % 11 * 64;
-        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Round, {x, y, x + 20, y + 20}, data);
+        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Disc, {x, y, x + 20, y + 20}, {}, data);
     }
     EXPECT_LE(batches.All().size(), 10u);
 }
@@ -44,14 +44,16 @@ TEST(Batches, KeepTheOrderOfAllThatOverlaps)
             const int x = int(random() % 300);
             const int y = int(random() % 180);
             all.push_back({x, y, x + 1 + int(random() % 33), y + 1 + int(random() % 20)});
-            const float data[1] = {float(i)};
-            batches.Add(ProgramKind(random() % kProgramKinds), all.back(), data);
+            batches.Add(ProgramKind(random() % kProgramKinds), all.back(), {float(i)}, {});
         }
         std::vector<int> order;
         for (const Batch& batch : batches.All())
         {
-            EXPECT_EQ(batch.instances, batch.data.size());
-            order.insert(order.end(), batch.data.begin(), batch.data.end());
+            EXPECT_EQ(batch.instances * 4, batch.data.size());
+            for (std::size_t i = 0; i < batch.data.size(); i += 4)
+            {
+                order.push_back(int(batch.data[i]));
+            }
         }
         ASSERT_EQ(order.size(), all.size()) << "each instance is drawn once";
         for (std::size_t i = 0; i < order.size(); ++i)

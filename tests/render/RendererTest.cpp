@@ -199,7 +199,7 @@ TEST(Renderer, SkipsWhatLiesOutsideWithoutChangingAPixel)
     Renderer renderer = MakeRenderer(40, 40);
     const Frame frame = DrawWith(renderer, all, PixelCamera(40, 40));
     EXPECT_EQ(renderer.Statistics().itemsDrawn, 1u);
-    EXPECT_EQ(renderer.Statistics().itemsSkipped, all.items.size() - 1);
+    EXPECT_EQ(renderer.Statistics().itemsOutside, all.items.size() - 1);
     EXPECT_TRUE(frame == Picture(inside, 40, 40));
 }
 

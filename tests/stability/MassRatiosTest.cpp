@@ -158,10 +158,10 @@ TEST_P(MassRatios, ChainSwings)
         const int32 n = GetParam();
         Judge(name + ", gap in 10 s", n, 1000.0 * first.widest, "mm", FromRecommended(n, 1.0));
         Judge(name + ", stretch in 10 s", n, first.stretch, "%", FromRecommended(n, 1.0));
-        Judge(name + ", energy won in 10 s", n, first.Won(), "%", FromRecommended(n, 1.0));
+        Judge(name + ", energy won in 10 s", n, first.Won(), "%", 1.0);
         Judge(name + ", gap in 20 s", n, 1000.0 * all.widest, "mm", kNoBound);
-        // Nothing explodes: never as much again as there was.
-        Judge(name + ", energy won in 20 s", n, all.Won(), "%", 100.0);
+        // Drifts that are too few for what the links do have won 20 to 49 % here.
+        Judge(name + ", energy won in 20 s", n, all.Won(), "%", 1.0);
     }
 }
 

@@ -15,7 +15,8 @@
 /// its energy account and its verdict:
 ///   BOXREEL_WORLD=417 boxreel_random_worlds_tests
 /// and, with BOXREEL_REDUCE=1 as well, as few of its bodies and joints as still fail.
-/// BOXREEL_WORLDS=0-999 tries these numbers instead of the first hundred.
+/// BOXREEL_WORLDS=0-999 tries these numbers instead of the first hundred. Each world has a number
+/// of sub-steps of its own; BOXREEL_COUNT=8 gives it another.
 namespace
 {
 
@@ -26,6 +27,7 @@ struct Tally
 {
     int worlds = 0, gain = 0, leave = 0;
     double widest = 0.0;
+    double farthestOut = 0.0; ///< of any shape beyond the walls [m]
 };
 
 std::pair<int, int> Numbers()
@@ -44,19 +46,35 @@ std::pair<int, int> Numbers()
     return numbers;
 }
 
-std::string Replay(int number)
+std::string Replay(const WorldPlan& plan)
 {
-    return "; see it with BOXREEL_WORLD=" + std::to_string(number) + " boxreel_random_worlds_tests";
+    return "; see it with BOXREEL_WORLD=" + std::to_string(plan.number) +
+           " BOXREEL_COUNT=" + std::to_string(plan.subSteps) + " boxreel_random_worlds_tests";
 }
 
-void Try(int number, Tally& tally)
+/// With its own number of sub-steps, or the one given.
+WorldPlan Planned(int number, int subSteps = 0)
 {
-    const Trial trial = RunWorld(PlanWorld(number));
-    EXPECT_EQ(WhyFailed(trial), "") << Replay(number);
+    WorldPlan plan = PlanWorld(number);
+    plan.subSteps = subSteps > 0 ? subSteps : plan.subSteps;
+    return plan;
+}
+
+int CountAsked()
+{
+    const char* count = std::getenv("BOXREEL_COUNT");
+    return count != nullptr ? std::atoi(count) : 0;
+}
+
+void Try(const WorldPlan& plan, Tally& tally)
+{
+    const Trial trial = RunWorld(plan);
+    EXPECT_EQ(WhyFailed(trial), "") << Replay(plan);
     ++tally.worlds;
     tally.gain += trial.excess > kMostExcess;
     tally.leave += trial.centreOut > 0.0;
     tally.widest = b2Max(tally.widest, trial.excess);
+    tally.farthestOut = b2Max(tally.farthestOut, trial.out);
 }
 
 TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
@@ -65,12 +83,14 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
     std::map<int, Tally> tallies;
     for (int number = first; number <= last; ++number)
     {
-        Try(number, tallies[PlanWorld(number).subSteps]);
+        const WorldPlan plan = Planned(number, CountAsked());
+        Try(plan, tallies[plan.subSteps]);
     }
     for (const auto& [subSteps, t] : tallies)
     {
-        std::printf("%2d sub-steps: %d worlds, %d gain energy, %d lose a body, widest excess %g\n",
-                    subSteps, t.worlds, t.gain, t.leave, t.widest);
+        std::printf("%2d sub-steps: %d worlds, %d gain energy, %d lose a body, widest excess %g, "
+                    "%.3f m out of the walls at most\n",
+                    subSteps, t.worlds, t.gain, t.leave, t.widest, t.farthestOut);
     }
 }
 
@@ -85,7 +105,22 @@ TEST(RandomWorlds, ThatOnceBurstAreWell)
     for (const int number : {5,   44,  110, 224, 275, 324, 426, 448, 476,  567, 569,
                              576, 743, 774, 900, 927, 943, 950, 985, 1442, 2167})
     {
-        EXPECT_EQ(WhyFailed(RunWorld(PlanWorld(number))), "") << Replay(number);
+        EXPECT_EQ(WhyFailed(RunWorld(PlanWorld(number))), "") << Replay(PlanWorld(number));
+    }
+}
+
+/// The same with a number of sub-steps that is not the world's own: joints that gave way in turns
+/// and were left holding with fifty times their force (299), a spring that let what was carried
+/// over pass as its work (457), friction and two points of a bounce that were solved as one (596,
+/// 848).
+TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
+{
+    constexpr std::pair<int, int> kWorlds[] = {{55, 4},   {299, 2}, {299, 4}, {457, 8},
+                                               {457, 16}, {596, 4}, {848, 16}};
+    for (const auto& [number, subSteps] : kWorlds)
+    {
+        const WorldPlan plan = Planned(number, subSteps);
+        EXPECT_EQ(WhyFailed(RunWorld(plan)), "") << Replay(plan);
     }
 }
 
@@ -129,13 +164,16 @@ TEST(RandomWorlds, FailWhenTheAccountIsOverdrawn)
     trial = Trial();
     trial.centreOut = 0.01;
     EXPECT_NE(WhyFailed(trial), "");
+    trial = Trial();
+    trial.out = 1.1 * kMostOut;
+    EXPECT_NE(WhyFailed(trial), "");
 }
 
 /// The world of BOXREEL_WORLD, or one that is known to be well.
 TEST(RandomWorlds, AreTriedAgainByTheirNumber)
 {
     const char* number = std::getenv("BOXREEL_WORLD");
-    WorldPlan plan = PlanWorld(number != nullptr ? std::atoi(number) : 1);
+    WorldPlan plan = Planned(number != nullptr ? std::atoi(number) : 1, CountAsked());
     if (std::getenv("BOXREEL_REDUCE") != nullptr)
     {
         plan = Reduced(plan);

@@ -134,7 +134,7 @@ std::string WhyFailed(const Trial& trial)
     {
         return "A body is no longer at a finite place.";
     }
-    if (trial.centreOut > 0.0)
+    if (trial.centreOut > 0.0 || trial.out > kMostOut)
     {
         std::snprintf(text, sizeof text, "Body %d is %.3f m beyond the walls at %.3f s.",
                       trial.outBody, trial.out, double(trial.outTime));

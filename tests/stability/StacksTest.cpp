@@ -82,11 +82,13 @@ TEST_P(Stacks, StandOneCentimetreOff)
 }
 
 /// Five rows of tents of two cards of 1 m x 0.05 m that lean by 25 degrees; on the tents of a row
-/// lie cards that carry the next. `room`: between two cards that meet [m].
+/// lie cards that carry the next. `room`: between two cards that meet [m]; `x`: where its middle
+/// is.
 class CardHouse
 {
 public:
-    CardHouse(Trial& trial, float32 room) : m_trial(trial), m_room(room)
+    CardHouse(Trial& trial, float32 room, float32 x = 0.0f)
+        : m_trial(trial), m_room(room), m_middle(x)
     {
         float32 floor = room;
         for (int tents = 5; tents > 0; --tents)
@@ -129,13 +131,14 @@ private:
     }
     void AddCard(float32 x, float32 y, float32 hx, float32 hy, float32 angle)
     {
-        b2Body* card = m_trial.Body(b2_dynamicBody, x, y, angle);
+        b2Body* card = m_trial.Body(b2_dynamicBody, m_middle + x, y, angle);
         Scene::AddBox(card, hx, hy, 0.8f);
         cards.push_back(card);
     }
 
     Trial& m_trial;
     float32 m_room;
+    float32 m_middle;
 };
 
 TEST_P(Stacks, CardHouseStands)
@@ -149,18 +152,26 @@ TEST_P(Stacks, CardHouseStands)
     Judge("card house, way", GetParam(), places.Farthest(), "m", Bound(GetParam(), kUnmoved));
 }
 
-/// The cards are put as if they had no skins, 2 to 4 cm deep in each other.
-TEST_P(Stacks, CardHouseThatIsTooTightStands)
+/// The cards are put as if they had no skins, 2 to 4 cm deep in each other, and are pushed apart.
+/// Whether the house bears that hangs on the last digits: it is put to 24 places, a centimetre
+/// apart, and those are counted where it falls.
+TEST_P(Stacks, CardHouseThatIsTooTightStandsInMostPlaces)
 {
-    Trial trial(GetParam());
-    trial.world.SetAllowSleeping(false);
-    trial.WideGround(0.8f);
-    const CardHouse house(trial, 0.0f);
-    const Places places(house.cards);
-    trial.Run(kSeconds);
-    // It is pushed apart at another pace with other numbers, and then it falls.
-    Judge("card house too tight, way", GetParam(), places.Farthest(), "m",
-          GetParam() == kRecommended ? 0.1 : kNoBound);
+    constexpr int kPlaces = 24;
+    int falls = 0;
+    for (int i = 0; i < kPlaces; ++i)
+    {
+        Trial trial(GetParam());
+        trial.world.SetAllowSleeping(false);
+        trial.WideGround(0.8f);
+        const CardHouse house(trial, 0.0f, 0.01f * float32(i));
+        const Places places(house.cards);
+        trial.Run(kSeconds);
+        falls += !(places.Farthest() <= 0.1);
+    }
+    // Measured: 22 with one step, 8 with two, 2 with four, 7 with eight.
+    Judge("card house too tight, falls in 24 places", GetParam(), falls, "",
+          GetParam() == kRecommended ? 3.0 : Bound(GetParam(), 11.0));
 }
 
 } // namespace

@@ -78,7 +78,7 @@ TEST_P(TimeSteps, KeepAChain)
             GetParam() > kRecommended || (GetParam() == kRecommended && !rhythm.isLong);
         Judge(name + ", gap", GetParam(), 1000.0 * widest, "mm",
               fine ? 1000.0 * double(b2_linearSlop) : kNoBound);
-        Judge(name + ", energy won", GetParam(), 100.0 * won / most, "%", fine ? 5.0 : 50.0);
+        Judge(name + ", energy won", GetParam(), 100.0 * won / most, "%", 1.0);
     }
 }
 

@@ -167,6 +167,78 @@ TEST(AccuracySweep, CrossesOutWhatFailed)
     EXPECT_FALSE(AccuracyChart(result)) << "nothing is left to draw";
 }
 
+TEST(AccuracySweep, CrossesOutWhatFellOffTheCurves)
+{
+    AccuracyResult result = TwoSweeps();
+    result.runs[4].ending = "falls";
+    EXPECT_EQ(AccuracyChart(result)->lines[5].points[0].mark, ChartMark::Cross);
+}
+
+TEST(AccuracySweep, DrawsTheOnlyRunOfAnEngine)
+{
+    AccuracyResult result = TwoSweeps();
+    result.runs.push_back(Setting("alone", 8, 60, 1, 0.3));
+    const auto chart = AccuracyChart(result);
+    ASSERT_TRUE(chart);
+    EXPECT_EQ(chart->lines.back().series.name, "alone");
+    ASSERT_EQ(chart->lines.back().points.size(), 1u);
+    EXPECT_EQ(chart->lines.back().points[0].mark, ChartMark::Ring);
+    EXPECT_EQ(chart->lines.back().points[0].y, 0.3);
+}
+
+/// Walls within which ours has kept so much of the energy.
+AccuracyResult WallsThatKeep(double percent)
+{
+    AccuracyResult result{
+        ParseAccuracyCase("X-walls\tin walls\tunit=bodies goal=0 sub-steps=4 kept_percent>=98"),
+        {}};
+    result.runs = {Setting("ours", 8, 60, 1, 0.0), Setting("ours", 8, 60, 4, 0.0)};
+    result.runs[0].remarks = {{"kept_percent", 8.5}};
+    result.runs[1].remarks = {{"kept_percent", percent}};
+    return result;
+}
+
+TEST(AccuracySweep, JudgesAllGoalsOfACase)
+{
+    const AccuracyResult met = WallsThatKeep(98.0), missed = WallsThatKeep(70.0);
+    EXPECT_TRUE(MeetsGoals(met.info, met.runs[1]));
+    EXPECT_FALSE(MeetsGoals(met.info, met.runs[0]));
+    EXPECT_FALSE(MeetsGoals(missed.info, missed.runs[1]));
+    EXPECT_THAT(AccuracyTable({met}), HasSubstr("  kept_percent 8.5, at least 98\n"));
+    EXPECT_THAT(AccuracySummary({met}), HasSubstr("  goal met\n"));
+    EXPECT_THAT(AccuracySummary({missed}),
+                HasSubstr("  goal not met: kept_percent 70, at least 98\n"));
+    AccuracyResult unknown = met;
+    unknown.runs[1].remarks.clear();
+    EXPECT_THAT(AccuracySummary({unknown}), HasSubstr("goal not met: kept_percent unknown"));
+    const auto again = ParseAccuracyJson(AccuracyJson({missed}), "a.json");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(AccuracySummary(*again), AccuracySummary({missed}));
+    const auto chart = AccuracyChart(met);
+    ASSERT_TRUE(chart);
+    EXPECT_EQ(chart->lines[0].points[0].mark, ChartMark::Cross);
+    EXPECT_EQ(chart->lines[0].points[1].mark, ChartMark::Ring);
+    EXPECT_THAT(chart->frame.notes.back(), HasSubstr("kept percent at least 98"));
+}
+
+TEST(AccuracySweep, RefusesNumbersThatCannotBe)
+{
+    const std::string text = AccuracyJson({WallsThatKeep(99.0)});
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string other = text;
+        other.replace(other.find(from), from.size(), to);
+        const auto result = ParseAccuracyJson(other, "a.json");
+        return result ? std::string("none") : result.GetError().message;
+    };
+    EXPECT_EQ(with("\"goal\": 0.0", "\"goal\": 0.5"), "none");
+    EXPECT_THAT(with("\"goal\": 0.0", "\"goal\": \"x\""),
+                HasSubstr("'a.json' has a goal for 'X-walls' that is no number"));
+    EXPECT_THAT(with("\"least\": 98.0", "\"least\": null"), HasSubstr("no number"));
+    EXPECT_THAT(with("\"error\": 0.0", "\"error\": -5"),
+                HasSubstr("has an error below 0 for 'X-walls' and ours"));
+    EXPECT_THAT(with("\"hz\": 60", "\"hz\": 1e300"), HasSubstr("is not what"));
+}
+
 TEST(AccuracySweep, SumsUpWhatTheUsualSettingsReach)
 {
     AccuracyResult result = TwoSweeps();

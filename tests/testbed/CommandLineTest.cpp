@@ -205,6 +205,8 @@ TEST(CommandLine, ContradictionsAreRefused)
     EXPECT_THAT(Refusal("shot pyramid -o a.png --at 3s --step 10"), HasSubstr("--at and --step"));
     EXPECT_EQ(Refusal("shot pyramid -o a.png --at 3s --at 4s"),
               "--at is given more than once; give it once.");
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.svg --stats"),
+                testing::StartsWith("--stats counts pixels, and 'a.svg' has none;"));
 }
 
 TEST(CommandLine, ValuesOutOfRangeAreRefused)
@@ -299,12 +301,12 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
                                         "--seed",
                                         "--velocity-iterations",
                                         "--position-iterations"};
-    std::vector<std::string> record{"-o,--output", "--seconds", "--frames", "--fps",
-                                    "--speed",     "--quality", "--force",  "--progress"};
+    std::vector<std::string> record{"-o,--output", "--seconds", "--frames",   "--fps",  "--speed",
+                                    "--quality",   "--force",   "--progress", "--stats"};
     std::vector<std::string> shot{"-o,--output",     "--at",    "--step",      "--force",
                                   "--columns",       "--trail", "--strobe",    "--onion",
                                   "--trail-seconds", "--axes",  "--scale-bar", "--dimension",
-                                  "--caption"};
+                                  "--caption",       "--stats"};
     record.insert(record.end(), look.begin(), look.end());
     shot.insert(shot.end(), look.begin(), look.end());
     const std::pair<std::string, std::vector<std::string>> commands[] = {

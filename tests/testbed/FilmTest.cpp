@@ -189,6 +189,23 @@ TEST_F(Film, ProgressIsJsonWhenAskedForAndSilentWhenNot)
     EXPECT_EQ(Run(none).errors, "");
 }
 
+TEST_F(Film, StatsSayWhatWasDrawnAndOnlyWhenAskedFor)
+{
+    // Two frames of film a step: every other frame is the one before once more.
+    const Outcome outcome =
+        Run({"record", "pyramid", "-o", "a.gif", "--frames", "20", "--fps", "40", "--hz", "20",
+             "--camera", "0,10,30", "--size", "160x90", "--progress", "none", "--stats"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_THAT(outcome.errors, testing::StartsWith("What was drawn:\n  frames             20   "));
+    EXPECT_THAT(outcome.errors, HasSubstr("1 as a whole, "));
+    EXPECT_THAT(outcome.errors, HasSubstr("10 unchanged\n"));
+
+    const Outcome shot = Run({"shot", "pyramid", "--step", "9", "-o", "a.png", "--stats"});
+    EXPECT_THAT(shot.errors, HasSubstr("\n  frames              1   1 as a whole, 0 in part, "
+                                       "0 unchanged\n  pixels        100.0 %   "));
+}
+
 /// Ends a long recording by a signal, once it has begun to write.
 void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
 {

@@ -90,7 +90,7 @@ TEST(SceneMotion, ATrailGoesThroughThePlacesOfItsBody)
         places.push_back({p.x, p.y});
     }
     ASSERT_FALSE(trail.points.empty());
-    const double pixel = 1.0 / session.View().pixelsPerMeter;
+    const double pixel = 1.0 / session.CurrentCamera().pixelsPerMeter;
     for (const Vec2 p : trail.points)
     {
         double nearest = 1e9;
@@ -125,7 +125,7 @@ TEST(SceneMotion, ATrailOfSomeSecondsBeginsThatLongAgo)
     session.AdvanceTo(38);
     const b2Vec2 start = FindBodies(session.World(), {1}).front()->GetWorldCenter();
     ASSERT_FALSE(trail.points.empty());
-    EXPECT_NEAR(trail.points.front().x, start.x, 1.0 / session.View().pixelsPerMeter);
+    EXPECT_NEAR(trail.points.front().x, start.x, 1.0 / session.CurrentCamera().pixelsPerMeter);
 }
 
 TEST(SceneMotion, AStroboscopeHasThePoseOfEachMoment)

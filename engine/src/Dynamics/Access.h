@@ -61,6 +61,7 @@ struct JointAccess
     static int32& Number(b2Joint& j) { return j.m_number; }
     static int32& SolverIndex(b2Joint& j) { return j.m_solverIndex; }
     static bool& Linked(b2Joint& j) { return j.m_linked; }
+    static std::uint32_t ChangedAt(const b2Joint& j) { return j.m_changedAt; }
 };
 
 } // namespace box2d

@@ -206,6 +206,7 @@ void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
     data.previous = data.pose;
     SynchronizePose(data);
     data.transform.p = position; // exactly what was asked for
+    data.movedAt = stepNumber;
     ResetProxies(data);
     WakeAttached(body);
 }

@@ -44,6 +44,14 @@ double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context
 void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
 {
     m_system.Build(sides, mostUpdates, elimination);
+    for (Array<Item>* items : {&m_items, &m_itemsBefore, &m_marked})
+    {
+        MakeRoom(*items, sides.size());
+    }
+    for (Array<SolverBody>* bodies : {&m_before, &m_markedBodies})
+    {
+        MakeRoom(*bodies, m_system.Bodies().size());
+    }
     m_items.resize(sides.size());
 }
 

@@ -128,7 +128,7 @@ void CarryGuard::Note(const World& world, const SolverArrays& arrays)
     }
 }
 
-bool CarryGuard::HasWon(const World& world, const SolverArrays& arrays)
+bool CarryGuard::HasWon(const World& world, SolverArrays& arrays)
 {
     for (const b2Body* body : world.awakeBodies)
     {
@@ -140,11 +140,14 @@ bool CarryGuard::HasWon(const World& world, const SolverArrays& arrays)
         }
     }
     const JointSystem& joints = arrays.jointSystem;
+    SolverContext start, end;
+    start.bodies = m_before.data();
+    end.bodies = arrays.bodies.data();
     joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
         const int32 island = IslandOf(joints.Sides(joint));
         if (rows.giving > 0 && island != -1)
         {
-            m_islands[std::size_t(island)].before += joints.MostWork(joint);
+            m_islands[std::size_t(island)].before += joints.MostWork(joint, start, end);
         }
     });
     return std::any_of(m_islands.begin(), m_islands.end(),

@@ -23,7 +23,7 @@ public:
     void Note(const World& world, const SolverArrays& arrays);
     /// Whether an island has won energy that neither its motors and springs nor what moves by
     /// itself can have given.
-    bool HasWon(const World& world, const SolverArrays& arrays);
+    bool HasWon(const World& world, SolverArrays& arrays);
     /// Of the islands that have: gives the bodies back their velocities of Note, and takes the
     /// impulses from their contacts.
     void TakeBack(SolverArrays& arrays) const;

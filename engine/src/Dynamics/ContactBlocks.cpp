@@ -18,7 +18,7 @@ void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBloc
                       const float32* bodies, float32 share);
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
 bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
-float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float32 rate);
+float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPace pace);
 #endif
 
 namespace
@@ -343,19 +343,19 @@ bool SolveBlock(ContactBlock& block, SolverBody* bodies)
     return SolveBlock<simd::Float4>(block, Numbers(bodies));
 }
 
-float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, float32 rate)
+float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, PushPace pace)
 {
     if (IsAlone(block))
     {
-        return SolveOverlapBlock<simd::Float1>(block, Numbers(bodies), rate);
+        return SolveOverlapBlock<simd::Float1>(block, Numbers(bodies), pace);
     }
 #if defined(BOX2D_AVX2)
     if (s_wide)
     {
-        return SolveOverlapBlockAvx2(block, Numbers(bodies), rate);
+        return SolveOverlapBlockAvx2(block, Numbers(bodies), pace);
     }
 #endif
-    return SolveOverlapBlock<simd::Float4>(block, Numbers(bodies), rate);
+    return SolveOverlapBlock<simd::Float4>(block, Numbers(bodies), pace);
 }
 
 void StoreImpulses(const ContactBlock& block)
@@ -393,9 +393,9 @@ OverlapConstraint OverlapOf(const OverlapBlock& block, int lane)
     return o;
 }
 
-float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, float32 rate)
+float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, PushPace pace)
 {
-    return SolveNearlyOnePoint(OverlapOf(block, lane), bodies, rate);
+    return SolveNearlyOnePoint(OverlapOf(block, lane), bodies, pace);
 }
 
 } // namespace box2d

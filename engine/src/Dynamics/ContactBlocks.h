@@ -124,14 +124,14 @@ void WarmStartBlock(ContactBlock& block, SolverBody* bodies);
 /// over them would change one.
 bool SolveBlock(ContactBlock& block, SolverBody* bodies);
 /// One iteration of moving apart; see SolveOverlaps.
-float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, float32 rate);
+float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, PushPace pace);
 /// Puts the impulses into the manifolds.
 void StoreImpulses(const ContactBlock& block);
 
 /// One lane of a block, as the plain solver has it.
 OverlapConstraint OverlapOf(const OverlapBlock& block, int lane);
 /// Two points of a lane that are nearly one, pushed apart one after the other.
-float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, float32 rate);
+float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, PushPace pace);
 
 /// For tests: 4 lanes at a time, or 8 where the processor has AVX2.
 bool HasWideInstructions();

@@ -24,9 +24,9 @@ bool SolveBlockAvx2(ContactBlock& block, float32* bodies)
     return SolveBlock<simd::Float8>(block, bodies);
 }
 
-float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, float32 rate)
+float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPace pace)
 {
-    return SolveOverlapBlock<simd::Float8>(block, bodies, rate);
+    return SolveOverlapBlock<simd::Float8>(block, bodies, pace);
 }
 
 } // namespace box2d

@@ -7,6 +7,8 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
+#include <utility>
+
 namespace box2d
 {
 
@@ -138,7 +140,7 @@ private:
 /// An overlap as an item: rows for its points, which are to move apart by a share of what exceeds
 /// the slop, and may come as near as that.
 void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
-                 float32 rate, JointRows& rows, BoundedSystem::Item& item)
+                 PushPace pace, JointRows& rows, BoundedSystem::Item& item)
 {
     rows.Clear();
     item = BoundedSystem::Item();
@@ -154,8 +156,8 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
         const b2Vec2 tangent = share * b2Cross(overlap.normal, 1.0f);
         a.AddTo(2, -tangent, -b2Cross(overlap.armA, tangent));
         b.AddTo(2, tangent, b2Cross(overlap.armB, tangent));
-        const float32 out = -rate * (overlap.separation + kOverlap);
-        item.speeds.at[i] = double(b2Min(out, b2_maxLinearCorrection));
+        const float32 out = -pace.rate * (overlap.separation + kOverlap);
+        item.speeds.at[i] = double(b2Min(out, pace.most));
         item.most.at[i] = kEndless;
         item.active = uint8(item.active | int(out > 0.0f) << i);
     }
@@ -193,7 +195,7 @@ void ContactSystem::Begin(World& world)
     m_contacts.assign(std::size_t(world.islands.Size()), 0);
     CountContacts(*world.solver);
     ChoosePiles();
-    if (m_pileCount > 0)
+    if (m_free.size() < m_piles.size())
     {
         Gather(*world.solver);
     }
@@ -209,24 +211,46 @@ void ContactSystem::CountContacts(SolverArrays& arrays)
     });
 }
 
+/// An island keeps its pile from step to step: its system may serve again, and has room enough.
 void ContactSystem::ChoosePiles()
 {
-    m_pileCount = 0;
-    m_pileOf.assign(m_contacts.size(), -1);
+    const auto isPile = [this](std::size_t i) {
+        return m_contacts[i] > 0 && m_contacts[i] <= kMostContacts;
+    };
+    m_pileOf.resize(b2Max(m_pileOf.size(), m_contacts.size()), -1);
     for (std::size_t i = 0; i < m_contacts.size(); ++i)
     {
-        if (m_contacts[i] > 0 && m_contacts[i] <= kMostContacts)
+        if (m_pileOf[i] != -1 && !isPile(i))
         {
-            m_pileOf[i] = m_pileCount++;
+            m_free.push_back(m_pileOf[i]);
+            m_pileOf[i] = -1;
         }
     }
-    m_piles.resize(b2Max(m_piles.size(), std::size_t(m_pileCount)));
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
+    {
+        if (m_pileOf[i] == -1 && isPile(i))
+        {
+            m_pileOf[i] = TakePile();
+        }
+    }
     for (Pile& pile : m_piles)
     {
         pile.contacts.clear();
         pile.joints.clear();
         pile.followed = false;
     }
+}
+
+int32 ContactSystem::TakePile()
+{
+    if (m_free.empty())
+    {
+        m_piles.emplace_back();
+        return int32(m_piles.size()) - 1;
+    }
+    const int32 pile = m_free.back();
+    m_free.pop_back();
+    return pile;
 }
 
 void ContactSystem::Gather(SolverArrays& arrays)
@@ -255,6 +279,20 @@ void ContactSystem::Gather(SolverArrays& arrays)
     });
 }
 
+/// A pile that has grown beyond all it has been takes over what a free one has room in.
+void ContactSystem::FindRoom(Pile& pile)
+{
+    for (std::size_t i = 0; i < m_free.size() && m_sides.size() > pile.sides.capacity(); ++i)
+    {
+        Pile& other = m_piles[std::size_t(m_free[i])];
+        if (m_sides.size() <= other.sides.capacity())
+        {
+            std::swap(pile.sides, other.sides);
+            std::swap(pile.system, other.system);
+        }
+    }
+}
+
 /// Builds the system anew if it was for others. Whether there is one.
 bool ContactSystem::Follow(Pile& pile, SolverArrays& arrays)
 {
@@ -276,6 +314,8 @@ bool ContactSystem::Follow(Pile& pile, SolverArrays& arrays)
         }
         if (m_sides != pile.sides)
         {
+            FindRoom(pile);
+            MakeRoom(pile.sides, m_sides.size());
             pile.sides = m_sides;
             pile.system.Build(m_sides, kMostUpdates, m_elimination);
         }
@@ -286,9 +326,8 @@ bool ContactSystem::Follow(Pile& pile, SolverArrays& arrays)
 void ContactSystem::SolveVelocities(SolverArrays& arrays, const SolverContext& context,
                                     float32 tolerance)
 {
-    for (int32 i = 0; i < m_pileCount; ++i)
+    for (Pile& pile : m_piles) // those that are free have no contacts
     {
-        Pile& pile = m_piles[std::size_t(i)];
         float32 off = 0.0f;
         for (const Place& place : pile.contacts)
         {
@@ -357,12 +396,11 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
     }
 }
 
-void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& context, float32 rate)
+void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& context, PushPace pace)
 {
     m_moves.resize(b2Max(m_moves.size(), m_islandOf.size()));
-    for (int32 i = 0; i < m_pileCount; ++i)
+    for (Pile& pile : m_piles)
     {
-        Pile& pile = m_piles[std::size_t(i)];
         float32 smallest = 0.0f;
         for (const Place& place : pile.contacts)
         {
@@ -377,14 +415,14 @@ void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& con
         }
         if (smallest < -kMostOverlap && Follow(pile, arrays))
         {
-            SolveOverlaps(pile, arrays, context, rate);
+            SolveOverlaps(pile, arrays, context, pace);
         }
     }
 }
 
 /// What is a velocity for velocities is a way here.
 void ContactSystem::SolveOverlaps(Pile& pile, SolverArrays& arrays, const SolverContext& context,
-                                  float32 rate)
+                                  PushPace pace)
 {
     SolverContext ways = context;
     ways.bodies = m_moves.data();
@@ -395,7 +433,7 @@ void ContactSystem::SolveOverlaps(Pile& pile, SolverArrays& arrays, const Solver
         const Place& place = pile.contacts[i];
         ContactBlocks& blocks = arrays.contacts[place.color];
         FillOverlap(OverlapOf(blocks.Overlaps(place.block), place.lane),
-                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, rate,
+                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, pace,
                     system.Rows(i), system.At(i));
     }
     for (std::size_t i = 0; i < pile.joints.size(); ++i)

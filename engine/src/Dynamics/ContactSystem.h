@@ -24,8 +24,8 @@ public:
     /// After sweeps over all contacts: the velocities of the islands in which a contact's normal
     /// speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverArrays& arrays, const SolverContext& context, float32 tolerance);
-    /// The same of overlaps: the share `rate` of what exceeds the slop.
-    void SolveOverlaps(SolverArrays& arrays, const SolverContext& context, float32 rate);
+    /// The same of overlaps.
+    void SolveOverlaps(SolverArrays& arrays, const SolverContext& context, PushPace pace);
 
 private:
     struct Place // of a contact
@@ -48,7 +48,9 @@ private:
     void SolveVelocities(Pile& pile, SolverArrays& arrays, const SolverContext& context,
                          float32 tolerance);
     void SolveOverlaps(Pile& pile, SolverArrays& arrays, const SolverContext& context,
-                       float32 rate);
+                       PushPace pace);
+    int32 TakePile();
+    void FindRoom(Pile& pile);
     int32 PileOf(int32 bodyA, int32 bodyB) const;
     template <class Function>
     void ForContacts(SolverArrays& arrays, Function&& function) const;
@@ -57,7 +59,7 @@ private:
     Array<int32> m_contacts; // number by island
     Array<int32> m_pileOf;   // by island, -1: none, or too large
     Array<Pile> m_piles;
-    int32 m_pileCount = 0;
+    Array<int32> m_free;       // piles of no island
     Array<RowSides> m_sides;   // scratch: of a pile
     Elimination m_elimination; // of piles
     Array<SolverBody> m_moves; // by solver index: in place of velocities when overlaps are solved

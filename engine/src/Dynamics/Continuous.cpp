@@ -189,8 +189,8 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c) const
     b2TOIInput input;
     input.sweepA = SweepFrom(a, fromA, fromA);
     input.sweepB = SweepFrom(b, fromB, fromA);
-    if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA),
-                       SweptBox(shapeB, c.childB, input.sweepB)))
+    if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA, a.maxExtent),
+                       SweptBox(shapeB, c.childB, input.sweepB, b.maxExtent)))
     {
         return 1.0f;
     }

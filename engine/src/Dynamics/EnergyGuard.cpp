@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "EnergyGuard.h"
 
+#include "Access.h"
 #include "IslandMotion.h"
 #include "SolverArrays.h"
 #include "World.h"
@@ -39,21 +40,34 @@ bool MovesByItself(const b2Body& body)
            (body.GetLinearVelocity() != b2Vec2_zero || body.GetAngularVelocity() != 0.0f);
 }
 
-/// Whether something may give the body energy that no account knows of.
+/// Whether it moves or has been moved, so that what is held by it or touches it is carried along.
+bool Carries(const b2Body& body)
+{
+    return MovesByItself(body) || Data(body).world->IsRecent(Data(body).movedAt);
+}
+
+/// Whether something may give the body energy that no account knows of: what moves by itself, and
+/// the hand of the program, which puts bodies elsewhere, shortens ropes and shifts limits. What it
+/// gives as velocity, force, weight or mass, to springs and to motors, is in the account.
 bool IsDriven(const b2Body& body)
 {
+    if (Carries(body))
+    {
+        return true;
+    }
     for (const b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
     {
         const b2Contact& c = *edge->contact;
-        if (c.IsTouching() && (MovesByItself(*edge->other) || c.GetTangentSpeed() != 0.0f ||
-                               c.GetRestitution() > 1.0f))
+        if (c.IsTouching() &&
+            (Carries(*edge->other) || c.GetTangentSpeed() != 0.0f || c.GetRestitution() > 1.0f))
         {
             return true;
         }
     }
     for (const b2JointEdge* edge = body.GetJointList(); edge; edge = edge->next)
     {
-        if (MovesByItself(*edge->other))
+        if (Carries(*edge->other) ||
+            Data(body).world->IsRecent(JointAccess::ChangedAt(*edge->joint)))
         {
             return true;
         }

@@ -19,7 +19,8 @@
 ///
 /// Where everything is as it should be nothing is changed, not a bit. Only islands with joints that
 /// are at risk (IsAtRisk) have accounts; what a platform, a conveyor belt or a restitution above 1
-/// drives is not taken from.
+/// drives is not taken from, nor is what the program moves by hand: SetTransform of a body that
+/// belongs to it, holds it or touches it, limits, lengths and ratios of its joints.
 namespace box2d
 {
 

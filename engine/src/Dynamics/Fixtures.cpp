@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
 #include "Reach.h"
+#include "Sweeps.h"
 #include "World.h"
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
@@ -71,10 +72,15 @@ b2Transform TransformBefore(const BodyData& body)
     return start.transform;
 }
 
-/// The box of a shape now and, if there is one, at an earlier transform.
+/// The box of a shape now and, if there is one, at an earlier transform. A corner that turns far
+/// comes out of both.
 b2AABB BoxOnItsWay(const b2Shape& shape, int32 child, const BodyData& body,
                    const b2Transform* before)
 {
+    if (before != nullptr && !IsRound(body) && IsWide(body.pose.angle - body.previous.angle))
+    {
+        return BoxOfWay(b2Mul(*before, body.localCenter), body.worldCenter, body.maxExtent);
+    }
     b2AABB box;
     shape.ComputeAABB(&box, body.transform, child);
     if (before != nullptr)

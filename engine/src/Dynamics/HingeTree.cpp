@@ -18,24 +18,6 @@ namespace box2d
 namespace
 {
 
-/// A joint at one of its bodies.
-struct JointEnd
-{
-    const BodyData* body;
-    b2Joint* joint;
-    std::size_t order; ///< of the joint
-};
-
-bool ByBodyAndOrder(const JointEnd& a, const JointEnd& b)
-{
-    return a.body->number != b.body->number ? a.body->number < b.body->number : a.order < b.order;
-}
-
-bool ByBody(const JointEnd& a, const JointEnd& b)
-{
-    return a.body->number < b.body->number;
-}
-
 constexpr int32 kMostDrifts = 128; ///< in a step
 constexpr int32 kMostTries = 4;
 /// How far a swing may turn in a drift, squared: by what the last step leaves to expect, and by
@@ -68,10 +50,20 @@ b2Vec2 ArmOf(const BodyData& body, const b2Vec2& local)
 
 } // namespace
 
+bool HingeTree::JointEnd::ByBodyAndOrder(const JointEnd& a, const JointEnd& b)
+{
+    return a.body->number != b.body->number ? a.body->number < b.body->number : a.order < b.order;
+}
+
+bool HingeTree::JointEnd::ByBody(const JointEnd& a, const JointEnd& b)
+{
+    return a.body->number < b.body->number;
+}
+
 bool HingeTree::Build(const Array<b2Joint*>& joints)
 {
     m_links.clear();
-    Array<JointEnd> ends;
+    m_ends.clear();
     for (b2Joint* joint : joints)
     {
         const BodyData& a = Data(*joint->GetBodyA());
@@ -80,8 +72,8 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
         {
             return false;
         }
-        ends.push_back({&a, joint, ends.size()});
-        ends.push_back({&b, joint, ends.size()});
+        m_ends.push_back({&a, joint, m_ends.size()});
+        m_ends.push_back({&b, joint, m_ends.size()});
         if (!IsMoved(a) || !IsMoved(b))
         {
             if (!m_links.empty())
@@ -91,17 +83,17 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
             AddLink(*joint, IsMoved(a) ? b : a, -1);
         }
     }
-    std::sort(ends.begin(), ends.end(), ByBodyAndOrder);
+    std::sort(m_ends.begin(), m_ends.end(), JointEnd::ByBodyAndOrder);
     if (m_links.empty())
     {
-        m_links.emplace_back().body = ends.front().body;
+        m_links.emplace_back().body = m_ends.front().body;
     }
     const std::size_t count = joints.size() + (m_links.front().joint == nullptr ? 1 : 0);
     for (std::size_t i = 0; i < m_links.size() && m_links.size() <= count; ++i)
     {
         const Link link = m_links[i];
-        const auto [first, last] =
-            std::equal_range(ends.begin(), ends.end(), JointEnd{link.body, nullptr, 0}, ByBody);
+        const auto [first, last] = std::equal_range(
+            m_ends.begin(), m_ends.end(), JointEnd{link.body, nullptr, 0}, JointEnd::ByBody);
         for (auto end = first; end != last; ++end)
         {
             if (end->joint != link.joint)
@@ -253,7 +245,7 @@ HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpul
         for (Link& link : m_links)
         {
             link.noted = link.total;
-            MoveByVelocity(*link.state, time, kMostSmallWay);
+            MoveByVelocity(*link.state, time, kMostSmallMove);
         }
         byImpulses ? Close(time) : ClosePoses(time);
         Kick(i < count ? time : 0.5f * time);

@@ -89,6 +89,17 @@ private:
         Pair impulse; ///< in the hinge
     };
 
+    /// A joint at one of its bodies.
+    struct JointEnd
+    {
+        const BodyData* body;
+        b2Joint* joint;
+        std::size_t order; ///< of the joint
+
+        static bool ByBodyAndOrder(const JointEnd& a, const JointEnd& b);
+        static bool ByBody(const JointEnd& a, const JointEnd& b);
+    };
+
     void AddLink(b2Joint& joint, const BodyData& above, int32 parent);
     double LastStrain(double time);
     struct Outcome
@@ -135,6 +146,7 @@ private:
     void ClosePoses(float32 timeStep);
 
     Array<Link> m_links;      ///< parents first
+    Array<JointEnd> m_ends;   ///< scratch of Build
     bool m_stiffened = false; ///< bodies turn as if they were heavier than they are
 };
 

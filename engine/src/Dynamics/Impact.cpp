@@ -160,13 +160,13 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 {
     if (m_world.subStepCount == 1)
     {
-        return MoveByVelocity(body, timeLeft, b2_maxTranslation);
+        return MoveByVelocity(body, timeLeft, kMostMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
     const int32 parts = m_world.subStepCount;
     for (int32 i = 0; i < parts; ++i)
     {
-        MoveByVelocity(body, timeLeft / float32(parts), kMostSmallWay);
+        MoveByVelocity(body, timeLeft / float32(parts), kMostSmallMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
 }
@@ -191,7 +191,7 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     }
     for (int32 i = 0; i < kImpactPositionIterations; ++i)
     {
-        if (SolveOverlaps(m_arrays.impactOverlaps, m_context.bodies, b2_toiBaugarte,
+        if (SolveOverlaps(m_arrays.impactOverlaps, m_context.bodies, {b2_toiBaugarte},
                           DirectionOf(i)) >= -1.5f * b2_linearSlop)
         {
             break;

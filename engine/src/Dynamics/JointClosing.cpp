@@ -107,7 +107,7 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
     for (int32 i = 0; i < count; ++i)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
-            MoveByVelocity(context.bodies[body.SolverIndex()], time, kMostSmallWay);
+            MoveByVelocity(context.bodies[body.SolverIndex()], time, kMostSmallMove);
         });
         ClosePart(part, context, time);
         KickPart(part, context, i + 1 < count ? time : 0.5f * (time - timeStep), kicks);

@@ -95,8 +95,8 @@ void JointSchedule::Build(const Array<b2Joint*>& joints)
             Data(*body).jointLevel = 0; // the first that is free
         }
     }
-    Array<int32> levels; // of each joint
-    Array<int32> counts; // of each level
+    m_levelOf.clear();
+    m_counts.clear();
     for (b2Joint* joint : joints)
     {
         int32 level = 0;
@@ -109,36 +109,35 @@ void JointSchedule::Build(const Array<b2Joint*>& joints)
         {
             Data(*body).jointLevel = level + 1;
         }
-        levels.push_back(level);
-        counts.resize(b2Max(counts.size(), std::size_t(level) + 1));
-        ++counts[std::size_t(level)];
+        m_levelOf.push_back(level);
+        m_counts.resize(b2Max(m_counts.size(), std::size_t(level) + 1));
+        ++m_counts[std::size_t(level)];
     }
-    SortInto(joints, levels, counts);
+    SortInto(joints);
 }
 
 /// Level by level, in each in the order of creation (counting sort).
-void JointSchedule::SortInto(const Array<b2Joint*>& joints, const Array<int32>& levels,
-                             const Array<int32>& counts)
+void JointSchedule::SortInto(const Array<b2Joint*>& joints)
 {
     m_blocks.clear();
     m_numbers.clear();
     m_levels.clear();
-    Array<int32> ends;
+    m_ends.clear();
     int32 end = 0;
-    for (const int32 count : counts)
+    for (const int32 count : m_counts)
     {
-        ends.push_back(end);
+        m_ends.push_back(end);
         end += count;
     }
-    Array<b2Joint*> sorted(joints.size());
+    m_sorted.resize(joints.size());
     for (std::size_t i = 0; i < joints.size(); ++i)
     {
-        sorted[std::size_t(ends[std::size_t(levels[i])]++)] = joints[i];
+        m_sorted[std::size_t(m_ends[std::size_t(m_levelOf[i])]++)] = joints[i];
     }
     int32 begin = 0;
-    for (const int32 count : counts)
+    for (const int32 count : m_counts)
     {
-        AddLevel(sorted.data() + begin, sorted.data() + begin + count);
+        AddLevel(m_sorted.data() + begin, m_sorted.data() + begin + count);
         begin += count;
     }
     if (!m_levels.empty())

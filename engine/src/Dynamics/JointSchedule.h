@@ -35,8 +35,7 @@ public:
 
 private:
     void Build(const Array<b2Joint*>& joints);
-    void SortInto(const Array<b2Joint*>& joints, const Array<int32>& levels,
-                  const Array<int32>& counts);
+    void SortInto(const Array<b2Joint*>& joints);
     void AddLevel(b2Joint* const* begin, b2Joint* const* end);
     void AddKind(b2JointType type, b2Joint* const* begin, b2Joint* const* end);
     template <class Function>
@@ -50,6 +49,11 @@ private:
     Array<float32> m_numbers;   // of the blocks
     Array<int32> m_levels;      // their first blocks, and one more for the end
     int32 m_version = -1;       // of the graph's list
+    // Scratch of Build, for joints come and go whenever islands wake and sleep.
+    Array<int32> m_levelOf;   // of each joint
+    Array<int32> m_counts;    // of each level
+    Array<int32> m_ends;      // of each level
+    Array<b2Joint*> m_sorted; // by level
 };
 
 } // namespace box2d

@@ -16,6 +16,9 @@ namespace
 constexpr int32 kMostUpdates = 16;
 /// Of finding what gives way: one is the rule.
 constexpr int32 kMostTries = 12;
+/// From this one on what gives way does not hold again: tries may go round in circles, and the last
+/// would leave something holding with more than it has, fifty times as much in a random world.
+constexpr int32 kSettlingTry = 6;
 constexpr double kEndless = 1e30; ///< [Ns]
 
 } // namespace
@@ -33,8 +36,7 @@ void JointSystem::Update(const ConstraintGraph& graph)
     {
         m_sides.push_back(SidesOf(*joint));
     }
-    Elimination elimination;
-    m_system.Build(m_sides, kMostUpdates, elimination);
+    m_system.Build(m_sides, kMostUpdates, m_elimination);
     m_parts.assign(std::size_t(m_system.Components()), Part());
     BuildTrees();
     m_gives.assign(m_joints.size(), 0);
@@ -64,18 +66,21 @@ void JointSystem::Update(const ConstraintGraph& graph)
 
 void JointSystem::BuildTrees()
 {
-    m_trees.clear();
     m_treeOf.assign(m_parts.size(), -1);
-    Array<b2Joint*> joints;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < m_parts.size(); ++i)
     {
-        joints.clear();
-        m_system.ForItems(int32(i), [&](std::size_t item) { joints.push_back(m_joints[item]); });
-        HingeTree tree;
-        if (!m_system.HasLoops(int32(i)) && tree.Build(joints))
+        if (m_system.HasLoops(int32(i)))
         {
-            m_treeOf[i] = int32(m_trees.size());
-            m_trees.push_back(std::move(tree));
+            continue;
+        }
+        m_partJoints.clear();
+        m_system.ForItems(int32(i),
+                          [&](std::size_t item) { m_partJoints.push_back(m_joints[item]); });
+        m_trees.resize(b2Max(m_trees.size(), count + 1));
+        if (m_trees[count].Build(m_partJoints))
+        {
+            m_treeOf[i] = int32(count++);
         }
     }
 }
@@ -243,7 +248,9 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
                 m_speeds[joint] = SpeedOf(context, m_system.Rows(joint));
             });
             m_system.ForItems(part, [&](std::size_t joint) {
-                changed = (m_gives[joint] != 0 && Reconsider(joint, context)) || changed;
+                changed =
+                    (m_gives[joint] != 0 && Reconsider(joint, context, tries >= kSettlingTry)) ||
+                    changed;
             });
         }
         p.factored = !changed;
@@ -275,7 +282,7 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
             m_system.SolveSwept(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
             m_speeds[i] = SpeedOf(context, m_system.Rows(i));
-            if (m_gives[i] == 0 || !Reconsider(i, context))
+            if (m_gives[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
             {
                 break;
             }

@@ -73,8 +73,10 @@ public:
         }
     }
     /// What motors, springs and limits of a joint can have done at most by the impulses of a kick:
-    /// an impulse is given to something that is slower than wanted [J].
-    double MostWork(std::size_t joint) const;
+    /// an impulse is given to something that is slower than wanted, and does no more work than by
+    /// the mean of the speeds before and after [J]. A spring may want thousands of metres a second.
+    double MostWork(std::size_t joint, const SolverContext& before,
+                    const SolverContext& after) const;
     /// Makes the speeds of all rows what they should be; what no contact touches, the first time.
     void SolveVelocities(const SolverContext& context, bool first);
     /// Before a drift.
@@ -138,9 +140,11 @@ private:
     void SetActive(std::size_t joint);
     bool SetActiveToClose(std::size_t joint);
     void WantSpeeds(std::size_t joint, const SolverContext& context);
-    bool Reconsider(std::size_t joint, const SolverContext& context);
-    bool Reconsider(const SolverContext& context, std::size_t joint, int32 row, float32 speed);
-    bool ReconsiderDisc(const SolverContext& context, std::size_t joint, const Vector3& speed);
+    bool Reconsider(std::size_t joint, const SolverContext& context, bool settles);
+    bool Reconsider(const SolverContext& context, std::size_t joint, int32 row, float32 speed,
+                    bool settles);
+    bool ReconsiderDisc(const SolverContext& context, std::size_t joint, const Vector3& speed,
+                        bool settles);
     static Yield After(const JointRows::Law& law, Yield yield, float32 impulse, float32 speed);
     Vector3 Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const;
     void AddTotals();
@@ -171,7 +175,7 @@ private:
     Array<RowSides> m_sides;
     RowSystem m_system;
     Array<Part> m_parts;        // the system's components
-    Array<HingeTree> m_trees;   // those among them
+    Array<HingeTree> m_trees;   // those among them, and memory for more
     Array<int32> m_treeOf;      // of each part, -1: none
     Array<uint8> m_inTree;      // of each joint, in this step
     Array<std::size_t> m_rowed; // joints that are not in a tree, in this step
@@ -184,7 +188,9 @@ private:
     Array<SolverBody> m_before; // of swept joints' bodies: the same
     Array<Vector3> m_speeds;    // scratch: of each joint's rows
     Array<const BodyData*> m_sweptBodies;
-    JointRows m_now; // scratch
+    JointRows m_now;              // scratch
+    Elimination m_elimination;    // scratch of Update, as joints wake and sleep
+    Array<b2Joint*> m_partJoints; // the same: of one part
     int32 m_version = -1;
 };
 

@@ -94,6 +94,21 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, 
     return b2Vec2(float32(scale * (c * x1 - s * x2)), float32(scale * (s * x1 + c * x2)));
 }
 
+/// What brings a row by itself to the speed wanted.
+float32 LackingImpulse(const JointRows& rows, int32 row, float32 speed)
+{
+    const JointRows::Law& law = rows.laws[row];
+    float32 response = law.softness;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        response += c.invMass * (c.x[row] * c.x[row] + c.y[row] * c.y[row]) +
+                    c.invInertia * c.w[row] * c.w[row];
+    }
+    const float32 lacking = WantedOf(law) - law.softness * rows.impulse[row] - speed;
+    return response > 0.0f ? lacking / response : 0.0f;
+}
+
 b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
 {
     return b2Vec2(impulse[0], impulse[1]);
@@ -208,9 +223,12 @@ double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, d
     return 0.0;
 }
 
-double JointSystem::MostWork(std::size_t joint) const
+double JointSystem::MostWork(std::size_t joint, const SolverContext& before,
+                             const SolverContext& after) const
 {
     const JointRows& rows = m_system.Rows(joint);
+    const Vector3 from = SpeedOf(before, rows);
+    const Vector3 to = SpeedOf(after, rows);
     double work = 0.0;
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
@@ -220,14 +238,16 @@ double JointSystem::MostWork(std::size_t joint) const
         const float32 bound = yield == Yield::Slowest   ? law.slowest
                               : yield == Yield::Fastest ? law.fastest
                                                         : 0.0f;
-        work += b2Max(double(within) * double(law.wanted), 0.0) +
-                b2Max(double(rows.impulse[i] - within) * double(bound), 0.0);
+        const double wanted = b2Max(double(within) * double(law.wanted), 0.0) +
+                              b2Max(double(rows.impulse[i] - within) * double(bound), 0.0);
+        const double done = 0.5 * double(rows.impulse[i]) * (from.at[i] + to.at[i]);
+        work += b2Min(wanted, b2Max(done, 0.0));
     }
     return work;
 }
 
 /// Whether anything has changed, so that all has to be solved again.
-bool JointSystem::Reconsider(std::size_t joint, const SolverContext& context)
+bool JointSystem::Reconsider(std::size_t joint, const SolverContext& context, bool settles)
 {
     const JointRows& rows = m_system.Rows(joint);
     const Vector3& speed = m_speeds[joint];
@@ -235,26 +255,31 @@ bool JointSystem::Reconsider(std::size_t joint, const SolverContext& context)
     int32 row = rows.Rigid();
     if (rows.disc)
     {
-        changed = ReconsiderDisc(context, joint, speed);
+        changed = ReconsiderDisc(context, joint, speed, settles);
         row = 2;
     }
     for (; row < rows.rows; ++row)
     {
-        changed = Reconsider(context, joint, row, float32(speed.at[row])) || changed;
+        changed = Reconsider(context, joint, row, float32(speed.at[row]), settles) || changed;
     }
     return changed;
 }
 
 bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, int32 row,
-                             float32 speed)
+                             float32 speed, bool settles)
 {
     JointRows& rows = m_system.Rows(joint);
     const JointRows::Law& law = rows.laws[row];
     Yield& yield = m_yields[joint].of[row];
     const float32 impulse = rows.impulse[row];
-    const Yield next = After(law, yield, impulse, speed);
+    Yield next = After(law, yield, impulse, speed);
     // The bounds change with every kick.
-    const float32 bound = next == Yield::Most ? law.most : -law.most;
+    float32 bound = next == Yield::Most ? law.most : -law.most;
+    if (settles && next == Yield::Holds && yield != Yield::Holds)
+    {
+        next = yield;
+        bound = b2Clamp(impulse + LackingImpulse(rows, row, speed), -law.most, law.most);
+    }
     const bool moves = (next == Yield::Most || next == Yield::Least) && impulse != bound;
     if (moves)
     {
@@ -332,7 +357,7 @@ Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 tim
 /// Two rows whose impulses are bounded as a vector: when they slip, the vector turns until it is
 /// against the slip.
 bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint,
-                                 const Vector3& speed)
+                                 const Vector3& speed, bool settles)
 {
     Yields& yields = m_yields[joint];
     JointRows& rows = m_system.Rows(joint);
@@ -347,7 +372,8 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
             rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
         wanted = SlippingImpulse(k, impulse, lacking, most);
     }
-    const bool slips = wanted.LengthSquared() > most * most;
+    const bool slips =
+        wanted.LengthSquared() > most * most || (settles && yields.of[0] == Yield::Most);
     const Yield next = slips ? Yield::Most : Yield::Holds;
     const bool changed = yields.of[0] != next;
     yields.of[0] = yields.of[1] = next;

@@ -132,10 +132,10 @@ struct OverlapSolver
         result.armB = Subtract(result.armA, offset);
     }
 
-    static F PushOut(const OverlapLanes<F>& overlap, float32 rate)
+    static F PushOut(const OverlapLanes<F>& overlap, PushPace pace)
     {
-        const F most = F::Set(b2_maxLinearCorrection);
-        const F out = F::Set(-rate) * (overlap.separation + F::Set(b2_linearSlop));
+        const F most = F::Set(pace.most);
+        const F out = F::Set(-pace.rate) * (overlap.separation + F::Set(b2_linearSlop));
         return Max(-most, Min(out, most));
     }
 
@@ -176,11 +176,11 @@ struct OverlapSolver
 
     /// Returns the separation before the push.
     template <OverlapKind kKind>
-    F PushPoint(float32 rate)
+    F PushPoint(PushPace pace)
     {
         const F zero = F::Set(0.0f);
         const OverlapLanes<F> p = Measure<kKind>(0);
-        const F out = PushOut(p, rate);
+        const F out = PushOut(p, pace);
         const auto idle = AtLeast(zero, out);
         const F mass = Mass(p, p);
         const auto massless = AtLeast(zero, mass);
@@ -193,14 +193,14 @@ struct OverlapSolver
 
     /// Both points at once. `nearlyOne` gets ones in the lanes that have to be solved one by one.
     template <OverlapKind kKind>
-    F PushPair(float32 rate, F& nearlyOne)
+    F PushPair(PushPace pace, F& nearlyOne)
     {
         const F zero = F::Set(0.0f);
         const F one = F::Set(1.0f);
         const OverlapLanes<F> p = Measure<kKind>(0);
         const OverlapLanes<F> q = Measure<kKind>(1);
-        const F outP = PushOut(p, rate);
-        const F outQ = PushOut(q, rate);
+        const F outP = PushOut(p, pace);
+        const F outQ = PushOut(q, pace);
         const auto active = Not(And(AtLeast(zero, outP), AtLeast(zero, outQ)));
         nearlyOne = zero;
         if (!Any(active))
@@ -259,14 +259,14 @@ float32 SmallestOf(F numbers, float32 smallest)
 }
 
 template <class F, OverlapKind kKind>
-float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, float32 rate)
+float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, PushPace pace)
 {
     float32 smallest = 0.0f;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
         OverlapSolver<F> solver(block, lane, bodies);
         F nearlyOne;
-        F separation = solver.template PushPair<kKind>(rate, nearlyOne);
+        F separation = solver.template PushPair<kKind>(pace, nearlyOne);
         const auto alone = AtLeast(nearlyOne, F::Set(1.0f));
         solver.Store(bodies);
         if (Any(alone))
@@ -279,7 +279,7 @@ float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, float32 ra
                 if (lanes[i] == 1.0f)
                 {
                     const float32 found = SolveNearlyOnePoint(
-                        block, lane + i, reinterpret_cast<SolverBody*>(bodies), rate);
+                        block, lane + i, reinterpret_cast<SolverBody*>(bodies), pace);
                     smallest = found < smallest ? found : smallest;
                 }
             }
@@ -290,32 +290,32 @@ float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, float32 ra
 }
 
 template <class F, OverlapKind kKind>
-float32 SolveOverlapPoints(const OverlapBlock& block, float32* bodies, float32 rate)
+float32 SolveOverlapPoints(const OverlapBlock& block, float32* bodies, PushPace pace)
 {
     float32 smallest = 0.0f;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
         OverlapSolver<F> solver(block, lane, bodies);
-        smallest = SmallestOf(solver.template PushPoint<kKind>(rate), smallest);
+        smallest = SmallestOf(solver.template PushPoint<kKind>(pace), smallest);
         solver.Store(bodies);
     }
     return smallest;
 }
 
 template <class F>
-float32 SolveOverlapBlock(const OverlapBlock& block, float32* bodies, float32 rate)
+float32 SolveOverlapBlock(const OverlapBlock& block, float32* bodies, PushPace pace)
 {
     const bool pair = block.pointCount == 2;
     switch (block.kind)
     {
     case OverlapKind::FaceA:
-        return pair ? SolveOverlapPairs<F, OverlapKind::FaceA>(block, bodies, rate)
-                    : SolveOverlapPoints<F, OverlapKind::FaceA>(block, bodies, rate);
+        return pair ? SolveOverlapPairs<F, OverlapKind::FaceA>(block, bodies, pace)
+                    : SolveOverlapPoints<F, OverlapKind::FaceA>(block, bodies, pace);
     case OverlapKind::FaceB:
-        return pair ? SolveOverlapPairs<F, OverlapKind::FaceB>(block, bodies, rate)
-                    : SolveOverlapPoints<F, OverlapKind::FaceB>(block, bodies, rate);
+        return pair ? SolveOverlapPairs<F, OverlapKind::FaceB>(block, bodies, pace)
+                    : SolveOverlapPoints<F, OverlapKind::FaceB>(block, bodies, pace);
     default:
-        return SolveOverlapPoints<F, OverlapKind::Centers>(block, bodies, rate);
+        return SolveOverlapPoints<F, OverlapKind::Centers>(block, bodies, pace);
     }
 }
 

@@ -48,10 +48,9 @@ namespace
 
 /// How far a point is to be pushed out [m]; negative where there is room to move in. A slop is
 /// left, so that the contact lasts.
-float32 PushOut(const Overlap& overlap, float32 rate)
+float32 PushOut(const Overlap& overlap, PushPace pace)
 {
-    return b2Clamp(-rate * (overlap.separation + b2_linearSlop), -b2_maxLinearCorrection,
-                   b2_maxLinearCorrection);
+    return b2Clamp(-pace.rate * (overlap.separation + b2_linearSlop), -pace.most, pace.most);
 }
 
 /// One contact's bodies, loaded, pushed and stored.
@@ -106,10 +105,10 @@ struct Push
     }
 };
 
-float32 PushPoint(Push& push, int32 point, float32 rate)
+float32 PushPoint(Push& push, int32 point, PushPace pace)
 {
     const Overlap overlap = MeasureOverlap(push.o, point, push.a, push.b);
-    const float32 out = PushOut(overlap, rate);
+    const float32 out = PushOut(overlap, pace);
     if (out > 0.0f)
     {
         push.Apply(overlap, out * Inverse(push.Mass(overlap, overlap)));
@@ -117,13 +116,13 @@ float32 PushPoint(Push& push, int32 point, float32 rate)
     return overlap.separation;
 }
 
-float32 PushPair(Push& push, float32 rate)
+float32 PushPair(Push& push, PushPace pace)
 {
     const Overlap p = MeasureOverlap(push.o, 0, push.a, push.b);
     const Overlap q = MeasureOverlap(push.o, 1, push.a, push.b);
     const float32 smaller = b2Min(p.separation, q.separation);
-    const float32 outP = PushOut(p, rate);
-    const float32 outQ = PushOut(q, rate);
+    const float32 outP = PushOut(p, pace);
+    const float32 outQ = PushOut(q, pace);
     if (outP <= 0.0f && outQ <= 0.0f)
     {
         return smaller;
@@ -142,30 +141,30 @@ float32 PushPair(Push& push, float32 rate)
         return smaller;
     }
     // One after the other: the order of a call's arguments is each compiler's own.
-    const float32 first = PushPoint(push, 0, rate);
-    const float32 second = PushPoint(push, 1, rate);
+    const float32 first = PushPoint(push, 0, pace);
+    const float32 second = PushPoint(push, 1, pace);
     return b2Min(first, second);
 }
 
 } // namespace
 
-float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, float32 rate)
+float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace)
 {
     Push push{o, bodies[o.bodyA], bodies[o.bodyB]};
-    const float32 first = PushPoint(push, 0, rate);
-    const float32 second = PushPoint(push, 1, rate);
+    const float32 first = PushPoint(push, 0, pace);
+    const float32 second = PushPoint(push, 1, pace);
     push.Store(bodies);
     return b2Min(first, second);
 }
 
-float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,
+float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, PushPace pace,
                       Direction direction)
 {
     float32 smallest = 0.0f;
     ForEach(overlaps, direction, [&](const OverlapConstraint& o) {
         Push push{o, bodies[o.bodyA], bodies[o.bodyB]};
         const float32 separation =
-            o.pointCount == 2 ? PushPair(push, rate) : PushPoint(push, 0, rate);
+            o.pointCount == 2 ? PushPair(push, pace) : PushPoint(push, 0, pace);
         smallest = b2Min(smallest, separation);
         push.Store(bodies);
     });

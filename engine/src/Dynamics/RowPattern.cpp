@@ -12,6 +12,9 @@ namespace box2d
 namespace
 {
 
+/// For which a body has room from the start, so that lists do not grow one by one.
+constexpr std::size_t kFewNeighbours = 8;
+
 std::size_t At(int32 index)
 {
     return std::size_t(index);
@@ -86,6 +89,7 @@ void Elimination::ConnectBodies(const Array<RowSides>& constraints)
     for (std::size_t i = 0; i < count; ++i)
     {
         m_neighbours[i].clear();
+        m_neighbours[i].reserve(kFewNeighbours);
     }
     for (const RowSides& constraint : constraints)
     {

@@ -178,22 +178,30 @@ Block3 FactorsOfOwn(const JointRows& rows, uint8 active)
 void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
 {
     elimination.Run(sides, mostUpdates, m_pattern);
-    m_rows.resize(sides.size());
-    m_active.assign(sides.size(), 7);
-    m_weights.assign(sides.size(), Vector3{});
-    m_lack.resize(sides.size());
-    m_found.assign(sides.size(), Vector3{});
-    m_own.resize(sides.size());
-    m_sides.assign(m_pattern.sides.size(), Side{});
-    m_diagonal.resize(m_pattern.columns.size() - 1);
-    m_x.resize(m_diagonal.size());
-    m_exact.assign(sides.size(), 1);
+    const auto resize = [](auto& array, std::size_t count) {
+        MakeRoom(array, count);
+        array.resize(count);
+    };
+    const auto assign = [](auto& array, std::size_t count, const auto& value) {
+        MakeRoom(array, count);
+        array.assign(count, value);
+    };
+    resize(m_rows, sides.size());
+    assign(m_active, sides.size(), uint8(7));
+    assign(m_weights, sides.size(), Vector3{});
+    resize(m_lack, sides.size());
+    assign(m_found, sides.size(), Vector3{});
+    resize(m_own, sides.size());
+    assign(m_sides, m_pattern.sides.size(), Side{});
+    resize(m_diagonal, m_pattern.columns.size() - 1);
+    resize(m_x, m_diagonal.size());
+    assign(m_exact, sides.size(), uint8(1));
     for (const int32 item : m_pattern.swept)
     {
         m_exact[std::size_t(item)] = 0;
     }
-    m_stiffness.resize(m_diagonal.size());
-    m_entries.resize(m_pattern.rows.size());
+    resize(m_stiffness, m_diagonal.size());
+    resize(m_entries, m_pattern.rows.size());
 }
 
 void RowSystem::Factor()

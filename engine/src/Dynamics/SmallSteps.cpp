@@ -2,6 +2,7 @@
 #include "StepSolver.h"
 
 #include "Access.h"
+#include "Bouncer.h"
 #include "ProfileScope.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
@@ -28,6 +29,9 @@ namespace
 constexpr float32 kRestTolerance = 0.01f;
 constexpr int32 kSweepsFromNothing = 8; ///< at least, where nothing is carried over
 constexpr int32 kMostBounces = 64;      ///< sweeps over what bounces in a row
+/// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
+/// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
+constexpr float32 kPushSpeed = 3.0f;
 
 /// As in a whole step the sweeps of a kick turn once, and the next kick goes on the way that this
 /// one ended. A kick of one sweep turns with every second kick, which is the same.
@@ -39,101 +43,6 @@ Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
     }
     return ((kick + 1) / 2 % 2 == 1) == turned ? Direction::Forward : Direction::Backward;
 }
-
-/// One contact of a block, as it bounces.
-class Bouncer
-{
-public:
-    Bouncer(ContactBlock& block, BlockTotals& totals, int32 lane, SolverBody* bodies)
-        : m_block(block), m_totals(totals), m_lane(lane), m_a(bodies[block.bodyA[lane]]),
-          m_b(bodies[block.bodyB[lane]]), m_normal(block.normalX[lane], block.normalY[lane])
-    {}
-
-    /// False when it does not come near fast enough.
-    bool Bounce(float32 restitution)
-    {
-        const int32 count = m_block.pointCount;
-        float32 speeds[2] = {};
-        bool bounces = false;
-        for (int32 i = 0; i < count; ++i)
-        {
-            speeds[i] = NormalSpeed(i);
-            bounces = bounces || speeds[i] < -b2_velocityThreshold;
-        }
-        if (!bounces)
-        {
-            return false;
-        }
-        if (count == 2 && m_block.coupled[m_lane] != 0.0f)
-        {
-            float32 x[2] = {};
-            if (EnumerateImpulses(m_block.k11[m_lane], m_block.k12[m_lane], m_block.k22[m_lane],
-                                  Wanting(speeds[0], restitution), Wanting(speeds[1], restitution),
-                                  x[0], x[1]))
-            {
-                Push(0, x[0]);
-                Push(1, x[1]);
-            }
-        }
-        else
-        {
-            for (int32 i = 0; i < count; ++i)
-            {
-                const float32 wanting = Wanting(NormalSpeed(i), restitution);
-                Push(i, b2Max(-wanting * m_block.points[i].normalMass[m_lane], 0.0f));
-            }
-        }
-        return true;
-    }
-
-private:
-    static float32 Wanting(float32 speed, float32 restitution)
-    {
-        return speed < 0.0f ? (1.0f + restitution) * speed : speed;
-    }
-    float32 NormalSpeed(int32 i) const
-    {
-        const PointLanes& p = m_block.points[i];
-        return b2Dot(m_b.v - m_a.v, m_normal) + m_b.w * p.normalLeverB[m_lane] -
-               m_a.w * p.normalLeverA[m_lane];
-    }
-    float32 TangentSpeed(int32 i) const
-    {
-        const PointLanes& p = m_block.points[i];
-        return b2Dot(m_b.v - m_a.v, b2Cross(m_normal, 1.0f)) + m_b.w * p.tangentLeverB[m_lane] -
-               m_a.w * p.tangentLeverA[m_lane] - m_block.tangentSpeed[m_lane];
-    }
-    void Push(int32 i, float32 impulse)
-    {
-        const PointLanes& p = m_block.points[i];
-        Apply(impulse, m_normal, p.normalLeverA[m_lane], p.normalLeverB[m_lane]);
-        m_totals.normal[i][m_lane] += impulse;
-        const float32 limit = m_block.friction[m_lane] * impulse;
-        const float32 drag = b2Clamp(-TangentSpeed(i) * p.tangentMass[m_lane], -limit, limit);
-        Apply(drag, b2Cross(m_normal, 1.0f), p.tangentLeverA[m_lane], p.tangentLeverB[m_lane]);
-        m_totals.tangent[i][m_lane] += drag;
-    }
-    void Apply(float32 impulse, const b2Vec2& direction, float32 leverA, float32 leverB)
-    {
-        if ((m_block.movesA >> m_lane & 1) != 0)
-        {
-            m_a.v -= (m_block.invMassA[m_lane] * impulse) * direction;
-            m_a.w -= m_block.invInertiaA[m_lane] * leverA * impulse;
-        }
-        if ((m_block.movesB >> m_lane & 1) != 0)
-        {
-            m_b.v += (m_block.invMassB[m_lane] * impulse) * direction;
-            m_b.w += m_block.invInertiaB[m_lane] * leverB * impulse;
-        }
-    }
-
-    ContactBlock& m_block;
-    BlockTotals& m_totals;
-    int32 m_lane;
-    SolverBody& m_a;
-    SolverBody& m_b;
-    b2Vec2 m_normal;
-};
 
 /// Whether a contact of the block is to bounce. It is then for Bounce: nothing does any more.
 bool TakeBias(ContactBlock& block)
@@ -258,7 +167,7 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
         {
             ProfileScope position(profiling, profile.solvePosition);
             solve.Drift(h, velocitySweeps);
-            solve.MoveApart(positionSweeps, rate);
+            solve.MoveApart(h, positionSweeps, rate);
         }
         const bool last = i == count;
         // From half a kick to a whole one, and back.
@@ -445,7 +354,7 @@ void StepSolver::Fly(std::size_t index)
     const SolverBody middle = s;
     for (int32 i = 0; i < m_world.subStepCount; ++i)
     {
-        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallWay);
+        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallMove);
     }
     s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been slowed down
     s.w = Bounded(s.w + (0.5f * h) * alpha);
@@ -457,23 +366,25 @@ void StepSolver::Drift(float32 timeStep, int32 sweeps)
     ForBodies([&](std::size_t i) {
         if (m_arrays.ways[i] == WayOfBody::Together)
         {
-            MoveByVelocity(m_arrays.bodies[i + 1], timeStep, kMostSmallWay);
+            MoveByVelocity(m_arrays.bodies[i + 1], timeStep, kMostSmallMove);
         }
     });
     m_arrays.jointSystem.SolvePositions(m_context, timeStep, sweeps, m_arrays.kicks.data());
 }
 
-void StepSolver::MoveApart(int32 sweeps, float32 rate)
+void StepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
 {
+    // The sweeps and the solution after them take equal parts of the way.
+    const float32 most = b2Min(kPushSpeed * timeStep / float32(sweeps + 1), b2_maxLinearCorrection);
     for (int32 i = 0; i < sweeps; ++i)
     {
-        if (SolveOverlaps(DirectionOf(i), rate) >= -b2_linearSlop)
+        if (SolveOverlaps(DirectionOf(i), {rate, most}) >= -b2_linearSlop)
         {
             break;
         }
     }
     m_arrays.contactSystem.SolveOverlaps(m_arrays, m_context,
-                                         b2_baumgarte / float32(m_world.subStepCount));
+                                         {b2_baumgarte / float32(m_world.subStepCount), most});
 }
 
 void StepSolver::EndSmallSteps()

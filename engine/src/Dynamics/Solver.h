@@ -184,13 +184,23 @@ void ForEach(List& list, Direction direction, Function&& function)
 
 // Step.cpp
 
-/// Moves and turns a body for `timeStep`, slowing it down to ways of `mostWay` [m] and to what a
-/// step allows of a turn.
-void MoveByVelocity(SolverBody& body, float32 timeStep, float32 mostWay);
+/// How far a body may move and turn at once; what is faster is slowed down.
+struct MostMove
+{
+    float32 way;  ///< [m]
+    float32 turn; ///< [rad]
+};
 
-/// What a small step allows: impacts are found however far a body comes, and a higher limit loses
-/// less energy [m].
-inline constexpr float32 kMostSmallWay = 10.0f * b2_maxTranslation;
+/// In a step of the manual's scheme.
+inline constexpr MostMove kMostMove = {b2_maxTranslation, b2_maxRotation};
+/// In a small step: impacts are found however far a body comes and turns, and a higher limit loses
+/// less energy. A box of 0.3 m that walls make tumble at 300 m/s spins with 3000 rad/s, four times
+/// around in half a step at 60 Hz. With less such boxes come to rest; with much more the search for
+/// an impact runs out of its steps.
+inline constexpr MostMove kMostSmallMove = {10.0f * b2_maxTranslation, 40.0f * b2_maxRotation};
+
+/// Moves and turns a body for `timeStep`, slowing it down to what it may.
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MostMove& most);
 
 // ContactSolver.cpp
 
@@ -235,12 +245,19 @@ struct Overlap
 Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
                        const SolverBody& b);
 
-/// One iteration of moving overlapping bodies apart by the share `rate` of what exceeds the slop.
-/// Returns the smallest separation that was met [m].
-float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, float32 rate,
+/// How far overlaps are pushed out at once: by a share of what exceeds the slop, up to `most` [m].
+struct PushPace
+{
+    float32 rate;
+    float32 most = b2_maxLinearCorrection;
+};
+
+/// One iteration of moving overlapping bodies apart. Returns the smallest separation that was met
+/// [m].
+float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, PushPace pace,
                       Direction direction);
 
 /// Two points that are nearly one, pushed apart one after the other.
-float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, float32 rate);
+float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace);
 
 } // namespace box2d

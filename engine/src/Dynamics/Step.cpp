@@ -83,6 +83,7 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
             SolveContinuous(timeStep, velocityIterations);
         }
         inverseStep = 1.0f / timeStep;
+        ++stepNumber;
     }
     if (autoClearForces)
     {

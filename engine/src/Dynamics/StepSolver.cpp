@@ -23,6 +23,8 @@ constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
 constexpr float32 kLeftOverlap = 3.0f * b2_linearSlop; ///< what pushing may leave of any [m]
 /// What is pushed out of skins faster than so many times what slow means does not rest.
 constexpr float32 kSkinsPace = 10.0f;
+/// For so long nothing must have set off before it rests [s]: one step may slow down by rounding.
+constexpr float32 kCalm = 0.04f;
 
 } // namespace
 
@@ -163,7 +165,7 @@ bool StepSolver::SolveContacts(Direction direction)
 }
 
 /// Returns the smallest separation [m], or 0 if that is smaller.
-float32 StepSolver::SolveOverlaps(Direction direction, float32 rate)
+float32 StepSolver::SolveOverlaps(Direction direction, PushPace pace)
 {
     std::atomic<float32> smallest = 0.0f;
     ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
@@ -171,7 +173,7 @@ float32 StepSolver::SolveOverlaps(Direction direction, float32 rate)
         for (int32 i = 0; i < end - begin; ++i)
         {
             const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
-            found = b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, rate));
+            found = b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, pace));
         }
         float32 before = smallest.load(std::memory_order_relaxed);
         while (found < before && !smallest.compare_exchange_weak(before, found))
@@ -230,7 +232,7 @@ void StepSolver::SolvePositions(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         // The slop is what is aimed at; three of them is near enough.
-        const bool apart = SolveOverlaps(DirectionOf(i), b2_baumgarte) >= -3.0f * b2_linearSlop;
+        const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -3.0f * b2_linearSlop;
         const bool joined = m_arrays.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
         {
@@ -262,7 +264,7 @@ void StepSolver::TurnAsSeen()
 void StepSolver::IntegratePositions()
 {
     ForBodies([this](std::size_t i) {
-        MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep, b2_maxTranslation);
+        MoveByVelocity(m_arrays.bodies[i + 1], m_context.timeStep, kMostMove);
     });
 }
 
@@ -278,6 +280,17 @@ bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float3
             b2Abs(moved.w - body.angularVelocity) > angular);
 }
 
+// What leaves a balance, as a rod on its end, is slow for very long, and gets faster all the time.
+// With one step joints tremble by more than that, and piles with any number.
+bool StepSolver::IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep)
+{
+    constexpr float32 kLeastGain = 1.0f / 15.0f; // of the tolerance, in a second
+    const float32 linear = timeStep * kLeastGain * b2_linearSleepTolerance;
+    const float32 angular = timeStep * kLeastGain * b2_angularSleepTolerance;
+    return body.colorMask == 0 && (moved.v.Length() > body.linearVelocity.Length() + linear ||
+                                   b2Abs(moved.w) > b2Abs(body.angularVelocity) + angular);
+}
+
 /// Which bodies overlap by more than their skins. What is put together without room for the skins
 /// is pushed apart for minutes where there is much of it, from the outside in, and may rest
 /// meanwhile: the skins are there to be overlapped.
@@ -288,7 +301,7 @@ void StepSolver::FindDeep()
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         const OverlapBlock& block = blocks.Overlaps(i);
         // At a rate of 0 it is only measured.
-        if (SolveBlock(block, m_context.bodies, 0.0f) >= -kLeftOverlap)
+        if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kLeftOverlap)
         {
             return;
         }
@@ -339,6 +352,10 @@ float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved
         return 0.0f;
     }
     const float32 time = body.sleepTime + h;
+    if (m_world.subStepCount > 1 && body.sleepTime < b2_timeToSleep && IsSettingOff(body, moved, h))
+    {
+        return b2Min(time, b2_timeToSleep - kCalm);
+    }
     return time >= b2_timeToSleep && IsTurning(body, moved, h) ? body.sleepTime : time;
 }
 
@@ -422,17 +439,17 @@ void StepSolver::LetRest()
     }
 }
 
-void MoveByVelocity(SolverBody& body, float32 timeStep, float32 mostWay)
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MostMove& most)
 {
     const b2Vec2 way = timeStep * body.v;
-    if (way.LengthSquared() > mostWay * mostWay)
+    if (way.LengthSquared() > most.way * most.way)
     {
-        body.v *= mostWay / way.Length();
+        body.v *= most.way / way.Length();
     }
     const float32 turn = timeStep * body.w;
-    if (turn * turn > b2_maxRotationSquared)
+    if (turn * turn > most.turn * most.turn)
     {
-        body.w *= b2_maxRotation / b2Abs(turn);
+        body.w *= most.turn / b2Abs(turn);
     }
     body.d += timeStep * body.v;
     const float32 delta = timeStep * body.w;

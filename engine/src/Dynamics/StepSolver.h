@@ -34,7 +34,7 @@ public:
     /// Kicks, and solves the velocities.
     void Kick(float32 duration, float32 share, int32 iterations);
     void Drift(float32 timeStep, int32 sweeps);
-    void MoveApart(int32 sweeps, float32 rate);
+    void MoveApart(float32 timeStep, int32 sweeps, float32 rate);
     void EndSmallSteps();
 
 private:
@@ -51,7 +51,7 @@ private:
     SolverBody WithForces(const BodyData& body) const;
     bool WriteBack(BodyData& body, SolverBody& moved) const;
     bool SolveContacts(Direction direction);
-    float32 SolveOverlaps(Direction direction, float32 rate);
+    float32 SolveOverlaps(Direction direction, PushPace pace);
     void Bounce();
     void Sweep(int32 iterations);
     void TurnAsSeen();
@@ -61,6 +61,7 @@ private:
     void Fly(std::size_t index);
     float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
     static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
+    static bool IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep);
 
     // What one thread takes at a time.
     static constexpr int32 kBlockGrain = 8;

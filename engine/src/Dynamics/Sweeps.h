@@ -53,18 +53,36 @@ inline b2Sweep SweepFrom(const BodyData& body, const Pose& start, const Pose& or
     return sweep;
 }
 
-/// The box around a shape at the start and at the end of a sweep.
-inline b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep)
+/// The box around a circle that moves straight on.
+inline b2AABB BoxOfWay(const b2Vec2& from, const b2Vec2& to, float32 radius)
 {
+    const b2Vec2 reach(radius, radius);
+    b2AABB box;
+    box.lowerBound = b2Min(from, to) - reach;
+    box.upperBound = b2Max(from, to) + reach;
+    return box;
+}
+
+/// Whether a turn [rad] takes a shape far out of the boxes of its start and of its end: more than a
+/// quarter, which only small steps allow.
+inline bool IsWide(double turn)
+{
+    return std::abs(turn) > 1.01 * double(b2_maxRotation);
+}
+
+/// The box around a shape at the start and at the end of a sweep; of one that turns far, around the
+/// circle that holds its body, as far as `maxExtent` [m].
+inline b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep, float32 maxExtent)
+{
+    if (IsWide(double(sweep.a - sweep.a0)))
+    {
+        return BoxOfWay(sweep.c0, sweep.c, maxExtent);
+    }
     if (shape.GetType() == b2Shape::e_circle && sweep.localCenter == b2Vec2_zero &&
         static_cast<const b2CircleShape&>(shape).m_p == b2Vec2_zero)
     {
         // A circle about the centre turns in place.
-        const b2Vec2 reach(shape.m_radius, shape.m_radius);
-        b2AABB box;
-        box.lowerBound = b2Min(sweep.c0, sweep.c) - reach;
-        box.upperBound = b2Max(sweep.c0, sweep.c) + reach;
-        return box;
+        return BoxOfWay(sweep.c0, sweep.c, shape.m_radius);
     }
     b2Transform from;
     b2Transform to;

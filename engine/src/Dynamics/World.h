@@ -123,6 +123,12 @@ public:
     /// contacts between sleeping bodies are not looked at. One that has none sleeps on.
     void WakeAttached(b2Body& body);
 
+    /// For so many steps what the program has moved by hand counts as moved: corrections of poses
+    /// take a fifth of what they find in each, so a tenth of it is left then.
+    static constexpr std::uint32_t kHandLasts = 10;
+    /// Whether it did so in the last of these, by the number of the step then.
+    bool IsRecent(std::uint32_t step) const { return stepNumber - step < kHandLasts; }
+
     // Step.cpp
     void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);
     void Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations);
@@ -173,9 +179,10 @@ public:
     b2DestructionListener* destructionListener = nullptr;
     b2Draw* debugDraw = nullptr;
 
-    int32 subStepCount = 1;     ///< small steps of a step
-    int32 lastSubSteps = 1;     ///< of the last step in which anything was solved
-    float32 inverseStep = 0.0f; ///< of the last step [1/s], 0 before the first
+    int32 subStepCount = 1;                ///< small steps of a step
+    int32 lastSubSteps = 1;                ///< of the last step in which anything was solved
+    float32 inverseStep = 0.0f;            ///< of the last step [1/s], 0 before the first
+    std::uint32_t stepNumber = kHandLasts; ///< of steps that take time
     b2Profile profile;
     mutable b2ContactManager contactManager; ///< what b2World::GetContactManager hands out
     bool profiling = false;

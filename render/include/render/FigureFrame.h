@@ -4,6 +4,7 @@
 #include <render/Backend.h>
 #include <render/Figure.h>
 #include <render/Frame.h>
+#include <render/Renderer.h>
 
 /// A figure of any number of panels as pixels: the picture that its SVG and PDF show.
 namespace boxreel
@@ -12,8 +13,9 @@ namespace boxreel
 /// Each panel is drawn as a Renderer of its size draws it, pixel for pixel; what lies below shows
 /// through one that is put over others. Panels begin on whole pixels, and figures with their scale
 /// have at most 8192 each way. Absent when no back end works, Unusable for sizes and cameras that
-/// cannot be.
-Result<Frame> ToFrame(const Figure& figure, Backend backend = Backend::Auto);
+/// cannot be. `totals`, when given, is what was drawn for it, summed over the panels.
+Result<Frame> ToFrame(const Figure& figure, Backend backend = Backend::Auto,
+                      RenderTotals* totals = nullptr);
 
 /// Whether this machine can draw: asked before long work is done for a picture.
 Result<void> PrepareFrames(Backend backend = Backend::Auto);

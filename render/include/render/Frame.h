@@ -5,10 +5,29 @@
 #include <cstdint>
 #include <vector>
 
-/// A picture in memory: what renderers fill, files store, films are made of and golden tests compare.
-/// Header only; any program's RGBA picture can be put into one.
+/// A picture in memory: what renderers fill, files store, films are made of and golden tests
+/// compare. Header only; any program's RGBA picture can be put into one.
 namespace boxreel
 {
+
+/// A rectangle of pixels, y down, upper bounds excluded.
+struct PixelBounds
+{
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+    bool IsEmpty() const { return x1 <= x0 || y1 <= y0; }
+    std::int64_t Area() const { return std::int64_t(x1 - x0) * (y1 - y0); } ///< when not empty
+    friend bool operator==(const PixelBounds&, const PixelBounds&) = default;
+};
+
+/// Empty, in one way or another, when they share no pixel.
+inline PixelBounds Intersection(const PixelBounds& a, const PixelBounds& b)
+{
+    return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0, a.x1 < b.x1 ? a.x1 : b.x1,
+            a.y1 < b.y1 ? a.y1 : b.y1};
+}
 
 struct Frame
 {
@@ -19,7 +38,10 @@ struct Frame
     Frame() = default;
     Frame(int w, int h) : width(w), height(h), rgba(std::size_t(w) * std::size_t(h) * 4) {}
 
-    std::uint8_t* Pixel(int x, int y) { return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4; }
+    std::uint8_t* Pixel(int x, int y)
+    {
+        return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
+    }
     const std::uint8_t* Pixel(int x, int y) const
     {
         return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;

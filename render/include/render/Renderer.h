@@ -10,7 +10,9 @@
 #include <render/Overlay.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 /// Turns a DrawList into pixels, off-screen. Owns the GL context, so use one per thread.
@@ -27,15 +29,38 @@ struct RendererSettings
     Backend backend = Backend::Auto;
     double scale = 1.0; ///< of all lengths in pixels: outlines, points, letters; 0.1 to 16. The
                         ///< camera and the overlay are given at their full size.
+    bool redrawsWhole = false; ///< draws every frame that changes as a whole: to test and to
+                               ///< measure against; not a bit differs
 };
 
-/// What the last Submit did.
+/// What the last Submit did. Of the items of the list, some are outside the picture, some drawn,
+/// and the rest is where nothing has changed.
 struct RenderStatistics
 {
-    std::size_t itemsDrawn = 0;
-    std::size_t itemsSkipped = 0; ///< outside the picture, or with coordinates that are not finite
+    std::size_t items = 0;        ///< of the list
+    std::size_t itemsDrawn = 0;   ///< with at least a part of them
+    std::size_t itemsOutside = 0; ///< outside the picture, or with coordinates that are not finite
+    std::size_t itemsReused = 0;  ///< known from the last Submit: drawn or not, but not built anew
     std::size_t drawCalls = 0;    ///< without the overlay's
-    bool unchanged = false; ///< the same list, camera and overlay as before: nothing was drawn
+    std::size_t rectangles = 0;   ///< that were drawn anew; one when it was the whole picture
+    std::int64_t pixels = 0;      ///< in them
+    bool unchanged = false;       ///< it shows the same as before: nothing was drawn
+};
+
+/// The sum over all Submits so far.
+struct RenderTotals
+{
+    std::int64_t frames = 0;
+    std::int64_t framesUnchanged = 0; ///< of the frames
+    std::int64_t framesInPart = 0;    ///< of the frames; the others were drawn as a whole
+    std::int64_t pixels = 0;          ///< of all frames
+    std::int64_t pixelsDrawn = 0;     ///< of these
+    std::int64_t items = 0;           ///< of all lists
+    std::int64_t itemsDrawn = 0;      ///< of these …
+    std::int64_t itemsOutside = 0;    ///< … or outside the picture …
+    std::int64_t itemsReused = 0;     ///< … and how many were known from the frame before
+    std::int64_t drawCalls = 0;       ///< without the overlays'
+    RenderTotals& operator+=(const RenderTotals& other);
 };
 
 class Renderer
@@ -49,7 +74,9 @@ public:
     ~Renderer();
 
     /// Hands the picture to GL and returns; the caller may step its world before it reads.
-    /// The camera's size must be the renderer's. `overlay` lies on top of the list.
+    /// The camera's size must be the renderer's. `overlay` lies on top of the list. Under the
+    /// camera of the last Submit only what has changed is drawn, with the same bits as if it were
+    /// all.
     Result<void> Submit(const DrawList& list, const Camera& camera,
                         const Overlay* overlay = nullptr);
 
@@ -57,11 +84,20 @@ public:
     /// `frame` when needed.
     Result<void> Read(Frame& frame);
 
+    /// The same without a copy: only what has changed since the last ReadChanges is read, into a
+    /// frame of the renderer's, which stays as it is until the next ReadChanges.
+    Result<const Frame*> ReadChanges();
+
+    /// Where the last ReadChanges may have changed its frame; everything the first time, nothing
+    /// when no Submit came between. No two share a pixel. Valid until the next ReadChanges.
+    std::span<const PixelBounds> Changes() const;
+
     /// Submit and Read in one.
     Result<void> Draw(const DrawList& list, const Camera& camera, Frame& frame,
                       const Overlay* overlay = nullptr);
 
     const RenderStatistics& Statistics() const;
+    const RenderTotals& Totals() const;
 
     /// Which library drew it, e.g. "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 Mesa 22.3.6".
     const std::string& Description() const;

@@ -3,6 +3,7 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+#include <algorithm>
 #include <vector>
 
 /// The engine's growing arrays: std::vector over b2Alloc, so that a program that replaces the
@@ -64,4 +65,15 @@ struct Allocator
 
 template <typename T>
 using Array = std::vector<T, Allocator<T>>;
+
+/// Room for `count`, and at least for twice as much as before when there was too little: assign and
+/// resize by themselves ask for no more than they need, and again for one more.
+template <typename T>
+void MakeRoom(Array<T>& array, std::size_t count)
+{
+    if (count > array.capacity())
+    {
+        array.reserve(std::max(count, 2 * array.capacity()));
+    }
+}
 } // namespace box2d

@@ -110,6 +110,7 @@ void b2DistanceJoint::SetLength(float32 length)
     {
         WakeBodies();
         m_length = length;
+        NoteChange();
     }
 }
 
@@ -119,6 +120,7 @@ void b2DistanceJoint::SetFrequency(float32 hz)
     {
         WakeBodies();
         m_frequencyHz = hz;
+        NoteChange();
     }
 }
 

@@ -264,6 +264,7 @@ void b2GearJoint::SetRatio(float32 ratio)
     if (box2d::IsGearRatio(ratio))
     {
         m_ratio = ratio;
+        NoteChange();
     }
 }
 

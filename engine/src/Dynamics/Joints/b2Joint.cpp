@@ -40,3 +40,8 @@ void b2Joint::WakeBodies()
     m_bodyA->SetAwake(true);
     m_bodyB->SetAwake(true);
 }
+
+void b2Joint::NoteChange()
+{
+    m_changedAt = box2d::Data(*m_bodyA).world->stepNumber;
+}

@@ -186,6 +186,7 @@ void b2PrismaticJoint::EnableLimit(bool flag)
     {
         WakeBodies();
         m_enableLimit = flag;
+        NoteChange();
         m_lowerImpulse = 0.0f;
         m_upperImpulse = 0.0f;
     }
@@ -202,6 +203,7 @@ void b2PrismaticJoint::SetLimits(float32 lower, float32 upper)
         WakeBodies();
         m_lowerTranslation = lower;
         m_upperTranslation = upper;
+        NoteChange();
         m_lowerImpulse = 0.0f;
         m_upperImpulse = 0.0f;
     }

@@ -161,6 +161,7 @@ void b2RevoluteJoint::EnableLimit(bool flag)
     {
         WakeBodies();
         m_enableLimit = flag;
+        NoteChange();
         m_lowerImpulse = 0.0f;
         m_upperImpulse = 0.0f;
     }
@@ -177,6 +178,7 @@ void b2RevoluteJoint::SetLimits(float32 lower, float32 upper)
         WakeBodies();
         m_lowerAngle = lower;
         m_upperAngle = upper;
+        NoteChange();
         m_lowerImpulse = 0.0f;
         m_upperImpulse = 0.0f;
     }

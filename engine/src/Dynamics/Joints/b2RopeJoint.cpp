@@ -96,6 +96,7 @@ void b2RopeJoint::SetMaxLength(float32 length)
     {
         WakeBodies();
         m_maxLength = length;
+        NoteChange();
     }
 }
 

@@ -110,6 +110,7 @@ void b2WeldJoint::SetFrequency(float32 hz)
     {
         WakeBodies();
         m_frequencyHz = hz;
+        NoteChange();
     }
 }
 

@@ -83,6 +83,7 @@ struct BodyData
     mutable std::int32_t jointLevel = 0;
     float32 energyOwed = 0.0f;  ///< its share of what its island has won, see EnergyGuard [J]
     float32 energyScale = 0.0f; ///< its largest kinetic energy of late, while it has joints [J]
+    std::uint32_t movedAt = 0;  ///< World::stepNumber when the program last moved it by hand
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 

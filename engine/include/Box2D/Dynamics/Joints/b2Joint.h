@@ -111,6 +111,8 @@ protected:
     /// One over the length of the last step, 0 before the first.
     float32 LastInverseStep() const;
     void WakeBodies();
+    /// After a change of what is held rigidly.
+    void NoteChange();
 
     b2JointType m_type;
     b2Joint* m_prev = nullptr;
@@ -119,9 +121,10 @@ protected:
     b2JointEdge m_edgeB;
     b2Body* m_bodyA;
     b2Body* m_bodyB;
-    int32 m_number = 0;       ///< in order of creation
-    int32 m_solverIndex = -1; ///< place among the joints that are solved, -1 when not
-    bool m_linked = false;    ///< joins its bodies' islands
+    int32 m_number = 0;            ///< in order of creation
+    int32 m_solverIndex = -1;      ///< place among the joints that are solved, -1 when not
+    std::uint32_t m_changedAt = 0; ///< the world's step when what it holds was changed by hand
+    bool m_linked = false;         ///< joins its bodies' islands
     bool m_collideConnected;
     void* m_userData;
 };

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "DirtyTiles.h"
+
+#include <render/Overlay.h>
+
+/// Which pixels differ between two overlays. Called by Renderer.
+namespace boxreel
+{
+
+/// Adds to `dirty` whatever may look different. `width`, `height`: of the picture [px].
+void AddDifference(const Overlay& last, const Overlay& next, int width, int height,
+                   DirtyTiles& dirty);
+
+} // namespace boxreel

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "Parts.h"
+
+#include "Convex.h"
+#include "Shaders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+// A part of up to this many pixels is drawn as it is. Cutting it would cost more: a quad takes as
+// long as some thousand pixels.
+constexpr double kSmallPart = 2000.0;
+
+// Each cut halves a part, so there are at most 2^kMostCuts of them.
+constexpr int kMostCuts = 5;
+
+// Of discs larger than this [px] the quad around is not drawn exactly any more: they are drawn as
+// the rectangle that shows. Other shapes have been clipped to the neighbourhood of the picture.
+constexpr float kVastRadius = 16384.0f;
+
+bool IsDrawnAsRectangle(ProgramKind kind, std::span<const float> attributes)
+{
+    return kind == ProgramKind::Glyph ||
+           (kind == ProgramKind::Disc && !(attributes[5] < kVastRadius));
+}
+
+Batches::Part PartOf(const PixelBounds& b)
+{
+    return {float(b.x0), float(b.y0), float(b.x1), float(b.y1)};
+}
+
+/// The quad that the shaders draw around a shape, as a polygon. The first attributes of all kinds
+/// that are shapes are centre, axis, and half extents or what they follow from.
+Convex QuadAround(ProgramKind kind, std::span<const float> a)
+{
+    const Point center{a[0], a[1]};
+    const Point axis{a[2], a[3]};
+    const bool isRound = kind == ProgramKind::Disc || kind == ProgramKind::Capsule;
+    const double along = isRound ? double(a[4]) + double(a[5]) : double(a[4]);
+    const Point u = (along + kQuadMargin) * axis;
+    const Point v = (double(a[5]) + kQuadMargin) * Point{-axis.y, axis.x};
+    Convex quad;
+    quad.Add(center - u - v);
+    quad.Add(center + u - v);
+    quad.Add(center + u + v);
+    quad.Add(center - u + v);
+    return quad;
+}
+
+/// The whole pixels around a polygon, as far as they lie in `within`.
+PixelBounds PixelsAround(const Convex& polygon, const PixelBounds& within)
+{
+    Point lower = polygon.corners[0];
+    Point upper = lower;
+    for (std::size_t i = 1; i < polygon.count; ++i)
+    {
+        lower = {std::min(lower.x, polygon.corners[i].x), std::min(lower.y, polygon.corners[i].y)};
+        upper = {std::max(upper.x, polygon.corners[i].x), std::max(upper.y, polygon.corners[i].y)};
+    }
+    // The polygon has been clipped to `within`, so nothing overflows.
+    return Intersection({int(std::floor(lower.x)), int(std::floor(lower.y)),
+                         int(std::ceil(upper.x)), int(std::ceil(upper.y))},
+                        within);
+}
+
+bool AddCut(const Instance& instance, std::span<const float> attributes, const Convex& quad,
+            const PixelBounds& within, int cuts, Batches& batches)
+{
+    const Convex inside =
+        Clip(quad, {double(within.x0), double(within.y0)}, {double(within.x1), double(within.y1)});
+    const PixelBounds part = inside.count < 3 ? PixelBounds{} : PixelsAround(inside, within);
+    if (part.IsEmpty())
+    {
+        return false;
+    }
+    const double area = double(part.Area());
+    if (area <= kSmallPart || area <= 2.0 * inside.Area() || cuts == 0)
+    {
+        batches.Add(instance.kind, part, PartOf(part), attributes);
+        return true;
+    }
+    PixelBounds first = part;
+    PixelBounds second = part;
+    if (part.x1 - part.x0 >= part.y1 - part.y0)
+    {
+        first.x1 = second.x0 = (part.x0 + part.x1) / 2;
+    }
+    else
+    {
+        first.y1 = second.y0 = (part.y0 + part.y1) / 2;
+    }
+    const bool drewFirst = AddCut(instance, attributes, quad, first, cuts - 1, batches);
+    const bool drewSecond = AddCut(instance, attributes, quad, second, cuts - 1, batches);
+    return drewFirst || drewSecond;
+}
+
+} // namespace
+
+void AddWhole(const Instances& all, const Instance& instance, Batches& batches)
+{
+    const std::span<const float> attributes = all.AttributesOf(instance);
+    const bool isRectangle = IsDrawnAsRectangle(instance.kind, attributes);
+    batches.Add(instance.kind, instance.bounds,
+                isRectangle ? PartOf(instance.bounds) : Batches::Part{}, attributes);
+}
+
+bool AddPart(const Instances& all, const Instance& instance, const PixelBounds& rectangle,
+             Batches& batches)
+{
+    const PixelBounds part = Intersection(instance.bounds, rectangle);
+    if (part.IsEmpty())
+    {
+        return false;
+    }
+    const std::span<const float> attributes = all.AttributesOf(instance);
+    if (part == instance.bounds)
+    {
+        AddWhole(all, instance, batches);
+        return true;
+    }
+    if (IsDrawnAsRectangle(instance.kind, attributes) || double(part.Area()) <= kSmallPart)
+    {
+        batches.Add(instance.kind, part, PartOf(part), attributes);
+        return true;
+    }
+    return AddCut(instance, attributes, QuadAround(instance.kind, attributes), part, kMostCuts,
+                  batches);
+}
+
+} // namespace boxreel

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "Trial.h"
+
+/// What docs/accuracy.md says of the manual's limitations and no case of the benchmark measures:
+/// with one step as it is there, with small steps within bounds.
+namespace
+{
+
+using namespace stability;
+
+STABILITY_SUITE(ManualLimits);
+
+/// Ten boards of 1 m x 0.1 m, welded end to end and to a post, let go level.
+TEST_P(ManualLimits, AShelfOfWeldedBoardsStaysLevel)
+{
+    Trial trial(GetParam());
+    b2Body* last = trial.Post();
+    for (int i = 0; i < 10; ++i)
+    {
+        b2Body* board = trial.Part(float32(i) + 0.5f, 0.0f, 0.5f, 0.05f);
+        trial.Weld(last, board, float32(i), 0.0f);
+        last = board;
+    }
+    double sag = 0.0;
+    trial.Run(20.0, [&](double) { sag = Worst(-double(last->GetPosition().y), sag); });
+    Judge("shelf of ten welded boards sags", GetParam(), 1000.0 * sag, "mm",
+          Bound(GetParam(), 0.01, 8000.0));
+}
+
+/// A ball at 10 m/s in a damping of 5 /s, for a second: v = 10 e^-5.
+TEST_P(ManualLimits, DampingDoesNotDependOnTheStep)
+{
+    struct Rate
+    {
+        int hz;
+        double oneStep, small; ///< bounds [%]
+    };
+    for (const Rate& rate : {Rate{30, 50.0, 0.5}, Rate{60, 25.0, 0.1}, Rate{240, 6.0, 0.02}})
+    {
+        Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
+        b2Body* ball = trial.Ball(0.0f, 0.0f);
+        ball->SetLinearDamping(5.0f);
+        ball->SetLinearVelocity(b2Vec2(10.0f, 0.0f));
+        for (int i = 0; i < rate.hz; ++i)
+        {
+            trial.world.Step(1.0f / float32(rate.hz), 8, 3);
+        }
+        const double truth = 10.0 * std::exp(-5.0);
+        Judge("damping of 5 /s at " + std::to_string(rate.hz) + " Hz, speed off", GetParam(),
+              100.0 * std::abs(double(ball->GetLinearVelocity().x) / truth - 1.0), "%",
+              Bound(GetParam(), rate.small, rate.oneStep));
+    }
+}
+
+/// Ten boxes of 1 m whose skins touch, and so many times the earth's gravity: how far the top one
+/// sinks in 20 s. In small steps it rises, by what is left of the slop.
+TEST_P(ManualLimits, AStackBearsTenTimesTheGravity)
+{
+    for (const float32 gravity : {10.0f, 100.0f})
+    {
+        Trial trial(GetParam(), b2Vec2(0.0f, -gravity));
+        trial.world.SetAllowSleeping(false);
+        trial.WideGround();
+        const std::vector<b2Body*> boxes = Stack(trial, 0.0f, 10);
+        const double start = double(boxes.back()->GetPosition().y);
+        trial.Run(20.0);
+        char name[64];
+        std::snprintf(name, sizeof name, "ten boxes at %g m/s^2, the top one sinks by",
+                      double(gravity));
+        Judge(name, GetParam(), 1000.0 * (start - double(boxes.back()->GetPosition().y)), "mm",
+              Bound(GetParam(), 1.0, 5.0));
+    }
+}
+
+/// The skins of the box and of the edge, less the slop that they overlap by.
+TEST_P(ManualLimits, ABoxRestsAboveAnEdge)
+{
+    Trial trial(GetParam());
+    b2EdgeShape edge;
+    edge.Set(b2Vec2(-5.0f, 0.0f), b2Vec2(5.0f, 0.0f));
+    Scene::Add(trial.Body(b2_staticBody, 0.0f, 0.0f), edge, 0.2f, 0.0f);
+    const b2Body* box = trial.Box(0.0f, 0.6f);
+    trial.Run(5.0);
+    const double above = 1000.0 * (double(box->GetPosition().y) - 0.5);
+    const double expected = 1000.0 * double(2.0f * b2_polygonRadius - b2_linearSlop);
+    Judge("a box rests above an edge by", GetParam(), above, "mm", expected + 0.5);
+    Judge("a box rests above an edge, off by", GetParam(), std::abs(above - expected), "mm", 0.5);
+}
+
+/// Two rods of 1 m x 0.1 m, hinged end to end, fly along themselves into a wall: how far the hinge
+/// opens, and for how many steps more than a slop. That stays with small steps.
+TEST_P(ManualLimits, AHingeOpensWhenAWallStopsOneOfItsBodies)
+{
+    for (const float32 speed : {20.0f, 100.0f})
+    {
+        Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
+        trial.Wall(5.0f, 0.5f);
+        b2Body* front = trial.Load(0.0f, 0.0f, 0.5f, 0.05f);
+        b2Body* back = trial.Load(-1.0f, 0.0f, 0.5f, 0.05f);
+        const b2Joint* hinge = trial.Hinge(front, back, -0.5f, 0.0f);
+        front->SetLinearVelocity(b2Vec2(speed, 0.0f));
+        back->SetLinearVelocity(b2Vec2(speed, 0.0f));
+        double widest = 0.0;
+        int steps = 0;
+        trial.Run(2.0, [&](double) {
+            widest = Worst(double(Gap(hinge)), widest);
+            steps += Gap(hinge) > b2_linearSlop;
+        });
+        char name[64];
+        std::snprintf(name, sizeof name, "two rods into a wall at %g m/s, hinge opens",
+                      double(speed));
+        // At most by the way of one step.
+        Judge(name, GetParam(), widest, "m", double(speed * kStep));
+        Judge(std::string(name) + " for", GetParam(), steps, "steps", 30.0);
+    }
+}
+
+} // namespace
