@@ -52,7 +52,7 @@ void Batches::FindTiles(const Footprint& footprint, const PixelBounds& bounds)
     }
 }
 
-std::size_t Batches::Place(ProgramKind kind)
+std::size_t Batches::Place(ProgramKind kind, Form form)
 {
     Age latest = 0;
     for (const Run& run : m_tiles)
@@ -62,9 +62,9 @@ std::size_t Batches::Place(ProgramKind kind)
             latest = std::max(latest, m_latest[tile]);
         }
     }
-    // The first batch of this kind that is executed after all that this instance covers.
+    // The first batch of this kind and form that is executed after all that this instance covers.
     const int least = m_first + std::max(int(latest) - 1, 0);
-    std::vector<int>& ofKind = m_ofKind[std::size_t(kind)];
+    std::vector<int>& ofKind = m_ofKind[std::size_t(kind) * kForms + std::size_t(form)];
     const auto found = std::lower_bound(ofKind.begin(), ofKind.end(), least);
     int batch = found == ofKind.end() ? int(m_used) : *found;
     if (found == ofKind.end())
@@ -72,6 +72,7 @@ std::size_t Batches::Place(ProgramKind kind)
         ofKind.push_back(batch);
         m_batches.resize(std::max(m_batches.size(), ++m_used));
         m_batches[std::size_t(batch)].kind = kind;
+        m_batches[std::size_t(batch)].form = form;
         m_batches[std::size_t(batch)].instances = 0;
         m_batches[std::size_t(batch)].data.clear();
     }
@@ -86,11 +87,11 @@ std::size_t Batches::Place(ProgramKind kind)
     return std::size_t(batch);
 }
 
-void Batches::Add(ProgramKind kind, const PixelBounds& bounds, const Part& part,
+void Batches::Add(ProgramKind kind, Form form, const PixelBounds& bounds, const Part& part,
                   std::span<const float> attributes)
 {
     FindTiles(Footprint(kind, bounds, attributes), bounds);
-    Batch& batch = m_batches[Place(kind)];
+    Batch& batch = m_batches[Place(kind, form)];
     batch.data.insert(batch.data.end(), part.begin(), part.end());
     batch.data.insert(batch.data.end(), attributes.begin(), attributes.end());
     ++batch.instances;

@@ -21,6 +21,7 @@ namespace boxreel
 struct Batch
 {
     ProgramKind kind = ProgramKind::Box;
+    Form form = Form::Quad;
     std::size_t instances = 0;
     std::vector<float> data; ///< the instances' parts and attributes, one after another
 };
@@ -32,13 +33,14 @@ public:
     void Clear(int width, int height);
 
     /// The first vector of an instance: the rectangle of pixels to draw of it. An empty one means
-    /// all of it, by the quad that lies closest around it.
+    /// all of it, by the quad that lies closest around it. As a square, the one around its middle
+    /// is drawn that holds it.
     using Part = std::array<float, 4>;
 
     /// Adds an instance that touches only pixels within `bounds` (not empty, inside the picture).
     /// It is drawn after everything added before whose Footprint shares a tile with its own; among
     /// strangers the order is free.
-    void Add(ProgramKind kind, const PixelBounds& bounds, const Part& part,
+    void Add(ProgramKind kind, Form form, const PixelBounds& bounds, const Part& part,
              std::span<const float> attributes);
 
     /// All that was added.
@@ -59,7 +61,7 @@ private:
 
     void StartOver(int first);
     void FindTiles(const Footprint& footprint, const PixelBounds& bounds);
-    std::size_t Place(ProgramKind kind);
+    std::size_t Place(ProgramKind kind, Form form);
 
     std::size_t m_columns = 0;
     std::vector<Run> m_tiles;  // of the instance in hand
@@ -68,7 +70,7 @@ private:
     std::vector<Batch> m_batches;
     std::size_t m_used = 0;
     std::size_t m_instances = 0;
-    std::array<std::vector<int>, kProgramKinds> m_ofKind; // batches of each kind, ascending
+    std::array<std::vector<int>, kProgramKinds * kForms> m_ofKind; // batches of each, ascending
 };
 
 } // namespace boxreel

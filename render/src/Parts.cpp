@@ -19,6 +19,10 @@ constexpr double kSmallPart = 2000.0;
 // Each cut halves a part, so there are at most 2^kMostCuts of them.
 constexpr int kMostCuts = 5;
 
+// Squares of larger sides [px] are two triangles: every GL has points of this size, and what is
+// saved gets less.
+constexpr int kMostSquare = 63;
+
 // Of discs larger than this [px] the quad around is not drawn exactly any more: they are drawn as
 // the rectangle that shows. Other shapes have been clipped to the neighbourhood of the picture.
 constexpr float kVastRadius = 16384.0f;
@@ -32,6 +36,13 @@ bool IsDrawnAsRectangle(ProgramKind kind, std::span<const float> attributes)
 Batches::Part PartOf(const PixelBounds& b)
 {
     return {float(b.x0), float(b.y0), float(b.x1), float(b.y1)};
+}
+
+/// A square around a disc is no larger than the quad around it. Polygons and boxes gain nothing.
+bool IsDrawnAsSquare(const Instance& instance)
+{
+    const PixelBounds& b = instance.bounds;
+    return instance.kind == ProgramKind::Disc && std::max(b.x1 - b.x0, b.y1 - b.y0) <= kMostSquare;
 }
 
 /// The quad that the shaders draw around a shape, as a polygon. The first attributes of all kinds
@@ -81,7 +92,7 @@ bool AddCut(const Instance& instance, std::span<const float> attributes, const C
     const double area = double(part.Area());
     if (area <= kSmallPart || area <= 2.0 * inside.Area() || cuts == 0)
     {
-        batches.Add(instance.kind, part, PartOf(part), attributes);
+        batches.Add(instance.kind, Form::Quad, part, PartOf(part), attributes);
         return true;
     }
     PixelBounds first = part;
@@ -104,8 +115,9 @@ bool AddCut(const Instance& instance, std::span<const float> attributes, const C
 void AddWhole(const Instances& all, const Instance& instance, Batches& batches)
 {
     const std::span<const float> attributes = all.AttributesOf(instance);
-    const bool isRectangle = IsDrawnAsRectangle(instance.kind, attributes);
-    batches.Add(instance.kind, instance.bounds,
+    const bool isSquare = IsDrawnAsSquare(instance);
+    const bool isRectangle = isSquare || IsDrawnAsRectangle(instance.kind, attributes);
+    batches.Add(instance.kind, isSquare ? Form::Square : Form::Quad, instance.bounds,
                 isRectangle ? PartOf(instance.bounds) : Batches::Part{}, attributes);
 }
 
@@ -125,7 +137,7 @@ bool AddPart(const Instances& all, const Instance& instance, const PixelBounds& 
     }
     if (IsDrawnAsRectangle(instance.kind, attributes) || double(part.Area()) <= kSmallPart)
     {
-        batches.Add(instance.kind, part, PartOf(part), attributes);
+        batches.Add(instance.kind, Form::Quad, part, PartOf(part), attributes);
         return true;
     }
     return AddCut(instance, attributes, QuadAround(instance.kind, attributes), part, kMostCuts,

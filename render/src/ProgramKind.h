@@ -23,4 +23,12 @@ enum class ProgramKind : std::uint8_t
 };
 inline constexpr std::size_t kProgramKinds = 10;
 
+/// What an instance is to GL.
+enum class Form : std::uint8_t
+{
+    Quad,  ///< two triangles
+    Square ///< a point, which lies straight: half the work, and none of it twice along a diagonal
+};
+inline constexpr std::size_t kForms = 2;
+
 } // namespace boxreel

@@ -215,8 +215,8 @@ bool Renderer::Impl::PlanParts()
     batches.Clear(settings.width, settings.height);
     for (const PixelBounds& r : rectangles)
     {
-        batches.Add(ProgramKind::Ground, r, {float(r.x0), float(r.y0), float(r.x1), float(r.y1)},
-                    background);
+        batches.Add(ProgramKind::Ground, Form::Quad, r,
+                    {float(r.x0), float(r.y0), float(r.x1), float(r.y1)}, background);
     }
     statistics.itemsDrawn = 0;
     for (std::size_t i = 0; i < instances.Items() && batches.Instances() <= most; ++i)

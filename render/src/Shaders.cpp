@@ -45,21 +45,28 @@ float Slab(float x, float h, vec4 k)
 // depends on its place alone, never on the quad, so a shape may be drawn in any parts with the same
 // bits.
 constexpr const char* kPart = R"(
-uniform samplerBuffer instances; // VECTORS for each four vertices
+uniform samplerBuffer instances; // VECTORS for each VERTICES vertices
 uniform int first;               // vector of the draw call
 uniform vec2 pixelToClip;        // 2 / size
 vec4 Attribute(int i)
 {
-    return texelFetch(instances, first + (gl_VertexID >> 2) * VECTORS + i);
+    return texelFetch(instances, first + gl_VertexID / VERTICES * VECTORS + i);
 }
 vec2 Corner()
 {
+#if VERTICES == 1
+    return vec2(0.5);
+#else
     return vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1);
+#endif
 }
 void PlacePart(vec4 part)
 {
     vec2 pixel = mix(part.xy, part.zw, Corner());
     gl_Position = vec4(pixel * pixelToClip - 1.0, 0.0, 1.0);
+#if VERTICES == 1
+    gl_PointSize = max(part.z - part.x, part.w - part.y);
+#endif
 }
 )";
 
@@ -327,8 +334,8 @@ std::string Define(const char* name, const std::string& value)
 /// Of quads that are placed by their number, with so many vectors each.
 ShaderSource QuadShader(int vectors, const std::string& vertex, const std::string& fragment)
 {
-    return {kVersion + Define("VECTORS", std::to_string(vectors)) + kPart + vertex,
-            kVersion + fragment, vectors};
+    return {Define("VECTORS", std::to_string(vectors)) + kPart + vertex, kVersion + fragment,
+            vectors};
 }
 
 ShaderSource ShapeShader(const char* reach, const std::string& fragment)
@@ -364,7 +371,11 @@ CornerSlots SlotsOf(ProgramKind polygon)
     }
 }
 
-ShaderSource InstancedShader(ProgramKind kind)
+namespace
+{
+
+/// Its vertex shader lacks the first lines.
+ShaderSource ShaderOf(ProgramKind kind)
 {
     switch (kind)
     {
@@ -387,6 +398,15 @@ ShaderSource InstancedShader(ProgramKind kind)
         break;
     }
     return QuadShader(4, kGlyphVertex, kGlyphFragment);
+}
+
+} // namespace
+
+ShaderSource InstancedShader(ProgramKind kind, Form form)
+{
+    ShaderSource source = ShaderOf(kind);
+    source.vertex = kVersion + Define("VERTICES", form == Form::Square ? "1" : "4") + source.vertex;
+    return source;
 }
 
 ShaderSource MeshShader()

@@ -27,7 +27,8 @@ TEST(Batches, GatherNeighboursOfAKindWhateverLiesBetweenInTheList)
     {
         const int x = i % 20 * 64;
         const int y = i / 20 % 11 * 64;
-        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Disc, {x, y, x + 20, y + 20}, {}, data);
+        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Disc, Form::Quad,
+                    {x, y, x + 20, y + 20}, {}, data);
     }
     EXPECT_LE(batches.All().size(), 10u);
 }
@@ -45,7 +46,8 @@ TEST(Batches, KeepTheOrderOfAllThatOverlaps)
             const int x = int(random() % 300);
             const int y = int(random() % 180);
             all.push_back({x, y, x + 1 + int(random() % 33), y + 1 + int(random() % 20)});
-            batches.Add(ProgramKind(random() % kProgramKinds), all.back(), {float(i)}, {});
+            batches.Add(ProgramKind(random() % kProgramKinds), Form(random() % kForms), all.back(),
+                        {float(i)}, {});
         }
         std::vector<int> order;
         for (const Batch& batch : batches.All())
@@ -79,12 +81,12 @@ TEST(Batches, TellApartNeighboursAtASlantWhoseBoundsOverlap)
     const std::array<float, 6> second{110.0f, 90.0f, slope, slope, 50.0f, 3.0f};
     const std::array<float, 6> across{100.0f, 95.0f, slope, -slope, 50.0f, 3.0f};
     const PixelBounds bounds{40, 40, 160, 160};
-    batches.Add(ProgramKind::Box, bounds, {}, first);
-    batches.Add(ProgramKind::Disc, {150, 40, 160, 50}, {}, {});
-    batches.Add(ProgramKind::Box, bounds, {}, second);
+    batches.Add(ProgramKind::Box, Form::Quad, bounds, {}, first);
+    batches.Add(ProgramKind::Disc, Form::Quad, {150, 40, 160, 50}, {}, {});
+    batches.Add(ProgramKind::Box, Form::Quad, bounds, {}, second);
     EXPECT_EQ(batches.All().size(), 2u) << "the boxes share a draw call";
-    batches.Add(ProgramKind::ThinBox, bounds, {}, across);
-    batches.Add(ProgramKind::Box, bounds, {}, first);
+    batches.Add(ProgramKind::ThinBox, Form::Quad, bounds, {}, across);
+    batches.Add(ProgramKind::Box, Form::Quad, bounds, {}, first);
     EXPECT_EQ(batches.All().size(), 4u) << "what crosses keeps its place";
 }
 
@@ -95,7 +97,8 @@ TEST(Batches, KeepTheOrderOfMoreDrawCallsThanATileCanCount)
     constexpr int kCount = 1000;
     for (int i = 0; i < kCount; ++i)
     {
-        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Disc, {0, 0, 10, 10}, {float(i)}, {});
+        batches.Add(i % 2 ? ProgramKind::Box : ProgramKind::Disc, Form::Quad, {0, 0, 10, 10},
+                    {float(i)}, {});
     }
     ASSERT_EQ(batches.All().size(), std::size_t(kCount));
     for (int i = 0; i < kCount; ++i)
