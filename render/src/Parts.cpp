@@ -16,6 +16,10 @@ namespace
 // long as some thousand pixels.
 constexpr double kSmallPart = 2000.0;
 
+// Of a small part, only these many rows at a time are looked at to find what an instance touches
+// [px].
+constexpr int kBand = 4;
+
 // Each cut halves a part, so there are at most 2^kMostCuts of them.
 constexpr int kMostCuts = 5;
 
@@ -112,6 +116,31 @@ bool AddCut(const Instance& instance, std::span<const float> attributes, const C
 
 } // namespace
 
+namespace
+{
+
+/// What of a rectangle within its bounds an instance can touch; may be empty.
+PixelBounds Tightened(const Instance& instance, std::span<const float> attributes,
+                      const PixelBounds& part)
+{
+    const Footprint footprint(instance.kind, instance.bounds, attributes);
+    PixelBounds tight{part.x1, part.y1, part.x0, part.y0};
+    for (int y = part.y0; y < part.y1; y += kBand)
+    {
+        const int end = std::min(y + kBand, part.y1);
+        const Footprint::Span span = footprint.Between(y, end);
+        const int x0 = std::max(span.x0, part.x0);
+        const int x1 = std::min(span.x1, part.x1);
+        if (x0 < x1)
+        {
+            tight = {std::min(tight.x0, x0), std::min(tight.y0, y), std::max(tight.x1, x1), end};
+        }
+    }
+    return tight;
+}
+
+} // namespace
+
 void AddWhole(const Instances& all, const Instance& instance, Batches& batches)
 {
     const std::span<const float> attributes = all.AttributesOf(instance);
@@ -124,16 +153,24 @@ void AddWhole(const Instances& all, const Instance& instance, Batches& batches)
 bool AddPart(const Instances& all, const Instance& instance, const PixelBounds& rectangle,
              Batches& batches)
 {
-    const PixelBounds part = Intersection(instance.bounds, rectangle);
+    PixelBounds part = Intersection(instance.bounds, rectangle);
     if (part.IsEmpty())
     {
         return false;
     }
-    const std::span<const float> attributes = all.AttributesOf(instance);
     if (part == instance.bounds)
     {
         AddWhole(all, instance, batches);
         return true;
+    }
+    const std::span<const float> attributes = all.AttributesOf(instance);
+    if (double(part.Area()) <= kSmallPart)
+    {
+        part = Tightened(instance, attributes, part);
+        if (part.IsEmpty())
+        {
+            return false;
+        }
     }
     if (IsDrawnAsRectangle(instance.kind, attributes) || double(part.Area()) <= kSmallPart)
     {
