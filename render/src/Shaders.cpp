@@ -233,8 +233,8 @@ void main()
 }
 )";
 
-// The loop runs once or not at all: the one way to make a software rasteriser step over pixels that
-// are all fill.
+// Everything is computed for all pixels, those of the core too: a loop that runs for some of them
+// only costs a software rasteriser more than it skips.
 constexpr const char* kPolygonFragment = R"(
 flat in vec4 stroke; // premultiplied
 flat in vec4 fill;   // premultiplied
@@ -245,28 +245,24 @@ layout(location = 0) out vec4 color;
 void main()
 {
     vec2 p = gl_FragCoord.xy - core.xy;
-    float outer = 1.0;
-    float inner = 1.0;
-    for (int turn = dot(p, p) < core.z ? 1 : 0; turn < 1; ++turn)
+    vec4 pixel = (gl_FragCoord.xy - 0.5).xyxy;
+    float outer = 0.0;
+    float inner = 0.0;
+    for (int i = 0; i < OUTER / 2; ++i)
     {
-        vec4 pixel = (gl_FragCoord.xy - 0.5).xyxy;
-        outer = 0.0;
-        inner = 0.0;
-        for (int i = 0; i < OUTER / 2; ++i)
-        {
-            vec4 here = corners[i] - pixel;
-            vec2 next = corners[i + 1 < OUTER / 2 ? i + 1 : 0].xy - pixel.xy;
-            outer += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
-        }
-        for (int i = OUTER / 2; i < (OUTER + INNER) / 2; ++i)
-        {
-            vec4 here = corners[i] - pixel;
-            vec2 next = corners[i + 1 < (OUTER + INNER) / 2 ? i + 1 : OUTER / 2].xy - pixel.xy;
-            inner += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
-        }
-        outer = min(abs(outer), 1.0);
-        inner = min(abs(inner), outer);
+        vec4 here = corners[i] - pixel;
+        vec2 next = corners[i + 1 < OUTER / 2 ? i + 1 : 0].xy - pixel.xy;
+        outer += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
     }
+    for (int i = OUTER / 2; i < (OUTER + INNER) / 2; ++i)
+    {
+        vec4 here = corners[i] - pixel;
+        vec2 next = corners[i + 1 < (OUTER + INNER) / 2 ? i + 1 : OUTER / 2].xy - pixel.xy;
+        inner += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
+    }
+    bool isCore = dot(p, p) < core.z;
+    outer = isCore ? 1.0 : min(abs(outer), 1.0);
+    inner = isCore ? 1.0 : min(abs(inner), outer);
     color = stroke * (outer - inner) + fill * inner;
 }
 )";
