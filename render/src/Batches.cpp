@@ -22,7 +22,6 @@ void Batches::Clear(int width, int height)
 {
     m_columns = std::size_t((width - 1) >> kTileShift) + 1;
     m_latest.resize(m_columns * (std::size_t((height - 1) >> kTileShift) + 1));
-    StartOver(0);
     for (std::vector<int>& batches : m_ofKind)
     {
         batches.clear();
@@ -90,6 +89,10 @@ std::size_t Batches::Place(ProgramKind kind, Form form)
 void Batches::Add(ProgramKind kind, Form form, const PixelBounds& bounds, const Part& part,
                   std::span<const float> attributes)
 {
+    if (m_instances == 0)
+    {
+        StartOver(0);
+    }
     FindTiles(Footprint(kind, bounds, attributes), bounds);
     Batch& batch = m_batches[Place(kind, form)];
     batch.data.insert(batch.data.end(), part.begin(), part.end());
