@@ -120,8 +120,11 @@ TEST(SceneLayers, OfAViewGiveThePictureThatAllOfTheWorldGives)
         const Theme theme = seed % 2 == 0 ? Theme::Classic() : Theme::Print();
         Camera size{.width = 160, .height = 120};
         const Camera pixels = Scaled(size, scale);
-        Result<Renderer> renderer = Renderer::Create(
-            {.width = pixels.width, .height = pixels.height, .theme = theme, .scale = scale});
+        Result<Renderer> renderer = Renderer::Create({.width = pixels.width,
+                                                      .height = pixels.height,
+                                                      .theme = theme,
+                                                      .scale = scale,
+                                                      .redrawsWhole = true});
         ASSERT_TRUE(renderer) << renderer.GetError().message;
         for (int i = 0; i < 6; ++i)
         {
