@@ -12,12 +12,11 @@ int main()
     b2World world(b2Vec2(0.0f, -10.0f));
     b2PolygonShape box;
     box.SetAsBox(1.0f, 1.0f, b2Vec2(4.0f, 1.0f), 0.0f);
-    b2BodyDef fixed;
-    world.CreateBody(&fixed)->CreateFixture(&box, 0.0f);
-    b2BodyDef thrown;
-    thrown.type = b2_dynamicBody;
-    thrown.linearVelocity.Set(8.0f, 9.0f);
-    b2Body* ball = world.CreateBody(&thrown);
+    b2BodyDef body;
+    world.CreateBody(&body)->CreateFixture(&box, 0.0f);
+    body.type = b2_dynamicBody;
+    body.linearVelocity.Set(8.0f, 9.0f);
+    b2Body* ball = world.CreateBody(&body);
     b2CircleShape round;
     round.m_radius = 0.5f;
     ball->CreateFixture(&round, 1.0f);
@@ -38,11 +37,8 @@ int main()
 
     boxreel::Frame frame;
     auto renderer = boxreel::Renderer::Create({.width = camera.width, .height = camera.height});
-    if (!renderer || !renderer->Draw(list, camera, frame) ||
-        !WritePng("ball.png", frame, {.overwrite = true}))
-    {
-        return 1;
-    }
+    const bool drawn = renderer && renderer->Draw(list, camera, frame) &&
+                       WritePng("ball.png", frame, {.overwrite = true});
     const auto sheet = boxreel::SheetOf({{list, camera}}, {.axes = true, .caption = "A throw."});
-    return WriteSvg("ball.svg", sheet, {.overwrite = true}) ? 0 : 1;
+    return drawn && WriteSvg("ball.svg", sheet, {.overwrite = true}) ? 0 : 1;
 }

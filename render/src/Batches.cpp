@@ -2,23 +2,26 @@
 #include "Batches.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace boxreel
 {
 namespace
 {
 
-// Smaller tiles tell more neighbours apart, larger ones are fewer to look at; a shape of usual size
-// touches one to four of these.
-constexpr int kTileShift = 5;
+// Smaller tiles tell more neighbours apart, larger ones are fewer to look at. A draw call costs as
+// much as some thousand tiles.
+constexpr int kTileShift = 1;
+
+// More batches than this after m_first cannot be told from each other.
+constexpr int kMostAge = std::numeric_limits<std::uint8_t>::max();
 
 } // namespace
 
 void Batches::Clear(int width, int height)
 {
-    m_columns = ((width - 1) >> kTileShift) + 1;
-    const int rows = ((height - 1) >> kTileShift) + 1;
-    m_latest.assign(std::size_t(m_columns) * std::size_t(rows), -1);
+    m_columns = std::size_t((width - 1) >> kTileShift) + 1;
+    m_latest.resize(m_columns * (std::size_t((height - 1) >> kTileShift) + 1));
     for (std::vector<int>& batches : m_ofKind)
     {
         batches.clear();
@@ -27,44 +30,71 @@ void Batches::Clear(int width, int height)
     m_instances = 0;
 }
 
-std::size_t Batches::Place(ProgramKind kind, const PixelBounds& bounds)
+void Batches::StartOver(int first)
 {
-    const int column0 = bounds.x0 >> kTileShift;
-    const int column1 = (bounds.x1 - 1) >> kTileShift;
-    const int row0 = bounds.y0 >> kTileShift;
-    const int row1 = (bounds.y1 - 1) >> kTileShift;
+    m_first = first;
+    std::fill(m_latest.begin(), m_latest.end(), Age(0));
+}
 
-    // The batches that are executed after all that this instance covers, and the first such of its
-    // kind.
-    int latest = -1;
-    for (int row = row0; row <= row1; ++row)
+void Batches::FindTiles(const Footprint& footprint, const PixelBounds& bounds)
+{
+    m_tiles.clear();
+    for (int row = bounds.y0 >> kTileShift; row <= (bounds.y1 - 1) >> kTileShift; ++row)
     {
-        const int* const tiles = m_latest.data() + row * m_columns;
-        latest = std::max(latest, *std::max_element(tiles + column0, tiles + column1 + 1));
+        const Footprint::Span span = footprint.Between(row << kTileShift, (row + 1) << kTileShift);
+        if (span.x0 < span.x1)
+        {
+            const std::size_t first = std::size_t(row) * m_columns;
+            m_tiles.push_back({first + std::size_t(span.x0 >> kTileShift),
+                               first + std::size_t((span.x1 - 1) >> kTileShift) + 1});
+        }
     }
-    std::vector<int>& ofKind = m_ofKind[std::size_t(kind)];
-    const auto found = std::lower_bound(ofKind.begin(), ofKind.end(), latest);
+}
+
+std::size_t Batches::Place(ProgramKind kind, Form form)
+{
+    Age latest = 0;
+    for (const Run& run : m_tiles)
+    {
+        for (std::size_t tile = run.begin; tile < run.end; ++tile)
+        {
+            latest = std::max(latest, m_latest[tile]);
+        }
+    }
+    // The first batch of this kind and form that is executed after all that this instance covers.
+    const int least = m_first + std::max(int(latest) - 1, 0);
+    std::vector<int>& ofKind = m_ofKind[std::size_t(kind) * kForms + std::size_t(form)];
+    const auto found = std::lower_bound(ofKind.begin(), ofKind.end(), least);
     int batch = found == ofKind.end() ? int(m_used) : *found;
     if (found == ofKind.end())
     {
         ofKind.push_back(batch);
         m_batches.resize(std::max(m_batches.size(), ++m_used));
         m_batches[std::size_t(batch)].kind = kind;
+        m_batches[std::size_t(batch)].form = form;
         m_batches[std::size_t(batch)].instances = 0;
         m_batches[std::size_t(batch)].data.clear();
     }
-    for (int row = row0; row <= row1; ++row)
+    if (batch - m_first >= kMostAge)
     {
-        int* const tiles = m_latest.data() + row * m_columns;
-        std::fill(tiles + column0, tiles + column1 + 1, batch);
+        StartOver(batch);
+    }
+    for (const Run& run : m_tiles)
+    {
+        std::fill(m_latest.data() + run.begin, m_latest.data() + run.end, Age(batch - m_first + 1));
     }
     return std::size_t(batch);
 }
 
-void Batches::Add(ProgramKind kind, const PixelBounds& bounds, const Part& part,
+void Batches::Add(ProgramKind kind, Form form, const PixelBounds& bounds, const Part& part,
                   std::span<const float> attributes)
 {
-    Batch& batch = m_batches[Place(kind, bounds)];
+    if (m_instances == 0)
+    {
+        StartOver(0);
+    }
+    FindTiles(Footprint(kind, bounds, attributes), bounds);
+    Batch& batch = m_batches[Place(kind, form)];
     batch.data.insert(batch.data.end(), part.begin(), part.end());
     batch.data.insert(batch.data.end(), attributes.begin(), attributes.end());
     ++batch.instances;

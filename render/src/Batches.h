@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Footprint.h"
+#include "ProgramKind.h"
+
 #include <render/Frame.h>
 
 #include <array>
@@ -14,26 +17,11 @@
 namespace boxreel
 {
 
-/// What a batch is drawn with. Pixels pay for whatever a program can do, so each does little.
-enum class ProgramKind : std::uint8_t
-{
-    Ground,       ///< wipes out what is below it
-    Box,          ///< whose inside is wider than a pixel
-    ThinBox,      ///< or not, or that has none: lines too
-    Disc,         ///< and rings
-    Capsule,      ///< thick lines
-    SmallPolygon, ///< by the number of corners (SlotsOf)
-    Hexagon,
-    Polygon,
-    LargePolygon,
-    Glyph,
-};
-inline constexpr std::size_t kProgramKinds = 10;
-
 /// One draw call: instances of one kind, in painter's order.
 struct Batch
 {
     ProgramKind kind = ProgramKind::Box;
+    Form form = Form::Quad;
     std::size_t instances = 0;
     std::vector<float> data; ///< the instances' parts and attributes, one after another
 };
@@ -45,13 +33,14 @@ public:
     void Clear(int width, int height);
 
     /// The first vector of an instance: the rectangle of pixels to draw of it. An empty one means
-    /// all of it, by the quad that lies closest around it.
+    /// all of it, by the quad that lies closest around it. As a square, the one around its middle
+    /// is drawn that holds it.
     using Part = std::array<float, 4>;
 
     /// Adds an instance that touches only pixels within `bounds` (not empty, inside the picture).
-    /// It is drawn after everything added before that shares a tile with it; among strangers the
-    /// order is free.
-    void Add(ProgramKind kind, const PixelBounds& bounds, const Part& part,
+    /// It is drawn after everything added before whose Footprint shares a tile with its own; among
+    /// strangers the order is free.
+    void Add(ProgramKind kind, Form form, const PixelBounds& bounds, const Part& part,
              std::span<const float> attributes);
 
     /// All that was added.
@@ -60,14 +49,28 @@ public:
     std::span<const Batch> All() const { return {m_batches.data(), m_used}; }
 
 private:
-    std::size_t Place(ProgramKind kind, const PixelBounds& bounds);
+    /// Tiles of a row, in m_latest.
+    struct Run
+    {
+        std::size_t begin;
+        std::size_t end;
+    };
+    /// The batch m_first + age - 1; 0: one before m_first, or none. Small, so that many tiles fit
+    /// into the caches.
+    using Age = std::uint8_t;
 
-    int m_columns = 0;
-    std::vector<int> m_latest; // per tile: the last batch that draws into it, -1 for none
+    void StartOver(int first);
+    void FindTiles(const Footprint& footprint, const PixelBounds& bounds);
+    std::size_t Place(ProgramKind kind, Form form);
+
+    std::size_t m_columns = 0;
+    std::vector<Run> m_tiles;  // of the instance in hand
+    std::vector<Age> m_latest; // per tile: the last batch that draws into it, from m_first on
+    int m_first = 0;           // nothing more is added to the batches before it
     std::vector<Batch> m_batches;
     std::size_t m_used = 0;
     std::size_t m_instances = 0;
-    std::array<std::vector<int>, kProgramKinds> m_ofKind; // batches of each kind, ascending
+    std::array<std::vector<int>, kProgramKinds * kForms> m_ofKind; // batches of each, ascending
 };
 
 } // namespace boxreel

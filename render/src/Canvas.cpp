@@ -59,9 +59,9 @@ Canvas::~Canvas()
             m_gl.DeleteProgram(program->program);
         }
     };
-    for (const std::optional<Program>& program : m_programs)
+    for (const auto& ofKind : m_programs)
     {
-        drop(program);
+        std::for_each(ofKind.begin(), ofKind.end(), drop);
     }
     drop(m_mesh);
     const GLuint arrays[] = {m_quadArray, m_meshArray};
@@ -92,6 +92,7 @@ Result<void> Canvas::MakeTarget()
     }
     m_gl.Viewport(0, 0, m_width, m_height);
     m_gl.Disable(GL_DITHER);
+    m_gl.Enable(GL_PROGRAM_POINT_SIZE);
     m_gl.Enable(GL_BLEND);
     m_gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -154,12 +155,12 @@ Result<Canvas::Program> Canvas::Link(const ShaderSource& source)
     return made;
 }
 
-Result<const Canvas::Program*> Canvas::Need(ProgramKind kind)
+Result<const Canvas::Program*> Canvas::Need(ProgramKind kind, Form form)
 {
-    std::optional<Program>& program = m_programs[std::size_t(kind)];
+    std::optional<Program>& program = m_programs[std::size_t(kind)][std::size_t(form)];
     if (!program)
     {
-        Result<Program> made = Link(InstancedShader(kind));
+        Result<Program> made = Link(InstancedShader(kind, form));
         if (!made)
         {
             return made.GetError();
@@ -299,12 +300,12 @@ Result<void> Canvas::DrawFitting(std::span<const Batch> batches)
     first = 0;
     for (const Batch& batch : batches)
     {
-        const Result<const Program*> program = Need(batch.kind);
+        const Result<const Program*> program = Need(batch.kind, batch.form);
         if (!program)
         {
             return program.GetError();
         }
-        DrawInstances(batch.kind, **program, first, batch.instances);
+        DrawInstances(batch, **program, first, batch.instances);
         first += VectorsOf(batch);
     }
     return {};
@@ -313,7 +314,7 @@ Result<void> Canvas::DrawFitting(std::span<const Batch> batches)
 /// For a GL whose textures are too short for a whole picture's instances.
 Result<void> Canvas::DrawSliced(const Batch& batch)
 {
-    const Result<const Program*> program = Need(batch.kind);
+    const Result<const Program*> program = Need(batch.kind, batch.form);
     if (!program)
     {
         return program.GetError();
@@ -326,22 +327,29 @@ Result<void> Canvas::DrawSliced(const Batch& batch)
         MakeRoom(count * vectors);
         m_gl.BufferSubData(GL_TEXTURE_BUFFER, 0, GLsizeiptr(count * vectors * kVectorBytes),
                            batch.data.data() + done * vectors * 4);
-        DrawInstances(batch.kind, **program, 0, count);
+        DrawInstances(batch, **program, 0, count);
     }
     return {};
 }
 
-void Canvas::DrawInstances(ProgramKind kind, const Program& program, std::size_t first,
+void Canvas::DrawInstances(const Batch& batch, const Program& program, std::size_t first,
                            std::size_t count)
 {
     m_gl.UseProgram(program.program);
     m_gl.Uniform1i(program.first, GLint(first));
-    const bool wipes = kind == ProgramKind::Ground;
+    const bool wipes = batch.kind == ProgramKind::Ground;
     if (wipes)
     {
         m_gl.Disable(GL_BLEND);
     }
-    m_gl.DrawElements(GL_TRIANGLES, GLsizei(6 * count), GL_UNSIGNED_INT, nullptr);
+    if (batch.form == Form::Square)
+    {
+        m_gl.DrawArrays(GL_POINTS, 0, GLsizei(count));
+    }
+    else
+    {
+        m_gl.DrawElements(GL_TRIANGLES, GLsizei(6 * count), GL_UNSIGNED_INT, nullptr);
+    }
     if (wipes)
     {
         m_gl.Enable(GL_BLEND);

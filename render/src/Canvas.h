@@ -55,14 +55,14 @@ private:
     Result<void> MakeTarget();
     Result<GLuint> Compile(GLenum stage, const std::string& source);
     Result<Program> Link(const ShaderSource& source);
-    Result<const Program*> Need(ProgramKind kind);
+    Result<const Program*> Need(ProgramKind kind, Form form);
     Result<const Program*> NeedMesh();
     void NeedFont();
     void NeedQuads(std::size_t count);
     Result<void> DrawFitting(std::span<const Batch> batches);
     Result<void> DrawSliced(const Batch& batch);
     void MakeRoom(std::size_t vectors);
-    void DrawInstances(ProgramKind kind, const Program& program, std::size_t first,
+    void DrawInstances(const Batch& batch, const Program& program, std::size_t first,
                        std::size_t count);
 
     GlFunctions m_gl;
@@ -81,7 +81,7 @@ private:
     GLuint m_meshVertices = 0;
     GLuint m_meshIndices = 0;
     GLuint m_font = 0;
-    std::array<std::optional<Program>, kProgramKinds> m_programs;
+    std::array<std::array<std::optional<Program>, kForms>, kProgramKinds> m_programs;
     std::optional<Program> m_mesh;
 };
 

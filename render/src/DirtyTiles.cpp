@@ -45,6 +45,7 @@ void DirtyTiles::Add(const PixelBounds& bounds)
     }
     const int row0 = bounds.y0 / kSize;
     const int row1 = (bounds.y1 - 1) / kSize + 1;
+    m_isAll |= bounds == PixelBounds{0, 0, m_width, m_height};
     m_firstRow = IsEmpty() ? row0 : std::min(m_firstRow, row0);
     m_lastRow = std::max(m_lastRow, row1);
     for (int row = row0; row < row1; ++row)
@@ -63,6 +64,7 @@ void DirtyTiles::Clear()
     std::fill(Row(m_firstRow), Row(m_firstRow) + (m_lastRow - m_firstRow) * m_columns, Tile(0));
     m_firstRow = 0;
     m_lastRow = 0;
+    m_isAll = false;
 }
 
 bool DirtyTiles::Touches(const PixelBounds& bounds) const
@@ -111,6 +113,11 @@ void DirtyTiles::Widen(int row, int neighbour, int gap)
 void DirtyTiles::Gather(int gap, std::vector<PixelBounds>& rectangles)
 {
     rectangles.clear();
+    if (m_isAll)
+    {
+        rectangles.push_back({0, 0, m_width, m_height});
+        return;
+    }
     for (int row = m_firstRow; row < m_lastRow; ++row)
     {
         CloseGaps(row, gap);

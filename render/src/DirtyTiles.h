@@ -51,6 +51,7 @@ private:
     int m_rows;
     int m_firstRow = 0;        // all dirty tiles are in these rows
     int m_lastRow = 0;         // excluded
+    bool m_isAll = false;      // added in one piece
     std::vector<Tile> m_tiles; // 0 or 1
 };
 

@@ -38,6 +38,7 @@ namespace boxreel
     F(DELETETEXTURES, DeleteTextures)                                                              \
     F(DELETEVERTEXARRAYS, DeleteVertexArrays)                                                      \
     F(DISABLE, Disable)                                                                            \
+    F(DRAWARRAYS, DrawArrays)                                                                      \
     F(DRAWELEMENTS, DrawElements)                                                                  \
     F(ENABLE, Enable)                                                                              \
     F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                                            \

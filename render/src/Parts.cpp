@@ -16,8 +16,16 @@ namespace
 // long as some thousand pixels.
 constexpr double kSmallPart = 2000.0;
 
+// Of a small part, only these many rows at a time are looked at to find what an instance touches
+// [px].
+constexpr int kBand = 4;
+
 // Each cut halves a part, so there are at most 2^kMostCuts of them.
 constexpr int kMostCuts = 5;
+
+// Squares of larger sides [px] are two triangles: every GL has points of this size, and what is
+// saved gets less.
+constexpr int kMostSquare = 63;
 
 // Of discs larger than this [px] the quad around is not drawn exactly any more: they are drawn as
 // the rectangle that shows. Other shapes have been clipped to the neighbourhood of the picture.
@@ -32,6 +40,13 @@ bool IsDrawnAsRectangle(ProgramKind kind, std::span<const float> attributes)
 Batches::Part PartOf(const PixelBounds& b)
 {
     return {float(b.x0), float(b.y0), float(b.x1), float(b.y1)};
+}
+
+/// A square around a disc is no larger than the quad around it. Polygons and boxes gain nothing.
+bool IsDrawnAsSquare(const Instance& instance)
+{
+    const PixelBounds& b = instance.bounds;
+    return instance.kind == ProgramKind::Disc && std::max(b.x1 - b.x0, b.y1 - b.y0) <= kMostSquare;
 }
 
 /// The quad that the shaders draw around a shape, as a polygon. The first attributes of all kinds
@@ -81,7 +96,7 @@ bool AddCut(const Instance& instance, std::span<const float> attributes, const C
     const double area = double(part.Area());
     if (area <= kSmallPart || area <= 2.0 * inside.Area() || cuts == 0)
     {
-        batches.Add(instance.kind, part, PartOf(part), attributes);
+        batches.Add(instance.kind, Form::Quad, part, PartOf(part), attributes);
         return true;
     }
     PixelBounds first = part;
@@ -101,31 +116,65 @@ bool AddCut(const Instance& instance, std::span<const float> attributes, const C
 
 } // namespace
 
+namespace
+{
+
+/// What of a rectangle within its bounds an instance can touch; may be empty.
+PixelBounds Tightened(const Instance& instance, std::span<const float> attributes,
+                      const PixelBounds& part)
+{
+    const Footprint footprint(instance.kind, instance.bounds, attributes);
+    PixelBounds tight{part.x1, part.y1, part.x0, part.y0};
+    for (int y = part.y0; y < part.y1; y += kBand)
+    {
+        const int end = std::min(y + kBand, part.y1);
+        const Footprint::Span span = footprint.Between(y, end);
+        const int x0 = std::max(span.x0, part.x0);
+        const int x1 = std::min(span.x1, part.x1);
+        if (x0 < x1)
+        {
+            tight = {std::min(tight.x0, x0), std::min(tight.y0, y), std::max(tight.x1, x1), end};
+        }
+    }
+    return tight;
+}
+
+} // namespace
+
 void AddWhole(const Instances& all, const Instance& instance, Batches& batches)
 {
     const std::span<const float> attributes = all.AttributesOf(instance);
-    const bool isRectangle = IsDrawnAsRectangle(instance.kind, attributes);
-    batches.Add(instance.kind, instance.bounds,
+    const bool isSquare = IsDrawnAsSquare(instance);
+    const bool isRectangle = isSquare || IsDrawnAsRectangle(instance.kind, attributes);
+    batches.Add(instance.kind, isSquare ? Form::Square : Form::Quad, instance.bounds,
                 isRectangle ? PartOf(instance.bounds) : Batches::Part{}, attributes);
 }
 
 bool AddPart(const Instances& all, const Instance& instance, const PixelBounds& rectangle,
              Batches& batches)
 {
-    const PixelBounds part = Intersection(instance.bounds, rectangle);
+    PixelBounds part = Intersection(instance.bounds, rectangle);
     if (part.IsEmpty())
     {
         return false;
     }
-    const std::span<const float> attributes = all.AttributesOf(instance);
     if (part == instance.bounds)
     {
         AddWhole(all, instance, batches);
         return true;
     }
+    const std::span<const float> attributes = all.AttributesOf(instance);
+    if (double(part.Area()) <= kSmallPart)
+    {
+        part = Tightened(instance, attributes, part);
+        if (part.IsEmpty())
+        {
+            return false;
+        }
+    }
     if (IsDrawnAsRectangle(instance.kind, attributes) || double(part.Area()) <= kSmallPart)
     {
-        batches.Add(instance.kind, part, PartOf(part), attributes);
+        batches.Add(instance.kind, Form::Quad, part, PartOf(part), attributes);
         return true;
     }
     return AddCut(instance, attributes, QuadAround(instance.kind, attributes), part, kMostCuts,

@@ -58,6 +58,30 @@ Result<void> CheckCamera(const Camera& camera, const RendererSettings& settings)
     return {};
 }
 
+Result<void> CheckOverlay(const Overlay& overlay)
+{
+    for (const OverlayCommand& command : overlay.commands)
+    {
+        const std::uint64_t end = std::uint64_t(command.firstIndex) + command.indexCount;
+        if (end > overlay.indices.size())
+        {
+            return Error{ErrorKind::Unusable,
+                         "a command of the overlay draws up to index " + std::to_string(end) +
+                             ", but it has " + std::to_string(overlay.indices.size()) +
+                             "; let firstIndex + indexCount lie within its indices"};
+        }
+    }
+    const auto most = std::max_element(overlay.indices.begin(), overlay.indices.end());
+    if (most != overlay.indices.end() && *most >= overlay.vertices.size())
+    {
+        return Error{ErrorKind::Unusable, "an index of the overlay names vertex " +
+                                              std::to_string(*most) + ", but it has " +
+                                              std::to_string(overlay.vertices.size()) +
+                                              "; count its vertices from 0"};
+    }
+    return {};
+}
+
 /// Premultiplied, 0 to 1. A product of two bytes never lies halfway between two steps of 1 / 255,
 /// so whoever writes it, clearing or drawing, rounds it to the same bits.
 std::array<float, 4> Premultiplied(Color color)
@@ -215,8 +239,8 @@ bool Renderer::Impl::PlanParts()
     batches.Clear(settings.width, settings.height);
     for (const PixelBounds& r : rectangles)
     {
-        batches.Add(ProgramKind::Ground, r, {float(r.x0), float(r.y0), float(r.x1), float(r.y1)},
-                    background);
+        batches.Add(ProgramKind::Ground, Form::Quad, r,
+                    {float(r.x0), float(r.y0), float(r.x1), float(r.y1)}, background);
     }
     statistics.itemsDrawn = 0;
     for (std::size_t i = 0; i < instances.Items() && batches.Instances() <= most; ++i)
@@ -228,6 +252,10 @@ bool Renderer::Impl::PlanParts()
             {
                 for (const PixelBounds& rectangle : rectangles)
                 {
+                    if (rectangle.y0 >= instance.bounds.y1)
+                    {
+                        break; // as do all others, sorted by y0
+                    }
                     isDrawn |= AddPart(instances, instance, rectangle, batches);
                 }
             }
@@ -357,6 +385,10 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
     Impl& impl = *m_impl;
     const Overlay& top = overlay ? *overlay : kNothing;
     if (Result<void> checked = CheckCamera(camera, impl.settings); !checked)
+    {
+        return checked;
+    }
+    if (Result<void> checked = CheckOverlay(top); !checked)
     {
         return checked;
     }

@@ -45,21 +45,28 @@ float Slab(float x, float h, vec4 k)
 // depends on its place alone, never on the quad, so a shape may be drawn in any parts with the same
 // bits.
 constexpr const char* kPart = R"(
-uniform samplerBuffer instances; // VECTORS for each four vertices
+uniform samplerBuffer instances; // VECTORS for each VERTICES vertices
 uniform int first;               // vector of the draw call
 uniform vec2 pixelToClip;        // 2 / size
 vec4 Attribute(int i)
 {
-    return texelFetch(instances, first + (gl_VertexID >> 2) * VECTORS + i);
+    return texelFetch(instances, first + gl_VertexID / VERTICES * VECTORS + i);
 }
 vec2 Corner()
 {
+#if VERTICES == 1
+    return vec2(0.5);
+#else
     return vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1);
+#endif
 }
 void PlacePart(vec4 part)
 {
     vec2 pixel = mix(part.xy, part.zw, Corner());
     gl_Position = vec4(pixel * pixelToClip - 1.0, 0.0, 1.0);
+#if VERTICES == 1
+    gl_PointSize = max(part.z - part.x, part.w - part.y);
+#endif
 }
 )";
 
@@ -226,8 +233,8 @@ void main()
 }
 )";
 
-// The loop runs once or not at all: the one way to make a software rasteriser step over pixels that
-// are all fill.
+// Everything is computed for all pixels, those of the core too: a loop that runs for some of them
+// only costs a software rasteriser more than it skips.
 constexpr const char* kPolygonFragment = R"(
 flat in vec4 stroke; // premultiplied
 flat in vec4 fill;   // premultiplied
@@ -238,28 +245,24 @@ layout(location = 0) out vec4 color;
 void main()
 {
     vec2 p = gl_FragCoord.xy - core.xy;
-    float outer = 1.0;
-    float inner = 1.0;
-    for (int turn = dot(p, p) < core.z ? 1 : 0; turn < 1; ++turn)
+    vec4 pixel = (gl_FragCoord.xy - 0.5).xyxy;
+    float outer = 0.0;
+    float inner = 0.0;
+    for (int i = 0; i < OUTER / 2; ++i)
     {
-        vec4 pixel = (gl_FragCoord.xy - 0.5).xyxy;
-        outer = 0.0;
-        inner = 0.0;
-        for (int i = 0; i < OUTER / 2; ++i)
-        {
-            vec4 here = corners[i] - pixel;
-            vec2 next = corners[i + 1 < OUTER / 2 ? i + 1 : 0].xy - pixel.xy;
-            outer += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
-        }
-        for (int i = OUTER / 2; i < (OUTER + INNER) / 2; ++i)
-        {
-            vec4 here = corners[i] - pixel;
-            vec2 next = corners[i + 1 < (OUTER + INNER) / 2 ? i + 1 : OUTER / 2].xy - pixel.xy;
-            inner += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
-        }
-        outer = min(abs(outer), 1.0);
-        inner = min(abs(inner), outer);
+        vec4 here = corners[i] - pixel;
+        vec2 next = corners[i + 1 < OUTER / 2 ? i + 1 : 0].xy - pixel.xy;
+        outer += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
     }
+    for (int i = OUTER / 2; i < (OUTER + INNER) / 2; ++i)
+    {
+        vec4 here = corners[i] - pixel;
+        vec2 next = corners[i + 1 < (OUTER + INNER) / 2 ? i + 1 : OUTER / 2].xy - pixel.xy;
+        inner += UnderEdge(here.xy, here.zw, slopes[i].x) + UnderEdge(here.zw, next, slopes[i].y);
+    }
+    bool isCore = dot(p, p) < core.z;
+    outer = isCore ? 1.0 : min(abs(outer), 1.0);
+    inner = isCore ? 1.0 : min(abs(inner), outer);
     color = stroke * (outer - inner) + fill * inner;
 }
 )";
@@ -327,8 +330,8 @@ std::string Define(const char* name, const std::string& value)
 /// Of quads that are placed by their number, with so many vectors each.
 ShaderSource QuadShader(int vectors, const std::string& vertex, const std::string& fragment)
 {
-    return {kVersion + Define("VECTORS", std::to_string(vectors)) + kPart + vertex,
-            kVersion + fragment, vectors};
+    return {Define("VECTORS", std::to_string(vectors)) + kPart + vertex, kVersion + fragment,
+            vectors};
 }
 
 ShaderSource ShapeShader(const char* reach, const std::string& fragment)
@@ -364,7 +367,11 @@ CornerSlots SlotsOf(ProgramKind polygon)
     }
 }
 
-ShaderSource InstancedShader(ProgramKind kind)
+namespace
+{
+
+/// Its vertex shader lacks the first lines.
+ShaderSource ShaderOf(ProgramKind kind)
 {
     switch (kind)
     {
@@ -387,6 +394,15 @@ ShaderSource InstancedShader(ProgramKind kind)
         break;
     }
     return QuadShader(4, kGlyphVertex, kGlyphFragment);
+}
+
+} // namespace
+
+ShaderSource InstancedShader(ProgramKind kind, Form form)
+{
+    ShaderSource source = ShaderOf(kind);
+    source.vertex = kVersion + Define("VERTICES", form == Form::Square ? "1" : "4") + source.vertex;
+    return source;
 }
 
 ShaderSource MeshShader()

@@ -32,9 +32,10 @@ CornerSlots SlotsOf(ProgramKind polygon);
 /// diagonal, so that it holds every pixel that the shape touches.
 inline constexpr double kQuadMargin = 0.75;
 
-/// A quad an instance, four vertices each: everything is read from a texture by gl_VertexID. Drawn
-/// as instances of GL's, each quad would go through Mesa's vertex pipeline by itself.
-ShaderSource InstancedShader(ProgramKind kind);
+/// A quad an instance, four vertices each, or a point: everything is read from a texture by
+/// gl_VertexID. Drawn as instances of GL's, each quad would go through Mesa's vertex pipeline by
+/// itself.
+ShaderSource InstancedShader(ProgramKind kind, Form form);
 
 /// Plain triangles: position, texture coordinates, colour not premultiplied.
 ShaderSource MeshShader();

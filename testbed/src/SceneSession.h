@@ -69,7 +69,7 @@ private:
                  const SceneCamera& camera);
     void StepOnce();
     HudContent DescribeState() const;
-    View CollectedView() const;
+    boxreel::View CollectedView() const;
 
     std::unique_ptr<Scene> m_scene;
     std::string m_title;

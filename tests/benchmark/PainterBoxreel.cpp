@@ -39,17 +39,19 @@ public:
     {
         return m_renderer.Submit(list, camera);
     }
-    /// As films do it: of a picture that is the same as before nothing needs to be read.
+    /// Only what has changed: the frame is the renderer's, and holds the rest already.
     Result<void> Read() override
     {
-        return m_renderer.Statistics().unchanged ? Result<void>() : m_renderer.Read(m_frame);
+        const Result<const Frame*> frame = m_renderer.ReadChanges();
+        m_frame = frame ? *frame : nullptr;
+        return frame ? Result<void>() : Result<void>(frame.GetError());
     }
-    Frame Picture() const override { return m_frame; }
+    Frame Picture() const override { return m_frame ? *m_frame : Frame(); }
     std::string Description() const override { return m_renderer.Description(); }
 
 private:
     Renderer m_renderer;
-    Frame m_frame;
+    const Frame* m_frame = nullptr; // the renderer's
 };
 
 class FloorPainter final : public Painter

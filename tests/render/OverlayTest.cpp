@@ -37,6 +37,18 @@ Rect Extent(const Overlay& overlay)
     return extent;
 }
 
+Overlay Triangle()
+{
+    Overlay overlay;
+    for (const Vec2 corner : {Vec2{10, 10}, Vec2{50, 10}, Vec2{10, 50}})
+    {
+        overlay.vertices.push_back({corner, {}, {255, 255, 255, 255}});
+    }
+    overlay.indices = {0, 1, 2};
+    overlay.commands.push_back({0, 3, 0, 0, 64, 64});
+    return overlay;
+}
+
 } // namespace
 
 TEST(Hud, IsTheSameForTheSameContent)
@@ -139,6 +151,34 @@ TEST(Hud, DarkensThePictureBelowAndShowsBrightText)
     EXPECT_GT(bright, 300);
     const int middleX = int(extent.upper.x) - 15;
     EXPECT_LT(At(with, middleX, int(extent.upper.y) - 5)[0], At(without, 600, 300)[0] / 2 + 5);
+}
+
+TEST(AnOverlay, IsRefusedWhenACommandNamesIndicesThatItDoesNotHave)
+{
+    Renderer renderer = MakeRenderer(64, 64);
+    Overlay overlay = Triangle();
+    overlay.commands[0].firstIndex = 1;
+    const Result<void> submitted = renderer.Submit({}, PixelCamera(64, 64), &overlay);
+    ASSERT_FALSE(submitted);
+    EXPECT_EQ(submitted.GetError().kind, ErrorKind::Unusable);
+    EXPECT_THAT(submitted.GetError().message, testing::HasSubstr("up to index 4, but it has 3"));
+    overlay.commands[0].firstIndex = 0xffffffff;
+    EXPECT_FALSE(renderer.Submit({}, PixelCamera(64, 64), &overlay)) << "no sum overflows";
+}
+
+TEST(AnOverlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
+{
+    Renderer renderer = MakeRenderer(64, 64);
+    const Camera camera = PixelCamera(64, 64);
+    const Overlay good = Triangle();
+    const Frame first = DrawWith(renderer, {}, camera, &good);
+    Overlay bad = good;
+    bad.indices[1] = 3;
+    const Result<void> submitted = renderer.Submit({}, camera, &bad);
+    ASSERT_FALSE(submitted);
+    EXPECT_EQ(submitted.GetError().kind, ErrorKind::Unusable);
+    EXPECT_THAT(submitted.GetError().message, testing::HasSubstr("vertex 3, but it has 3"));
+    EXPECT_TRUE(DrawWith(renderer, {}, camera, &good) == first) << "and nothing has changed";
 }
 
 TEST(FontAtlas, HasLettersOfWholePixelsSideBySide)

@@ -74,7 +74,9 @@ public:
     ~Renderer();
 
     /// Hands the picture to GL and returns; the caller may step its world before it reads.
-    /// The camera's size must be the renderer's. `overlay` lies on top of the list. Under the
+    /// The camera's size must be the renderer's. `overlay` lies on top of the list; its commands
+    /// must name indices that it has, and its indices vertices. An Error (Unusable) otherwise, and
+    /// nothing is drawn. Under the
     /// camera of the last Submit only what has changed is drawn, with the same bits as if it were
     /// all.
     Result<void> Submit(const DrawList& list, const Camera& camera,
