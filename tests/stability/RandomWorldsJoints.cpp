@@ -11,7 +11,8 @@ namespace
 
 constexpr float32 kRopeAbove = 3.0f; // [m] from a pulley to what hangs on it
 
-std::unique_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* b, const b2Vec2& up)
+// Shared pointers, for they delete what was made; joint definitions have no virtual destructor.
+std::shared_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* b, const b2Vec2& up)
 {
     const auto point = [&](auto def) {
         def->Initialize(a, b, plan.anchorB);
@@ -20,7 +21,7 @@ std::unique_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* 
     switch (plan.type)
     {
     case e_revoluteJoint: {
-        auto def = point(std::make_unique<b2RevoluteJointDef>());
+        auto def = point(std::make_shared<b2RevoluteJointDef>());
         def->enableLimit = plan.limits;
         def->lowerAngle = plan.lower;
         def->upperAngle = plan.upper;
@@ -30,7 +31,7 @@ std::unique_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* 
         return def;
     }
     case e_prismaticJoint: {
-        auto def = std::make_unique<b2PrismaticJointDef>();
+        auto def = std::make_shared<b2PrismaticJointDef>();
         def->Initialize(a, b, plan.anchorB, plan.axis);
         def->enableLimit = plan.limits;
         def->lowerTranslation = plan.lower;
@@ -41,14 +42,14 @@ std::unique_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* 
         return def;
     }
     case e_distanceJoint: {
-        auto def = std::make_unique<b2DistanceJointDef>();
+        auto def = std::make_shared<b2DistanceJointDef>();
         def->Initialize(a, b, plan.anchorA, plan.anchorB);
         def->frequencyHz = plan.hz;
         def->dampingRatio = plan.damping;
         return def;
     }
     case e_ropeJoint: {
-        auto def = std::make_unique<b2RopeJointDef>();
+        auto def = std::make_shared<b2RopeJointDef>();
         def->localAnchorA = a->GetLocalPoint(plan.anchorA);
         def->localAnchorB = b->GetLocalPoint(plan.anchorB);
         def->maxLength = plan.ratio * b2Distance(plan.anchorA, plan.anchorB);
@@ -56,13 +57,13 @@ std::unique_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* 
         return def;
     }
     case e_pulleyJoint: {
-        auto def = std::make_unique<b2PulleyJointDef>();
+        auto def = std::make_shared<b2PulleyJointDef>();
         def->Initialize(a, b, plan.anchorA + kRopeAbove * up, plan.anchorB + kRopeAbove * up,
                         plan.anchorA, plan.anchorB, plan.ratio);
         return def;
     }
     case e_wheelJoint: {
-        auto def = std::make_unique<b2WheelJointDef>();
+        auto def = std::make_shared<b2WheelJointDef>();
         def->Initialize(a, b, plan.anchorB, plan.axis);
         def->enableMotor = plan.motor;
         def->motorSpeed = plan.speed;
@@ -72,26 +73,26 @@ std::unique_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* 
         return def;
     }
     case e_weldJoint: {
-        auto def = point(std::make_unique<b2WeldJointDef>());
+        auto def = point(std::make_shared<b2WeldJointDef>());
         def->frequencyHz = plan.hz;
         def->dampingRatio = plan.damping;
         return def;
     }
     case e_frictionJoint: {
-        auto def = point(std::make_unique<b2FrictionJointDef>());
+        auto def = point(std::make_shared<b2FrictionJointDef>());
         def->maxForce = plan.force;
         def->maxTorque = plan.torque;
         return def;
     }
     case e_motorJoint: {
-        auto def = std::make_unique<b2MotorJointDef>();
+        auto def = std::make_shared<b2MotorJointDef>();
         def->Initialize(a, b);
         def->maxForce = plan.force;
         def->maxTorque = plan.torque;
         return def;
     }
     case e_mouseJoint: {
-        auto def = std::make_unique<b2MouseJointDef>();
+        auto def = std::make_shared<b2MouseJointDef>();
         def->target = plan.anchorB;
         def->maxForce = plan.force;
         def->frequencyHz = plan.hz;
@@ -99,7 +100,7 @@ std::unique_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* 
         return def;
     }
     default:
-        return std::make_unique<b2GearJointDef>();
+        return std::make_shared<b2GearJointDef>();
     }
 }
 
@@ -111,7 +112,7 @@ void RandomWorld::BuildJoint(const PlannedJoint& joint)
     b2Body* b = m_bodies[std::size_t(joint.bodyB)];
     const float32 g = m_plan.gravity.Length();
     const b2Vec2 up = g > 0.0f ? (-1.0f / g) * m_plan.gravity : b2Vec2(0.0f, 1.0f);
-    const std::unique_ptr<b2JointDef> def = Define(joint, a, b, up);
+    const std::shared_ptr<b2JointDef> def = Define(joint, a, b, up);
     if (joint.type == e_gearJoint)
     {
         auto& gear = static_cast<b2GearJointDef&>(*def);
