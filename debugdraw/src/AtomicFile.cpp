@@ -81,7 +81,7 @@ Error InTheWay(const fs::path& path)
 
 // Opens and locks the part file. Whoever held the lock before may have renamed or removed the file
 // meanwhile, in which case the descriptor is not what the name says and the attempt is repeated.
-Result<int> OpenLocked(const fs::path& part, const fs::path& path)
+Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replacesLeftover)
 {
     for (int attempt = 0; attempt < 100; ++attempt)
     {
@@ -105,6 +105,13 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path)
         if (::fstat(descriptor, &opened) == 0 && ::stat(part.c_str(), &named) == 0 &&
             opened.st_dev == named.st_dev && opened.st_ino == named.st_ino)
         {
+            if (!replacesLeftover && opened.st_size > 0)
+            {
+                ::close(descriptor);
+                return CannotWrite(ErrorKind::Unusable, path,
+                                   part.string() + " was left by a run that was stopped; continue "
+                                                   "it (--resume) or begin anew (--force)");
+            }
             if (::ftruncate(descriptor, 0) == 0)
             {
                 return descriptor;
@@ -145,14 +152,21 @@ int Rename(const fs::path& from, const fs::path& to, bool overwrite)
 
 } // namespace
 
-std::filesystem::path PartPath(const std::filesystem::path& path)
+std::filesystem::path PartPath(const std::filesystem::path& path, std::string_view mark)
 {
     fs::path part = path;
-    part.replace_filename(path.stem().string() + ".part" + path.extension().string());
+    part.replace_filename(path.stem().string() + "." + std::string(mark) +
+                          path.extension().string());
     return part;
 }
 
 Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path, bool overwrite)
+{
+    return Create(path, {.overwrite = overwrite});
+}
+
+Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
+                                      const AtomicFileSettings& settings)
 {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
@@ -170,7 +184,7 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path, bool ov
         return CannotWrite(ErrorKind::Unusable, path,
                            "it is a device or a pipe; choose the name of a plain file");
     }
-    if (!overwrite && fs::exists(fs::symlink_status(path, ignored)))
+    if (!settings.overwrite && fs::exists(fs::symlink_status(path, ignored)))
     {
         return InTheWay(path);
     }
@@ -182,9 +196,9 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path, bool ov
         file.m_path = fs::weakly_canonical(path, ignored);
         file.m_path = ignored ? path : file.m_path;
     }
-    file.m_part = boxreel::PartPath(file.m_path);
-    file.m_overwrite = overwrite;
-    Result<int> descriptor = OpenLocked(file.m_part, path);
+    file.m_part = boxreel::PartPath(file.m_path, settings.mark);
+    file.m_overwrite = settings.overwrite;
+    Result<int> descriptor = OpenLocked(file.m_part, path, settings.replacesLeftover);
     if (!descriptor)
     {
         return descriptor.GetError();
@@ -293,6 +307,28 @@ Result<void> AtomicFile::Commit()
         return CannotFinish(m_path, code);
     }
     ::close(std::exchange(m_descriptor, -1));
+    return {};
+}
+
+Result<void> AtomicFile::Leave()
+{
+    assert(m_descriptor >= 0 && "AtomicFile::Leave after Commit");
+    if (::fsync(m_descriptor) != 0 && errno != EINVAL)
+    {
+        return CannotFinish(m_path, errno);
+    }
+    ::close(std::exchange(m_descriptor, -1));
+    return {};
+}
+
+Result<void> AtomicFile::Mark(std::string_view mark)
+{
+    const fs::path part = boxreel::PartPath(m_path, mark);
+    if (::rename(m_part.c_str(), part.c_str()) != 0)
+    {
+        return CannotFinish(m_path, errno);
+    }
+    m_part = part;
     return {};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegLibrary.h"
 
+#include "SharedLibrary.h"
+
 #include <cassert>
 #include <mutex>
-
-#include <dlfcn.h>
 
 namespace boxreel
 {
@@ -14,13 +14,6 @@ namespace
 
 FFmpegLibrary g_library;
 
-template <class Function>
-bool Bind(void* handle, const char* symbol, Function& function)
-{
-    function = reinterpret_cast<Function>(dlsym(handle, symbol));
-    return function != nullptr;
-}
-
 Error MissingSymbol(const char* symbol, const std::string& name, const std::string& package)
 {
     return Error{ErrorKind::Absent,
@@ -29,17 +22,17 @@ Error MissingSymbol(const char* symbol, const std::string& name, const std::stri
 
 // One per library, for the four lists of functions differ.
 #define BOXREEL_BIND(symbol)                                                                       \
-    if (!Bind(*handle, #symbol, g_library.symbol))                                                 \
+    if (!library->Bind(#symbol, g_library.symbol))                                                 \
     {                                                                                              \
         return MissingSymbol(#symbol, name, package);                                              \
     }
 #define BOXREEL_LOADER(function, functions)                                                        \
     Result<void> function(const std::string& name, const std::string& package)                     \
     {                                                                                              \
-        Result<void*> handle = OpenSharedLibrary(name, package);                                   \
-        if (!handle)                                                                               \
+        Result<SharedLibrary> library = SharedLibrary::Open(name, package);                        \
+        if (!library)                                                                              \
         {                                                                                          \
-            return handle.GetError();                                                              \
+            return library.GetError();                                                             \
         }                                                                                          \
         functions(BOXREEL_BIND) return {};                                                         \
     }
@@ -85,20 +78,6 @@ Result<void> LoadAll()
 
 } // namespace
 
-Result<void*> OpenSharedLibrary(const std::string& name, const std::string& package)
-{
-    // Never closed: libav keeps threads and tables of its own.
-    void* handle = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL);
-    if (handle == nullptr)
-    {
-        const char* reason = dlerror();
-        return Error{ErrorKind::Absent, "Films need " + name + ", which cannot be loaded (" +
-                                            (reason != nullptr ? reason : "no reason given") +
-                                            "); install Debian's " + package + "."};
-    }
-    return handle;
-}
-
 Result<void> LoadFFmpeg()
 {
     static std::mutex mutex;
@@ -141,6 +120,11 @@ void FFmpegDelete::operator()(AVPacket* packet) const
 void FFmpegDelete::operator()(AVCodecContext* context) const
 {
     FFmpeg().avcodec_free_context(&context);
+}
+
+void FFmpegDelete::operator()(AVCodecParameters* parameters) const
+{
+    FFmpeg().avcodec_parameters_free(&parameters);
 }
 
 void FFmpegDelete::operator()(SwsContext* context) const

@@ -41,6 +41,7 @@ namespace boxreel
     X(av_log_set_level)                                                                            \
     X(av_malloc)                                                                                   \
     X(av_opt_set_int)                                                                              \
+    X(av_opt_set_q)                                                                                \
     X(av_pix_fmt_desc_get)                                                                         \
     X(av_strdup)                                                                                   \
     X(av_strerror)
@@ -63,6 +64,9 @@ namespace boxreel
     X(avcodec_find_encoder_by_name)                                                                \
     X(avcodec_free_context)                                                                        \
     X(avcodec_open2)                                                                               \
+    X(avcodec_parameters_alloc)                                                                    \
+    X(avcodec_parameters_copy)                                                                     \
+    X(avcodec_parameters_free)                                                                     \
     X(avcodec_parameters_from_context)                                                             \
     X(avcodec_parameters_to_context)                                                               \
     X(avcodec_receive_frame)                                                                       \
@@ -104,9 +108,6 @@ Result<void> LoadFFmpeg();
 /// The table. LoadFFmpeg must have succeeded.
 const FFmpegLibrary& FFmpeg();
 
-/// Opens one shared library; for LoadFFmpeg, and for the test of its Error.
-Result<void*> OpenSharedLibrary(const std::string& name, const std::string& package);
-
 /// libav's words for one of its error codes.
 std::string FFmpegText(int status);
 
@@ -115,6 +116,7 @@ struct FFmpegDelete
     void operator()(AVFrame* frame) const;
     void operator()(AVPacket* packet) const;
     void operator()(AVCodecContext* context) const;
+    void operator()(AVCodecParameters* parameters) const;
     void operator()(SwsContext* context) const;
     void operator()(AVIOContext* context) const; ///< its buffer, too; not what it reads or writes
 };

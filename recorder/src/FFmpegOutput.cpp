@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <system_error>
+
+#include <unistd.h>
 
 namespace boxreel
 {
@@ -13,19 +16,40 @@ namespace
 
 constexpr int kBufferSize = 1 << 16; // a packet or two; larger brings nothing
 
+/// All of it, however slowly the reader takes it.
+Result<void> WriteToStandardOutput(std::span<const std::uint8_t> bytes)
+{
+    while (!bytes.empty())
+    {
+        const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR)
+        {
+            return Error{ErrorKind::Failed,
+                         errno == EPIPE
+                             ? "The program that the film was piped to has stopped reading; look "
+                               "at what it said."
+                             : "The film cannot be written to the standard output: " +
+                                   std::generic_category().message(errno) +
+                                   "; check where it leads."};
+        }
+        bytes = bytes.subspan(std::size_t(written < 0 ? 0 : written));
+    }
+    return {};
+}
+
 } // namespace
 
-FFmpegOutput::FFmpegOutput(AtomicFile& file) : m_file(file), m_writing{this}, m_reading{this}
+FFmpegOutput::FFmpegOutput(AtomicFile* file) : m_file(file), m_writing{this}, m_reading{this}
 {
     m_context = MakeContext(m_writing, true);
 }
 
-FFmpegOwner<AVIOContext> FFmpegOutput::MakeContext(Cursor& cursor, bool forWriting)
+FFmpegOwner<AVIOContext> FFmpegOutput::MakeContext(Cursor& cursor, bool forWriting) const
 {
     auto* buffer = static_cast<unsigned char*>(FFmpeg().av_malloc(kBufferSize));
     return FFmpegOwner<AVIOContext>(FFmpeg().avio_alloc_context(
         buffer, kBufferSize, forWriting ? 1 : 0, &cursor, forWriting ? nullptr : OnRead,
-        forWriting ? OnWrite : nullptr, OnSeek));
+        forWriting ? OnWrite : nullptr, m_file != nullptr ? OnSeek : nullptr));
 }
 
 void FFmpegOutput::AttachTo(AVFormatContext& context)
@@ -41,6 +65,11 @@ void FFmpegOutput::Flush()
     FFmpeg().avio_flush(m_context.get());
 }
 
+Result<void> FFmpegOutput::Write(std::int64_t position, std::span<const std::uint8_t> bytes)
+{
+    return m_file != nullptr ? m_file->WriteAt(position, bytes) : WriteToStandardOutput(bytes);
+}
+
 int FFmpegOutput::OnWrite(void* opaque, std::uint8_t* data, int size)
 {
     auto& cursor = *static_cast<Cursor*>(opaque);
@@ -49,8 +78,7 @@ int FFmpegOutput::OnWrite(void* opaque, std::uint8_t* data, int size)
     {
         return AVERROR(EIO);
     }
-    if (Result<void> done = output.m_file.WriteAt(cursor.position, {data, std::size_t(size)});
-        !done)
+    if (Result<void> done = output.Write(cursor.position, {data, std::size_t(size)}); !done)
     {
         output.m_error = done.GetError();
         return AVERROR(EIO);
@@ -64,7 +92,7 @@ int FFmpegOutput::OnRead(void* opaque, std::uint8_t* data, int size)
 {
     auto& cursor = *static_cast<Cursor*>(opaque);
     Result<std::size_t> got =
-        cursor.output->m_file.ReadAt(cursor.position, {data, std::size_t(size)});
+        cursor.output->m_file->ReadAt(cursor.position, {data, std::size_t(size)});
     if (!got)
     {
         cursor.output->m_error = got.GetError();
@@ -101,7 +129,7 @@ int FFmpegOutput::OnOpen(AVFormatContext* context, AVIOContext** io, const char*
     }
     auto& output = *static_cast<FFmpegOutput*>(context->opaque);
     output.m_reading.position = 0;
-    *io = MakeContext(output.m_reading, false).release();
+    *io = output.MakeContext(output.m_reading, false).release();
     return *io != nullptr ? 0 : AVERROR(ENOMEM);
 }
 

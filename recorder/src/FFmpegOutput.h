@@ -7,17 +7,18 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
-/// libav's muxer writing into an AtomicFile, so that any name is a name (no "a:b.mp4" as a
-/// protocol) and what went wrong is known in full. Used by FFmpegEncoder.
+/// libav's muxer writing into an AtomicFile or to the standard output, so that any name is a name
+/// (no "a:b.mp4" as a protocol) and what went wrong is known in full. Used by FFmpegMuxer.
 namespace boxreel
 {
 
 class FFmpegOutput
 {
 public:
-    explicit FFmpegOutput(AtomicFile& file); ///< which must outlive it
+    explicit FFmpegOutput(AtomicFile* file); ///< which must outlive it; none: standard output
     FFmpegOutput(const FFmpegOutput&) = delete;
     FFmpegOutput& operator=(const FFmpegOutput&) = delete;
 
@@ -40,7 +41,7 @@ private:
         std::int64_t position = 0;
     };
 
-    static FFmpegOwner<AVIOContext> MakeContext(Cursor& cursor, bool forWriting);
+    FFmpegOwner<AVIOContext> MakeContext(Cursor& cursor, bool forWriting) const;
     static int OnWrite(void* opaque, std::uint8_t* data, int size);
     static int OnRead(void* opaque, std::uint8_t* data, int size);
     static std::int64_t OnSeek(void* opaque, std::int64_t offset, int whence);
@@ -48,7 +49,9 @@ private:
                       AVDictionary** options);
     static int OnClose(AVFormatContext* context, AVIOContext* io);
 
-    AtomicFile& m_file;
+    Result<void> Write(std::int64_t position, std::span<const std::uint8_t> bytes);
+
+    AtomicFile* m_file;
     std::int64_t m_size = 0;
     std::optional<Error> m_error;
     Cursor m_writing;

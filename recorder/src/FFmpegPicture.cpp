@@ -76,6 +76,12 @@ Result<FrameToPicture> FrameToPicture::Create(int width, int height, AVPixelForm
 
 FrameToPicture::FrameToPicture(FFmpegOwner<SwsContext> context) : m_context(std::move(context)) {}
 
+void FrameToPicture::Convert(const Frame& frame, std::span<const PixelBounds>,
+                             AVFrame& picture) const
+{
+    Convert(frame, picture);
+}
+
 void FrameToPicture::Convert(const Frame& frame, AVFrame& picture) const
 {
     const std::uint8_t* const rows[4] = {frame.rgba.data(), nullptr, nullptr, nullptr};

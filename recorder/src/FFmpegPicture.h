@@ -5,6 +5,8 @@
 
 #include <render/Frame.h>
 
+#include <span>
+
 /// Colours between frames (RGB, full range) and the pictures codecs take. The one place that knows
 /// matrices and ranges.
 namespace boxreel
@@ -18,6 +20,9 @@ public:
 
     /// Writes into `picture`, which must be writable and of that size and format.
     void Convert(const Frame& frame, AVFrame& picture) const;
+
+    /// The same when the picture shows a frame that differs inside of `changed` only.
+    void Convert(const Frame& frame, std::span<const PixelBounds> changed, AVFrame& picture) const;
 
 private:
     explicit FrameToPicture(FFmpegOwner<SwsContext> context);

@@ -4,6 +4,7 @@
 #include "FFmpegLibrary.h"
 #include "FFmpegPicture.h"
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -34,7 +35,7 @@ public:
     explicit FFmpegReader(std::filesystem::path path) : m_path(std::move(path)) {}
 
     Result<void> Open();
-    Result<bool> Next(Frame& frame, double& seconds) override;
+    Result<bool> Next(StoredFrame& stored) override;
 
 private:
     Result<void> OpenInput();
@@ -52,7 +53,7 @@ private:
     FFmpegOwner<AVFrame> m_picture;
     PictureToFrame m_converter;
     std::int64_t m_frames = 0;
-    double m_lastSeconds = 0.0;
+    double m_end = 0.0; // of the last frame [s]
     bool m_isDraining = false;
 };
 
@@ -144,16 +145,19 @@ Result<void> FFmpegReader::OpenDecoder()
 void FFmpegReader::FillInfo()
 {
     const AVCodecParameters& codec = *m_stream->codecpar;
+    info.container = m_input->iformat->name;
     info.width = codec.width;
     info.height = codec.height;
-    AVRational rate = m_stream->avg_frame_rate;
+    // An MP4's average counts frames that are held for long but once; the other is the rate that
+    // all times are multiples of.
+    const bool isMp4 = info.container.find("mp4") != std::string::npos;
+    AVRational rate = isMp4 ? m_stream->r_frame_rate : m_stream->avg_frame_rate;
     if (rate.num <= 0 || rate.den <= 0)
     {
         rate = FFmpeg().av_guess_frame_rate(m_input.get(), m_stream, nullptr);
     }
     info.framesPerSecond =
         rate.num > 0 && rate.den > 0 ? Rational{rate.num, rate.den} : Rational{1, 1};
-    info.container = m_input->iformat->name;
     info.codec = m_decoder->codec->name;
     info.pixelFormat = NameOr(FFmpeg().av_get_pix_fmt_name(AVPixelFormat(codec.format)));
     info.colorSpace = NameOr(FFmpeg().av_color_space_name(codec.color_space));
@@ -206,14 +210,14 @@ Result<bool> FFmpegReader::End()
     const bool isStoredDuration =
         m_input->duration_estimation_method != AVFMT_DURATION_FROM_BITRATE;
     // The header's clock may be as coarse as a millisecond; a whole frame must be missing.
-    if (m_input->duration > 0 && isStoredDuration && m_lastSeconds + 2.5 * period < promised)
+    if (m_input->duration > 0 && isStoredDuration && m_end + 0.5 * period + 0.002 < promised)
     {
         return Damaged(std::to_string(promised) + " s were promised");
     }
     return false;
 }
 
-Result<bool> FFmpegReader::Next(Frame& frame, double& seconds)
+Result<bool> FFmpegReader::Next(StoredFrame& stored)
 {
     while (true)
     {
@@ -236,13 +240,14 @@ Result<bool> FFmpegReader::Next(Frame& frame, double& seconds)
         }
         break;
     }
-    if (Result<void> converted = m_converter.Convert(*m_picture, frame); !converted)
+    if (Result<void> converted = m_converter.Convert(*m_picture, stored.frame); !converted)
     {
         return Damaged(converted.GetError().message);
     }
     const AVRational base = m_stream->time_base;
-    seconds = double(m_picture->best_effort_timestamp * base.num) / double(base.den);
-    m_lastSeconds = seconds;
+    stored.seconds = double(m_picture->best_effort_timestamp * base.num) / double(base.den);
+    stored.length = double(m_picture->pkt_duration * base.num) / double(base.den);
+    m_end = stored.seconds + std::max(stored.length, 1.0 / info.framesPerSecond.ToDouble());
     ++m_frames;
     FFmpeg().av_frame_unref(m_picture.get());
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "PngSequence.h"
 
-#include "VideoFormat.h"
+#include "SequenceName.h"
 
 #include <debugdraw/AtomicFile.h>
 #include <render/Png.h>
@@ -41,9 +41,10 @@ public:
     PngSequenceWriter(SequenceName name, const VideoSettings& settings);
     ~PngSequenceWriter() override;
 
-    Result<void> Append(const Frame& frame) override;
+    Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
     Result<void> Repeat() override;
     Result<void> Close() override;
+    Result<void> Suspend() override;
 
 private:
     Result<void> Flush();
@@ -106,7 +107,7 @@ void PngSequenceWriter::Join()
     m_threads.clear();
 }
 
-Result<void> PngSequenceWriter::Append(const Frame& frame)
+Result<void> PngSequenceWriter::Append(const Frame& frame, std::span<const PixelBounds>)
 {
     if (m_frames > 0)
     {
@@ -208,6 +209,12 @@ Result<void> PngSequenceWriter::Close()
     return {};
 }
 
+/// Every picture that was written is whole.
+Result<void> PngSequenceWriter::Suspend()
+{
+    return Close();
+}
+
 /// The numbers of the sequence that lie in its folder, sorted; empty when the folder cannot be
 /// read.
 std::vector<std::int64_t> NumbersPresent(const SequenceName& name)
@@ -254,7 +261,7 @@ public:
         return {};
     }
 
-    Result<bool> Next(Frame& frame, double& seconds) override
+    Result<bool> Next(StoredFrame& stored) override
     {
         if (m_next == m_numbers.size())
         {
@@ -279,9 +286,9 @@ public:
                                                   " has another size than the first picture of the "
                                                   "sequence; render it again."};
         }
-        frame = std::move(*read);
-        seconds = double(std::int64_t(m_next) * info.framesPerSecond.den) /
-                  double(info.framesPerSecond.num);
+        stored.frame = std::move(*read);
+        stored.seconds = double(std::int64_t(m_next) * info.framesPerSecond.den) /
+                         double(info.framesPerSecond.num);
         ++m_next;
         return true;
     }

@@ -8,11 +8,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-/// Which format a name asks for, and how each is made at each quality: one table, no libav, so that
-/// a wrong request is refused before anything is loaded or simulated.
+/// Which format a name asks for, and what it can hold. No libav, so that a wrong request is refused
+/// before anything is loaded or simulated.
 namespace boxreel
 {
 
@@ -22,25 +20,21 @@ enum class VideoFormat
     Matroska,
     WebM,
     Gif,
+    Apng,
+    WebP,
+    Y4m,
+    Nut,
     PngSequence,
 };
 
-using Options = std::vector<std::pair<const char*, const char*>>;
+/// The name that stands for the standard output.
+bool IsPipe(const std::filesystem::path& path);
 
-/// How libav is asked for a film. The names are libav's own.
-struct EncoderPlan
-{
-    const char* muxer = "";
-    const char* encoder = "";
-    const char* pixelFormat = "";
-    Options codecOptions;
-    Options muxerOptions;
-};
+std::optional<VideoFormat> FormatOf(const std::filesystem::path& path,
+                                    const VideoSettings& settings);
 
-std::optional<VideoFormat> FormatOf(const std::filesystem::path& path);
-
-/// For every format but PngSequence.
-EncoderPlan PlanFor(VideoFormat format, Quality quality);
+/// Whether a film of this format may be kept unfinished and continued, and be a part of another.
+bool HasParts(VideoFormat format);
 
 /// A GIF keeps every n-th frame: its delays are whole centiseconds and players slow anything below
 /// two down.
@@ -48,22 +42,5 @@ std::int64_t GifFrameStep(const Rational& framesPerSecond);
 
 /// When frame k of a GIF begins, rounded from the exact time, so that no error adds up [1/100 s].
 std::int64_t GifTimeOfFrame(std::int64_t frame, const Rational& framesPerSecond);
-
-/// "frames-####.png" taken apart.
-struct SequenceName
-{
-    std::filesystem::path folder;
-    std::string before;
-    std::string after;
-    int digits = 0;
-
-    /// The path of picture `number`; a number with more digits than # is written out.
-    std::filesystem::path PathOf(std::int64_t number) const;
-    /// The number in a name of this sequence, as PathOf would write it.
-    std::optional<std::int64_t> NumberIn(const std::string& name) const;
-};
-
-/// Nothing when the name has no #. The last run of # is the number's place.
-std::optional<SequenceName> ParseSequenceName(const std::filesystem::path& path);
 
 } // namespace boxreel

@@ -4,6 +4,9 @@
 #include <debugdraw/Result.h>
 #include <render/Frame.h>
 
+#include <cstdint>
+#include <span>
+
 /// What a VideoWriter hands its frames to: one implementation per way of storing them.
 namespace boxreel
 {
@@ -13,9 +16,14 @@ class VideoSink
 public:
     virtual ~VideoSink() = default;
 
-    virtual Result<void> Append(const Frame& frame) = 0;
+    /// How many frames of an interrupted film are kept.
+    virtual std::int64_t ResumedFrames() const { return 0; }
+
+    /// `changed`: where the frame may differ from the last one; all of it for the first.
+    virtual Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) = 0;
     virtual Result<void> Repeat() = 0; ///< the last appended frame once more
     virtual Result<void> Close() = 0;
+    virtual Result<void> Suspend() = 0; ///< ends it so that it can be shown, and continued
 };
 
 } // namespace boxreel

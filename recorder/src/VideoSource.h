@@ -9,12 +9,19 @@
 namespace boxreel
 {
 
+struct StoredFrame
+{
+    Frame frame;
+    double seconds = 0.0; ///< when it is shown [s]
+    double length = 0.0;  ///< for how long; 0: not known, until the next or for one period [s]
+};
+
 class VideoSource
 {
 public:
     virtual ~VideoSource() = default;
 
-    virtual Result<bool> Next(Frame& frame, double& seconds) = 0;
+    virtual Result<bool> Next(StoredFrame& stored) = 0; ///< false after the last
 
     VideoInfo info;
 };

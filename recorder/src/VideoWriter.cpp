@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <recorder/VideoWriter.h>
 
-#include "FFmpegEncoder.h"
+#include "FFmpegFilm.h"
 #include "PngSequence.h"
 #include "VideoFormat.h"
 #include "VideoSink.h"
+#include "WebPFilm.h"
 
 #include <cassert>
 #include <string>
@@ -18,7 +19,7 @@ struct VideoWriter::Impl
     std::unique_ptr<VideoSink> sink; ///< none after Close or an Error
     int width = 0;
     int height = 0;
-    std::int64_t frames = 0;
+    bool isEmpty = true; ///< nothing was appended
 
     /// After an Error the sink goes, and with it what it wrote.
     Result<void> Keep(Result<void> result)
@@ -30,6 +31,25 @@ struct VideoWriter::Impl
         return result;
     }
 };
+
+namespace
+{
+
+Result<std::unique_ptr<VideoSink>> OpenSink(const std::filesystem::path& path, VideoFormat format,
+                                            const VideoSettings& settings)
+{
+    switch (format)
+    {
+    case VideoFormat::PngSequence:
+        return OpenPngSequence(path, settings);
+    case VideoFormat::WebP:
+        return OpenWebPFilm(path, settings);
+    default:
+        return OpenFFmpegFilm(path, format, settings);
+    }
+}
+
+} // namespace
 
 VideoWriter::VideoWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
@@ -43,10 +63,7 @@ Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
     {
         return checked.GetError();
     }
-    const VideoFormat format = *FormatOf(path);
-    Result<std::unique_ptr<VideoSink>> sink = format == VideoFormat::PngSequence
-                                                  ? OpenPngSequence(path, settings)
-                                                  : OpenFFmpegEncoder(path, format, settings);
+    Result<std::unique_ptr<VideoSink>> sink = OpenSink(path, *FormatOf(path, settings), settings);
     if (!sink)
     {
         return sink.GetError();
@@ -58,7 +75,18 @@ Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
     return VideoWriter(std::move(impl));
 }
 
+std::int64_t VideoWriter::ResumedFrames() const
+{
+    return m_impl->sink ? m_impl->sink->ResumedFrames() : 0;
+}
+
 Result<void> VideoWriter::Append(const Frame& frame)
+{
+    const PixelBounds whole{0, 0, frame.width, frame.height};
+    return Append(frame, {&whole, 1});
+}
+
+Result<void> VideoWriter::Append(const Frame& frame, std::span<const PixelBounds> changed)
 {
     assert(m_impl->sink && "nothing can be appended after Close or an Error");
     assert(frame.width == m_impl->width && frame.height == m_impl->height &&
@@ -68,14 +96,14 @@ Result<void> VideoWriter::Append(const Frame& frame)
         return Error{ErrorKind::Failed,
                      "A frame of another size, or after the end, cannot be appended to a film."};
     }
-    ++m_impl->frames;
-    return m_impl->Keep(m_impl->sink->Append(frame));
+    m_impl->isEmpty = false;
+    return m_impl->Keep(m_impl->sink->Append(frame, changed));
 }
 
 Result<void> VideoWriter::Repeat()
 {
-    assert(m_impl->sink && m_impl->frames > 0 && "there must be a frame to repeat");
-    if (!m_impl->sink || m_impl->frames == 0)
+    assert(m_impl->sink && !m_impl->isEmpty && "there must be a frame to repeat");
+    if (!m_impl->sink || m_impl->isEmpty)
     {
         return Error{ErrorKind::Failed,
                      "A film has no frame to repeat before its first or after its end."};
@@ -83,7 +111,7 @@ Result<void> VideoWriter::Repeat()
     return m_impl->Keep(m_impl->sink->Repeat());
 }
 
-Result<void> VideoWriter::Close()
+Result<void> VideoWriter::End(Result<void> (VideoSink::*end)())
 {
     assert(m_impl->sink && "a film is closed once");
     if (!m_impl->sink)
@@ -91,15 +119,25 @@ Result<void> VideoWriter::Close()
         return Error{ErrorKind::Failed,
                      "A film that is closed already, or failed, cannot be closed."};
     }
-    if (m_impl->frames == 0)
+    if (m_impl->isEmpty)
     {
         m_impl->sink.reset();
         return Error{ErrorKind::Unusable,
                      "A film without a frame is none; append at least one before Close."};
     }
-    Result<void> closed = m_impl->sink->Close();
+    Result<void> ended = (m_impl->sink.get()->*end)();
     m_impl->sink.reset();
-    return closed;
+    return ended;
+}
+
+Result<void> VideoWriter::Close()
+{
+    return End(&VideoSink::Close);
+}
+
+Result<void> VideoWriter::Suspend()
+{
+    return End(&VideoSink::Suspend);
 }
 
 } // namespace boxreel

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "SharedLibrary.h"
+
 #include "../debugdraw/TemporaryFolder.h"
 #include "TestFilm.h"
 
@@ -12,12 +14,6 @@
 
 #include <sys/wait.h>
 #include <unistd.h>
-
-namespace boxreel
-{
-// Declared here as in FFmpegLibrary.h, which would bring libav's headers along.
-Result<void*> OpenSharedLibrary(const std::string& name, const std::string& package);
-} // namespace boxreel
 
 namespace
 {
@@ -33,7 +29,8 @@ bool IsLibavLoaded()
 
 TEST(FFmpegLibrary, AMissingLibraryIsNamedWithThePackageThatHasIt)
 {
-    const Result<void*> opened = boxreel::OpenSharedLibrary("libavcodec.so.1", "libavcodec1");
+    const Result<boxreel::SharedLibrary> opened =
+        boxreel::SharedLibrary::Open("libavcodec.so.1", "libavcodec1");
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.GetError().kind, ErrorKind::Absent);
     EXPECT_THAT(opened.GetError().message, HasSubstr("libavcodec.so.1"));

@@ -2,7 +2,7 @@
 #include "../debugdraw/TemporaryFolder.h"
 #include "TestFilm.h"
 
-#include "VideoFormat.h"
+#include "SequenceName.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-constexpr boxreel::VideoSettings kSmall{.width = 64, .height = 48};
+const boxreel::VideoSettings kSmall{.width = 64, .height = 48};
 
 class PngSequence : public testing::Test
 {

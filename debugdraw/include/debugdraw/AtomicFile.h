@@ -14,6 +14,13 @@
 namespace boxreel
 {
 
+struct AtomicFileSettings
+{
+    bool overwrite = false;         ///< false: an existing file is an Error
+    std::string_view mark = "part"; ///< NAME.MARK.EXT is what it is called until Commit
+    bool replacesLeftover = true;   ///< false: a part file that somebody left is an Error, too
+};
+
 class AtomicFile
 {
 public:
@@ -21,6 +28,8 @@ public:
     /// false, is not a regular file, lies in a folder that cannot be written, or is being written
     /// by someone else.
     static Result<AtomicFile> Create(const std::filesystem::path& path, bool overwrite);
+    static Result<AtomicFile> Create(const std::filesystem::path& path,
+                                     const AtomicFileSettings& settings);
 
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -39,6 +48,12 @@ public:
     /// Flushes to the disk and renames. Nothing may follow.
     Result<void> Commit();
 
+    /// Flushes to the disk and leaves the part file as it is. Nothing may follow.
+    Result<void> Leave();
+
+    /// Calls the part file NAME.`mark`.EXT from now on, in place of whatever had that name.
+    Result<void> Mark(std::string_view mark);
+
 private:
     AtomicFile() = default;
     void Discard();
@@ -50,7 +65,7 @@ private:
 };
 
 /// dir/film.mp4 becomes dir/film.part.mp4: the extension stays, since libraries go by it.
-std::filesystem::path PartPath(const std::filesystem::path& path);
+std::filesystem::path PartPath(const std::filesystem::path& path, std::string_view mark = "part");
 
 /// Create, Write and Commit in one.
 Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,

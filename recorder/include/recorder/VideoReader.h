@@ -9,8 +9,9 @@
 #include <memory>
 #include <string>
 
-/// A film back into frames, for tests and golden comparisons. Colours are converted by the film's
-/// own tags. libav is loaded by Open, not before.
+/// A film (mp4, mkv, webm, gif, apng, webp, nut, y4m, …) or a sequence of pictures back into
+/// frames, for tests and golden comparisons. Colours are converted by the film's own tags. libav is
+/// loaded by Open, not before.
 namespace boxreel
 {
 
@@ -18,20 +19,29 @@ struct VideoInfo
 {
     int width = 0;
     int height = 0;
-    Rational framesPerSecond;
-    std::string container;   ///< libav's name, e.g. "mov,mp4,m4a,3gp,3g2,mj2"
-    std::string codec;       ///< "h264", "ffv1", "vp9", "gif", …
-    std::string pixelFormat; ///< "yuv420p", …
-    std::string colorSpace;  ///< "bt709", …; likewise the three below
+    Rational framesPerSecond; ///< of what is shown; fewer may be stored
+    std::string container;    ///< libav's name, e.g. "mov,mp4,m4a,3gp,3g2,mj2"
+    std::string codec;        ///< "h264", "ffv1", "vp9", "gif", …
+    std::string pixelFormat;  ///< "yuv420p", …
+    std::string colorSpace;   ///< "bt709", …; likewise the three below
     std::string colorPrimaries;
     std::string colorTransfer;
     std::string colorRange;
 };
 
+/// Which frames of a film are given.
+enum class Frames
+{
+    Shown,  ///< one for each period of framesPerSecond: one that is held for long comes several
+            ///< times
+    Stored, ///< each once
+};
+
 class VideoReader
 {
 public:
-    static Result<VideoReader> Open(const std::filesystem::path& path);
+    static Result<VideoReader> Open(const std::filesystem::path& path,
+                                    Frames frames = Frames::Shown);
     VideoReader(VideoReader&&) noexcept;
     VideoReader& operator=(VideoReader&&) noexcept;
     ~VideoReader();

@@ -5,35 +5,51 @@
 #include <recorder/FrameClock.h>
 #include <render/Frame.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
-/// Frames into a film: Open, Append each, Close. The format follows from the name: .mp4 (H.264),
-/// .mkv (FFV1 when lossless, else H.264), .webm (VP9), .gif, or a PNG sequence for a name with
-/// ####. The film is written as NAME.part.EXT in the same folder and renamed by Close; a writer
-/// that is destroyed before Close removes what it wrote. libav is loaded by Open, not before, and
-/// not at all for pictures. Same frames and settings, same bytes, on any machine with the same
+/// Frames into a film: Open, Append each, Close. The format follows from the name:
+///
+/// | name            | what is written                                                          |
+/// | --------------- | ------------------------------------------------------------------------ |
+/// | .mp4            | H.264; AV1                                                               |
+/// | .mkv            | H.264; VP9, AV1; FFV1 when lossless                                      |
+/// | .webm           | VP9; AV1                                                                 |
+/// | .gif            | a palette of at most 256 colours a frame, exact where they suffice       |
+/// | .apng, .webp    | every pixel survives, whatever the quality                               |
+/// | frames-####.png | a picture each                                                           |
+/// | .y4m, .nut      | YUV 4:2:0 or 4:4:4, and RGB, not compressed: for other programs          |
+/// | -               | the standard output, as VideoSettings::format says                       |
+///
+/// The film is written as NAME.part.EXT in the same folder and renamed by Close; a writer that is
+/// destroyed before Close or Suspend removes what it wrote. libav is loaded by Open, not before,
+/// and not at all for pictures. Same frames and settings, same bytes, on any machine with the same
 /// libraries.
 ///
 /// - Films have no transparency: the frame's premultiplied colours are taken as they are, so what
-/// is
-///   see-through lies on black.
-/// - H.264 and VP9 store YUV 4:2:0, matrix, primaries and transfer bt709, limited range, and say
-/// so. The
-///   transfer is tagged bt709 although frames are sRGB: it is what players expect of HD and show
-///   unchanged, while the sRGB tag makes some of them convert or give up their fast path.
+///   is see-through lies on black.
+/// - YUV has the matrix, primaries and transfer of bt709, limited range, and says so. The transfer
+///   is tagged bt709 although frames are sRGB: it is what players expect of HD and show unchanged,
+///   while the sRGB tag makes some of them convert or give up their fast path.
 /// - Lossless stores RGB: .mkv FFV1, .mp4 H.264 of the profile High 4:4:4 Predictive (mpv, VLC and
-/// ffmpeg
-///   play it, browsers do not), .webm VP9 4:4:4, .gif when no frame has more than 256 colours.
-/// - A GIF's palette holds a frame's colours exactly when they are at most 256, otherwise those
-/// that matter
-///   most; no dither. It stores times in 1/100 s: each is rounded by itself and never drifts.
-///   Frames shorter than 1/50 s are not shown by browsers, so above 50 frames a second every n-th
-///   frame is kept (StoredFrameRate says what is left: 60 becomes 30).
+///   ffmpeg play it, browsers do not), .webm VP9 4:4:4, .gif when no frame has more than 256
+///   colours.
+/// - A frame that is equal to the one before is not encoded again where the format can show one for
+///   longer, but at the beginning and end of a group (below) and of the film.
+/// - Films are encoded in groups of frames that know nothing of each other, so that parts of a film
+///   made by themselves can be joined to the very film that is made in one go, and a film that was
+///   interrupted be continued.
+/// - A GIF stores times in 1/100 s: each is rounded by itself and never drifts. Frames shorter than
+///   1/50 s are not shown by browsers, so above 50 frames a second every n-th frame is kept
+///   (StoredFrameRate says what is left: 60 becomes 30).
 /// - Matroska and WebM store times in 1/1000 s, rounded in the same way; MP4 stores them exactly.
-/// - Pictures are numbered from 0, with as many digits as there are # (more when the number needs
-/// them), and
-///   each is there whole or not at all.
+/// - Pictures are numbered from VideoSettings::firstFrame, with as many digits as there are # (more
+///   when the number needs them), and each is there whole or not at all.
 namespace boxreel
 {
 
@@ -45,23 +61,45 @@ enum class Quality
     Lossless, ///< every pixel survives; a format that cannot is an Error
 };
 
+/// How much of the colours' resolution YUV keeps; brightness is always whole.
+enum class Chroma
+{
+    Half, ///< 4:2:0, which everything plays
+    Full, ///< 4:4:4: coloured lines stay sharp, browsers do not play it as H.264
+};
+
 struct VideoSettings
 {
-    int width = 1280;                ///< 1 to 8192, even for H.264 and VP9 below Lossless [px]
+    int width = 1280;                ///< 1 to 8192, even where colours are halved [px]
     int height = 720;                ///< likewise [px]
     Rational framesPerSecond{60, 1}; ///< at most 1000
     Quality quality = Quality::Standard;
+    Chroma chroma = Chroma::Half;
+    std::string codec{};  ///< h264, vp9, av1 or ffv1; empty: the first of the format's
+    std::string format{}; ///< of the standard output: y4m, nut, mkv or webm; empty for files
+    /// Options of libav's encoder, by its names, over those that the quality sets.
+    std::vector<std::pair<std::string, std::string>> codecOptions{};
+    int plays = 0;   ///< how often a gif, apng or webp plays; 0: for ever
     int threads = 0; ///< of the encoder, at most 64; 0: two. H.264's bytes depend on it, the film's
                      ///< look does not.
-    bool overwrite = false; ///< false: an existing file is an Error
+    bool constantRate = false;   ///< every frame is encoded, also one that shows the same
+    int groupFrames = 100;       ///< length of a group; at least 1 [frames]
+    std::int64_t firstFrame = 0; ///< number of the first frame that is appended: groups begin at
+                                 ///< multiples of their length
+    bool overwrite = false;      ///< false: an existing film, or what is left of one, is an Error
+    bool resume = false; ///< true: what is left of one is continued; firstFrame is the number of
+                         ///< the first frame of all, ResumedFrames says where to go on
 };
 
 /// Whether `path` names a format that can be written with these settings, without opening anything:
-/// unknown extension, a size the format cannot hold (with the nearest that it can).
+/// unknown extension, a size the format cannot hold (with the nearest that it can), a codec or a
+/// quality that it does not have.
 Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettings& settings);
 
 /// How many frames a second the film at `path` will hold: as asked, but for a GIF above 50.
 Rational StoredFrameRate(const std::filesystem::path& path, const Rational& framesPerSecond);
+
+class VideoSink;
 
 class VideoWriter
 {
@@ -72,19 +110,31 @@ public:
     VideoWriter& operator=(VideoWriter&&) noexcept;
     ~VideoWriter();
 
-    /// The frame's size must be that of the settings. Its time is its number / framesPerSecond.
-    /// After an Error nothing more can be appended.
+    /// How many frames of an interrupted film were found whole and are kept; the next one to append
+    /// comes after them. 0 unless `resume` was set.
+    std::int64_t ResumedFrames() const;
+
+    /// The frame's size must be that of the settings. Its time is its number among those appended
+    /// divided by framesPerSecond. After an Error nothing more can be appended.
     Result<void> Append(const Frame& frame);
 
-    /// The last frame once more, without converting it again.
+    /// The same, when the frame differs from the last one inside of `changed` only.
+    Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed);
+
+    /// The last frame once more.
     Result<void> Repeat();
 
     /// Flushes the encoder, syncs, gives the file its name. Nothing may follow.
     Result<void> Close();
 
+    /// Ends early: what was appended becomes a film that can be played, and stays as NAME.part.EXT,
+    /// to be continued by a writer with `resume`. Nothing may follow.
+    Result<void> Suspend();
+
 private:
     struct Impl;
     explicit VideoWriter(std::unique_ptr<Impl> impl);
+    Result<void> End(Result<void> (VideoSink::*end)());
     std::unique_ptr<Impl> m_impl;
 };
 

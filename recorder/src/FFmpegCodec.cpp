@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "FFmpegCodec.h"
+
+#include <cstdlib>
+#include <utility>
+
+namespace boxreel
+{
+
+namespace
+{
+
+// The bytes of x264's film depend on the number of its threads, so the number must not depend on
+// the machine.
+constexpr int kDefaultThreads = 2;
+
+std::string ThisLibrary()
+{
+    return "libavcodec" + std::to_string(LIBAVCODEC_VERSION_MAJOR);
+}
+
+Error Missing(const EncoderPlan& plan, const std::string& film)
+{
+    return Error{ErrorKind::Absent,
+                 film + " needs the encoder " + plan.encoder +
+                     ", which this build of libavcodec lacks; install Debian's " + ThisLibrary() +
+                     " or write another format, such as frames-####.png."};
+}
+
+/// The encoder refused to start: most likely because of what the user asked of it.
+Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std::string& film,
+              int status)
+{
+    std::string options;
+    for (const auto& [name, value] : settings.codecOptions)
+    {
+        options += (options.empty() ? "" : " ") + name + "=" + value;
+    }
+    if (!options.empty())
+    {
+        return Error{ErrorKind::Unusable, "The encoder " + plan.encoder + " does not take " +
+                                              options + " (" + FFmpegText(status) +
+                                              "); `ffmpeg -h encoder=" + plan.encoder +
+                                              "` shows what it takes."};
+    }
+    return Error{ErrorKind::Failed, film + " cannot be made: " + plan.encoder + " failed (" +
+                                        FFmpegText(status) +
+                                        "); try another quality, size or format."};
+}
+
+/// An option that is left over is one that the encoder does not know: the user's, or one of ours
+/// that another version of it lacks.
+Error Unknown(const EncoderPlan& plan, const VideoSettings& settings, const std::string& option)
+{
+    for (const auto& [name, value] : settings.codecOptions)
+    {
+        if (name == option)
+        {
+            return Error{ErrorKind::Unusable, "The encoder " + plan.encoder + " knows no option '" +
+                                                  option + "'; `ffmpeg -h encoder=" + plan.encoder +
+                                                  "` shows what it knows."};
+        }
+    }
+    return Error{ErrorKind::Absent, "The encoder " + plan.encoder +
+                                        " of this machine knows no option " + option +
+                                        "; install Debian's " + ThisLibrary() + "."};
+}
+
+void TagColours(AVCodecContext& context, const std::string& pixelFormat)
+{
+    if (pixelFormat == "pal8")
+    {
+        return; // a GIF has no place for tags
+    }
+    const bool isYuv = pixelFormat.starts_with("yuv");
+    context.colorspace = isYuv ? AVCOL_SPC_BT709 : AVCOL_SPC_RGB;
+    context.color_primaries = AVCOL_PRI_BT709;
+    context.color_trc = isYuv ? AVCOL_TRC_BT709 : AVCOL_TRC_IEC61966_2_1;
+    context.color_range = isYuv ? AVCOL_RANGE_MPEG : AVCOL_RANGE_JPEG;
+    const bool isHalved = pixelFormat == "yuv420p";
+    context.chroma_sample_location = isHalved ? AVCHROMA_LOC_LEFT : AVCHROMA_LOC_UNSPECIFIED;
+}
+
+/// Before it is opened: what is the same for all codecs.
+void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings& settings)
+{
+    context.width = settings.width;
+    context.height = settings.height;
+    context.sample_aspect_ratio = AVRational{1, 1};
+    context.pix_fmt = FFmpeg().av_get_pix_fmt(plan.pixelFormat.c_str());
+    context.framerate =
+        AVRational{int(settings.framesPerSecond.num), int(settings.framesPerSecond.den)};
+    context.time_base = TickOf(plan, settings.framesPerSecond);
+    context.thread_count = settings.threads > 0 ? settings.threads : kDefaultThreads;
+    context.flags |= AV_CODEC_FLAG_BITEXACT; // no versions of libraries in the film
+    if (plan.muxer != "gif" && plan.muxer != "nut")
+    {
+        context.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    }
+    TagColours(context, plan.pixelFormat);
+}
+
+/// SVT-AV1 talks on standard error unless it is told not to; libraries never print.
+void Silence(const EncoderPlan& plan)
+{
+    if (plan.encoder == "libsvtav1")
+    {
+        ::setenv("SVT_LOG", "1", 0);
+    }
+}
+
+} // namespace
+
+AVRational TickOf(const EncoderPlan& plan, const Rational& framesPerSecond)
+{
+    return plan.muxer == "gif" ? AVRational{1, 100}
+                               : AVRational{int(framesPerSecond.den), int(framesPerSecond.num)};
+}
+
+Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettings& settings,
+                                      const std::string& film)
+{
+    const AVCodec* codec = FFmpeg().avcodec_find_encoder_by_name(plan.encoder.c_str());
+    if (codec == nullptr)
+    {
+        return Missing(plan, film);
+    }
+    Silence(plan);
+    FFmpegOwner<AVCodecContext> context(FFmpeg().avcodec_alloc_context3(codec));
+    SetUp(*context, plan, settings);
+    AVDictionary* options = nullptr;
+    for (const auto& [name, value] : plan.codecOptions)
+    {
+        FFmpeg().av_dict_set(&options, name.c_str(), value.c_str(), 0);
+    }
+    const int status = FFmpeg().avcodec_open2(context.get(), codec, &options);
+    const AVDictionaryEntry* left =
+        FFmpeg().av_dict_get(options, "", nullptr, AV_DICT_IGNORE_SUFFIX);
+    const std::string unknown = left != nullptr ? left->key : "";
+    FFmpeg().av_dict_free(&options);
+    if (status < 0)
+    {
+        return Refused(plan, settings, film, status);
+    }
+    if (!unknown.empty())
+    {
+        return Unknown(plan, settings, unknown);
+    }
+    return FFmpegCodec(std::move(context));
+}
+
+FFmpegOwner<AVCodecParameters> FFmpegCodec::MakeParameters() const
+{
+    FFmpegOwner<AVCodecParameters> parameters(FFmpeg().avcodec_parameters_alloc());
+    FFmpeg().avcodec_parameters_from_context(parameters.get(), m_context.get());
+    return parameters;
+}
+
+Result<FFmpegOwner<AVFrame>> FFmpegCodec::MakePicture() const
+{
+    FFmpegOwner<AVFrame> picture(FFmpeg().av_frame_alloc());
+    picture->width = m_context->width;
+    picture->height = m_context->height;
+    picture->format = m_context->pix_fmt;
+    picture->colorspace = m_context->colorspace;
+    picture->color_primaries = m_context->color_primaries;
+    picture->color_trc = m_context->color_trc;
+    picture->color_range = m_context->color_range;
+    picture->chroma_location = m_context->chroma_sample_location;
+    const int status = FFmpeg().av_frame_get_buffer(picture.get(), 0);
+    if (status < 0)
+    {
+        return Error{ErrorKind::Failed, "A picture of " + std::to_string(picture->width) + "x" +
+                                            std::to_string(picture->height) +
+                                            " pixels cannot be made (" + FFmpegText(status) +
+                                            "); free some memory or film a smaller one."};
+    }
+    return picture;
+}
+
+int FFmpegCodec::Send(const AVFrame* picture)
+{
+    return FFmpeg().avcodec_send_frame(m_context.get(), picture);
+}
+
+int FFmpegCodec::Receive(AVPacket& packet)
+{
+    return FFmpeg().avcodec_receive_packet(m_context.get(), &packet);
+}
+
+} // namespace boxreel

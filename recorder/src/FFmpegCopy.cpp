@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "FFmpegCopy.h"
+
+#include <debugdraw/AtomicFile.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace boxreel
+{
+
+Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part)
+{
+    Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
+    if (!packets)
+    {
+        return packets.GetError();
+    }
+    std::vector<std::int64_t> times;
+    while (const FFmpegOwner<AVPacket> packet = packets->Next())
+    {
+        if (packet->pts < part.before)
+        {
+            times.push_back(packet->pts + part.offset);
+        }
+    }
+    return times;
+}
+
+Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
+                         FFmpegMuxer& muxer)
+{
+    Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
+    if (!packets)
+    {
+        return packets.GetError();
+    }
+    std::size_t copied = 0;
+    while (const FFmpegOwner<AVPacket> packet = packets->Next())
+    {
+        if (packet->pts >= part.before || copied >= decodingTimes.size())
+        {
+            continue;
+        }
+        packet->pts += part.offset;
+        packet->dts = decodingTimes[copied++];
+        packet->duration = 1;
+        if (Result<void> written = muxer.Write(*packet); !written)
+        {
+            return written;
+        }
+    }
+    return {};
+}
+
+Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer, DecodingTimes& decodingTimes)
+{
+    const Result<std::vector<std::int64_t>> shown = TimesIn(part);
+    if (!shown)
+    {
+        return shown.GetError();
+    }
+    std::vector<std::int64_t> times = *shown;
+    std::sort(times.begin(), times.end());
+    for (const std::int64_t time : times)
+    {
+        decodingTimes.Show(time);
+    }
+    for (std::int64_t& time : times)
+    {
+        time = decodingTimes.Next();
+    }
+    return CopyPackets(part, times, muxer);
+}
+
+std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTimes& times,
+                              AVRational tick)
+{
+    const Result<std::vector<std::int64_t>> shown = TimesIn({.from = left, .tick = tick});
+    if (!shown || shown->empty())
+    {
+        return 0;
+    }
+    const std::int64_t last = *std::max_element(shown->begin(), shown->end());
+    const std::int64_t group = times.GroupOf(times.NumberAt(last));
+    return std::max<std::int64_t>(0, times.FirstOfGroup(group) - times.FirstFrame());
+}
+
+Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,
+                                   const std::filesystem::path& from, AVRational tick, int delay)
+{
+    Result<AtomicFile> file = AtomicFile::Create(path, {.overwrite = overwrite, .mark = "final"});
+    if (!file)
+    {
+        return file.GetError();
+    }
+    Result<FFmpegPackets> packets = FFmpegPackets::Open(from, tick);
+    if (!packets)
+    {
+        return packets.GetError();
+    }
+    FFmpegOutput output(&*file);
+    const MuxerStream stream{&packets->Codec(), tick, AVRational{tick.den, tick.num}};
+    Result<FFmpegMuxer> muxer =
+        FFmpegMuxer::Open(output, "mp4", {{"movflags", "+faststart"}}, stream, path.string());
+    if (!muxer)
+    {
+        return muxer.GetError();
+    }
+    const CopiedPart whole{.from = from, .tick = tick};
+    const Result<std::vector<std::int64_t>> shown = TimesIn(whole);
+    if (!shown)
+    {
+        return shown.GetError();
+    }
+    if (Result<void> copied = CopyPackets(whole, LatestDecodingTimes(*shown, delay), *muxer);
+        !copied)
+    {
+        return copied;
+    }
+    if (Result<void> finished = muxer->Finish(); !finished)
+    {
+        return finished;
+    }
+    return file->Commit();
+}
+
+} // namespace boxreel

@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: MIT
+#include "FFmpegFilm.h"
+
+#include "FFmpegCodec.h"
+#include "FFmpegCopy.h"
+#include "FFmpegMuxer.h"
+#include "FFmpegOutput.h"
+#include "FFmpegPackets.h"
+#include "FFmpegPicture.h"
+#include "GifPalette.h"
+
+#include <debugdraw/AtomicFile.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <future>
+#include <optional>
+#include <utility>
+
+namespace boxreel
+{
+
+namespace
+{
+
+/// Packets that may wait for those of the group before to be written.
+constexpr std::size_t kMostWaiting = 64;
+
+class FFmpegFilm final : public VideoSink
+{
+public:
+    FFmpegFilm(std::filesystem::path path, VideoFormat format, EncoderPlan plan,
+               const VideoSettings& settings)
+        : m_path(std::move(path)), m_format(format), m_settings(settings), m_plan(std::move(plan)),
+          m_frameTimes(format, settings)
+    {}
+
+    Result<void> Open();
+    std::int64_t ResumedFrames() const override { return m_resumed; }
+    Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
+    Result<void> Repeat() override;
+    Result<void> Close() override;
+    Result<void> Suspend() override;
+
+private:
+    bool IsGif() const { return m_format == VideoFormat::Gif; }
+    bool IsAnimation() const { return IsGif() || m_format == VideoFormat::Apng; }
+    std::int64_t Last() const { return m_settings.firstFrame + m_frames - 1; }
+    std::string Name() const { return m_path.string(); }
+
+    Result<void> OpenFile();
+    Result<void> OpenMuxer();
+    Result<void> OpenPicture();
+    Result<void> Resume();
+    Result<void> Fill(const Frame& frame, std::span<const PixelBounds> changed);
+    Result<void> FillIndexed(const Frame& frame);
+    bool MustShow(std::int64_t number) const;
+    Result<void> Show(std::int64_t number);
+    Result<void> StartGroup(std::int64_t group);
+    void EndGroup();
+    Result<void> Take();
+    Result<void> WriteEnded();
+    Result<void> WriteWaiting();
+    Result<void> Write(Packets& packets);
+    Result<void> Finish();
+    Result<void> CommitWithIndexInFront();
+    Error EncodeError(int status) const;
+
+    std::filesystem::path m_path;
+    VideoFormat m_format;
+    VideoSettings m_settings;
+    EncoderPlan m_plan;
+    FrameTimes m_frameTimes;
+    AVRational m_tick{1, 60};         // the unit of times [s]
+    int m_delay = 0;                  // how many places packets may come before their frames
+    std::optional<AtomicFile> m_file; // none when it goes to the standard output
+    std::unique_ptr<FFmpegOutput> m_output;
+    std::optional<FFmpegMuxer> m_muxer;
+    std::optional<DecodingTimes> m_decodingTimes;
+    std::shared_ptr<FFmpegCodec> m_codec;  // of the group at hand
+    std::future<Result<Packets>> m_ending; // the group before, while its encoder empties itself
+    Packets m_waiting;                     // of the group at hand
+    FFmpegOwner<AVFrame> m_picture;        // shows the last frame
+    bool m_isPictureWhole = false;
+    std::optional<FrameToPicture> m_converter; // none for a GIF
+    GifPalette m_palette;
+    std::int64_t m_resumed = 0;
+    std::int64_t m_frames = 0;     // kept, appended or repeated
+    std::int64_t m_group = -1;     // that m_codec encodes
+    std::int64_t m_shown = -1;     // number of the frame that was encoded last
+    bool m_isLastFrameDue = false; // the last frame that was appended was not yet encoded
+};
+
+Error FFmpegFilm::EncodeError(int status) const
+{
+    return Error{ErrorKind::Failed, Name() + " cannot be encoded: " + m_plan.encoder + " failed (" +
+                                        FFmpegText(status) + "); try another quality or format."};
+}
+
+Result<void> FFmpegFilm::Open()
+{
+    Result<FFmpegCodec> codec = FFmpegCodec::Open(m_plan, m_settings, Name());
+    if (!codec)
+    {
+        return codec.GetError();
+    }
+    m_codec = std::make_shared<FFmpegCodec>(std::move(*codec));
+    m_tick = m_codec->Context().time_base;
+    m_delay = m_codec->Context().has_b_frames;
+    m_decodingTimes.emplace(m_delay);
+    if (Result<void> done = OpenPicture(); !done)
+    {
+        return done;
+    }
+    if (Result<void> done = OpenFile(); !done)
+    {
+        return done;
+    }
+    return m_settings.resume ? Resume() : OpenMuxer();
+}
+
+/// What is left of a film that was stopped stays until what can be kept of it has been copied.
+Result<void> FFmpegFilm::OpenFile()
+{
+    if (IsPipe(m_path))
+    {
+        m_output = std::make_unique<FFmpegOutput>(nullptr);
+        return {};
+    }
+    const bool isFresh = m_settings.overwrite && !m_settings.resume;
+    Result<AtomicFile> file =
+        AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
+                                    .mark = m_settings.resume ? "resume" : "part",
+                                    .replacesLeftover = isFresh || m_settings.resume});
+    if (!file)
+    {
+        return file.GetError();
+    }
+    m_file.emplace(std::move(*file));
+    m_output = std::make_unique<FFmpegOutput>(&*m_file);
+    return {};
+}
+
+Result<void> FFmpegFilm::OpenMuxer()
+{
+    const FFmpegOwner<AVCodecParameters> parameters = m_codec->MakeParameters();
+    const MuxerStream stream{parameters.get(), m_tick, m_codec->Context().framerate};
+    Result<FFmpegMuxer> muxer =
+        FFmpegMuxer::Open(*m_output, m_plan.muxer, m_plan.muxerOptions, stream, Name());
+    if (!muxer)
+    {
+        return muxer.GetError();
+    }
+    m_muxer.emplace(std::move(*muxer));
+    return {};
+}
+
+Result<void> FFmpegFilm::OpenPicture()
+{
+    if (!IsGif())
+    {
+        Result<FrameToPicture> converter =
+            FrameToPicture::Create(m_settings.width, m_settings.height, m_codec->Context().pix_fmt);
+        if (!converter)
+        {
+            return converter.GetError();
+        }
+        m_converter.emplace(std::move(*converter));
+    }
+    Result<FFmpegOwner<AVFrame>> picture = m_codec->MakePicture();
+    if (!picture)
+    {
+        return picture.GetError();
+    }
+    m_picture = std::move(*picture);
+    m_isPictureWhole = false;
+    return {};
+}
+
+/// Copies the groups that are whole out of what was left, which then takes its name.
+Result<void> FFmpegFilm::Resume()
+{
+    const std::filesystem::path left = PartPath(m_path);
+    m_resumed = m_frames = CountWholeFrames(left, m_frameTimes, m_tick);
+    if (Result<void> opened = OpenMuxer(); !opened)
+    {
+        return opened;
+    }
+    if (m_resumed > 0)
+    {
+        const CopiedPart kept{
+            .from = left, .tick = m_tick, .before = m_frameTimes.TimeOf(Last() + 1)};
+        if (Result<void> copied = CopyBeginning(kept, *m_muxer, *m_decodingTimes); !copied)
+        {
+            return copied;
+        }
+    }
+    m_output->Flush();
+    return m_file->Mark("part");
+}
+
+Result<void> FFmpegFilm::Append(const Frame& frame, std::span<const PixelBounds> changed)
+{
+    ++m_frames;
+    m_isLastFrameDue = true;
+    if (Result<void> filled = Fill(frame, changed); !filled)
+    {
+        return filled;
+    }
+    return m_frameTimes.IsKept(Last()) ? Show(Last()) : Result<void>();
+}
+
+Result<void> FFmpegFilm::Repeat()
+{
+    ++m_frames;
+    const bool isKept = m_frameTimes.IsKept(Last());
+    return isKept && (m_isLastFrameDue || MustShow(Last())) ? Show(Last()) : Result<void>();
+}
+
+Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> changed)
+{
+    // The encoder may still look at the last picture; a new one costs an allocation from a pool.
+    if (FFmpeg().av_frame_is_writable(m_picture.get()) == 0)
+    {
+        Result<FFmpegOwner<AVFrame>> picture = m_codec->MakePicture();
+        if (!picture)
+        {
+            return picture.GetError();
+        }
+        m_picture = std::move(*picture);
+        m_isPictureWhole = false;
+    }
+    if (IsGif())
+    {
+        return FillIndexed(frame);
+    }
+    if (m_isPictureWhole)
+    {
+        m_converter->Convert(frame, changed, *m_picture);
+    }
+    else
+    {
+        m_converter->Convert(frame, *m_picture);
+    }
+    m_isPictureWhole = true;
+    return {};
+}
+
+Result<void> FFmpegFilm::FillIndexed(const Frame& frame)
+{
+    if (m_frameTimes.GroupOf(Last()) != m_frameTimes.GroupOf(Last() - 1))
+    {
+        m_palette = GifPalette(); // a group knows nothing of the one before
+    }
+    const bool exact =
+        m_palette.Map(frame, m_picture->data[0], std::size_t(m_picture->linesize[0]));
+    if (!exact && m_settings.quality == Quality::Lossless)
+    {
+        return Error{ErrorKind::Unusable,
+                     Name() + " cannot be lossless, frame " + std::to_string(Last()) +
+                         " has more than 256 colours; use .mkv or frames-####.png."};
+    }
+    std::memcpy(m_picture->data[1], m_palette.Colors().data(),
+                sizeof(std::uint32_t) * GifPalette::kSize);
+    return {};
+}
+
+/// Whether a frame that shows what the one before shows is encoded all the same. A group's first
+/// and last are, so that it is the same whatever comes before and after it.
+bool FFmpegFilm::MustShow(std::int64_t number) const
+{
+    const std::int64_t group = m_frameTimes.GroupOf(number);
+    const bool isFirst = group != m_group;
+    const bool isLast = group != m_frameTimes.GroupOf(number + 1);
+    return m_plan.isConstantRate || m_settings.constantRate || isFirst ||
+           (isLast && m_plan.needsGroups);
+}
+
+/// Encodes the picture as the frame of this number.
+Result<void> FFmpegFilm::Show(std::int64_t number)
+{
+    if (Result<void> started = StartGroup(m_frameTimes.GroupOf(number)); !started)
+    {
+        return started;
+    }
+    m_isLastFrameDue = false;
+    m_shown = number;
+    m_picture->pts = m_frameTimes.TimeOf(number);
+    m_decodingTimes->Show(m_picture->pts);
+    const int status = m_codec->Send(m_picture.get());
+    if (status < 0)
+    {
+        return EncodeError(status);
+    }
+    if (Result<void> taken = Take(); !taken)
+    {
+        return taken;
+    }
+    return WriteWaiting();
+}
+
+Result<void> FFmpegFilm::StartGroup(std::int64_t group)
+{
+    const bool isNew = group != m_group && m_group >= 0 && m_plan.needsGroups;
+    m_group = group;
+    if (!isNew)
+    {
+        return {};
+    }
+    if (Result<void> written = WriteEnded(); !written)
+    {
+        return written;
+    }
+    EndGroup();
+    Result<FFmpegCodec> codec = FFmpegCodec::Open(m_plan, m_settings, Name());
+    if (!codec)
+    {
+        return codec.GetError();
+    }
+    m_codec = std::make_shared<FFmpegCodec>(std::move(*codec));
+    return {};
+}
+
+/// The encoder of the group empties itself on a thread of its own, while the next one begins: by
+/// itself it could not keep all processors busy.
+void FFmpegFilm::EndGroup()
+{
+    const auto empty = [](const std::shared_ptr<FFmpegCodec>& codec,
+                          Packets packets) -> Result<Packets> {
+        int status = codec->Send(nullptr);
+        while (status >= 0)
+        {
+            FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
+            status = codec->Receive(*packet);
+            if (status >= 0)
+            {
+                packets.push_back(std::move(packet));
+            }
+        }
+        if (status != AVERROR_EOF)
+        {
+            return Error{ErrorKind::Failed, "The end of a group of frames cannot be encoded (" +
+                                                FFmpegText(status) +
+                                                "); try another quality or format."};
+        }
+        return packets;
+    };
+    m_ending = std::async(std::launch::async, empty, std::exchange(m_codec, nullptr),
+                          std::exchange(m_waiting, Packets{}));
+}
+
+/// Collects what the encoder has ready.
+Result<void> FFmpegFilm::Take()
+{
+    while (true)
+    {
+        FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
+        const int status = m_codec->Receive(*packet);
+        if (status == AVERROR(EAGAIN) || status == AVERROR_EOF)
+        {
+            return {};
+        }
+        if (status < 0)
+        {
+            return EncodeError(status);
+        }
+        m_waiting.push_back(std::move(packet));
+    }
+}
+
+/// Writes the packets of the group before, waiting for them if need be.
+Result<void> FFmpegFilm::WriteEnded()
+{
+    if (!m_ending.valid())
+    {
+        return {};
+    }
+    Result<Packets> packets = m_ending.get();
+    if (!packets)
+    {
+        return packets.GetError();
+    }
+    return Write(*packets);
+}
+
+/// Writes what may be written now: packets keep their order.
+Result<void> FFmpegFilm::WriteWaiting()
+{
+    if (m_ending.valid())
+    {
+        const bool isReady =
+            m_ending.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+        if (!isReady && m_waiting.size() < kMostWaiting)
+        {
+            return {};
+        }
+        if (Result<void> written = WriteEnded(); !written)
+        {
+            return written;
+        }
+    }
+    return Write(m_waiting);
+}
+
+Result<void> FFmpegFilm::Write(Packets& packets)
+{
+    for (const FFmpegOwner<AVPacket>& packet : packets)
+    {
+        packet->dts = m_decodingTimes->Next();
+        packet->duration = 1;
+        if (Result<void> written = m_muxer->Write(*packet); !written)
+        {
+            return written;
+        }
+    }
+    packets.clear();
+    return {};
+}
+
+/// Empties the encoder and writes what the muxer needs to be played.
+Result<void> FFmpegFilm::Finish()
+{
+    const bool isLastShown = m_shown == Last();
+    if (!isLastShown && !IsAnimation())
+    {
+        if (Result<void> shown = Show(Last()); !shown) // it says how long the one before stays
+        {
+            return shown;
+        }
+    }
+    if (Result<void> written = WriteEnded(); !written)
+    {
+        return written;
+    }
+    EndGroup();
+    if (Result<void> written = WriteEnded(); !written)
+    {
+        return written;
+    }
+    if (IsAnimation())
+    {
+        const std::int64_t end = m_frameTimes.TimeOf(Last() + 1);
+        m_muxer->SetFinalDelay(
+            std::max<std::int64_t>(end - m_frameTimes.TimeOf(m_shown), IsGif() ? 2 : 1));
+    }
+    return m_muxer->Finish();
+}
+
+Result<void> FFmpegFilm::Close()
+{
+    if (Result<void> finished = Finish(); !finished)
+    {
+        return finished;
+    }
+    if (!m_file)
+    {
+        return {};
+    }
+    return m_format == VideoFormat::Mp4 ? CommitWithIndexInFront() : m_file->Commit();
+}
+
+Result<void> FFmpegFilm::Suspend()
+{
+    if (Result<void> finished = Finish(); !finished)
+    {
+        return finished;
+    }
+    return m_file ? m_file->Leave() : Result<void>();
+}
+
+/// While it is made an MP4 is in pieces, each of which can be played; now that all of them are
+/// known they are copied behind one index.
+Result<void> FFmpegFilm::CommitWithIndexInFront()
+{
+    return WriteWithIndexInFront(m_path, m_settings.overwrite, m_file->PartPath(), m_tick, m_delay);
+}
+
+} // namespace
+
+Result<std::unique_ptr<VideoSink>> OpenFFmpegFilm(const std::filesystem::path& path,
+                                                  VideoFormat format, const VideoSettings& settings)
+{
+    if (Result<void> loaded = LoadFFmpeg(); !loaded)
+    {
+        return loaded.GetError();
+    }
+    Result<EncoderPlan> plan = PlanFor(format, settings);
+    if (!plan)
+    {
+        return plan.GetError();
+    }
+    auto film = std::make_unique<FFmpegFilm>(path, format, std::move(*plan), settings);
+    if (Result<void> opened = film->Open(); !opened)
+    {
+        return opened.GetError();
+    }
+    return std::unique_ptr<VideoSink>(std::move(film));
+}
+
+} // namespace boxreel
