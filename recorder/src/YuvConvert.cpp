@@ -37,17 +37,19 @@ constexpr Weights kY = {3063283u, 10305079u, 1040306u, (16u << 24) + (1u << 23) 
 constexpr Weights kCb = {-1688522u, -5680295u, 7368817u, (128u << 24) + (1u << 23)};
 constexpr Weights kCr = {7368816u, -6693138u, -675678u, (128u << 24) + (1u << 23)};
 
-// Of the sum of eight pixels, which takes three bits of the weights. Of flat areas some hundred of
-// the 2^24 colours go to the other side of a half.
-constexpr Weights kCbOfEight = {-211065u, -710037u, 921102u, (128u << 24) + (1u << 23)};
-constexpr Weights kCrOfEight = {921102u, -836642u, -84460u, (128u << 24) + (1u << 23)};
+/// The same for sums of pixels that weigh sixteen together, which takes four bits of the weights,
+/// and with room for what a filter may overshoot: / 2^23, and above by kOvershoot.
+constexpr std::uint32_t kOvershoot = 64; // chroma comes to -40 at least and 296 at most
+constexpr std::uint32_t kZeroOfSums = ((128u + kOvershoot) << 23) + (1u << 22);
+constexpr Weights kCbOfSums = {-52766u, -177509u, 230275u, kZeroOfSums};
+constexpr Weights kCrOfSums = {230276u, -209161u, -21115u, kZeroOfSums};
 
 // Grey has no colour, whatever its brightness.
 constexpr bool IsNeutral(const Weights& w)
 {
     return w.red + w.green + w.blue == 0;
 }
-static_assert(IsNeutral(kCb) && IsNeutral(kCr) && IsNeutral(kCbOfEight) && IsNeutral(kCrOfEight));
+static_assert(IsNeutral(kCb) && IsNeutral(kCr) && IsNeutral(kCbOfSums) && IsNeutral(kCrOfSums));
 
 constexpr int kBlockWidth = 512; // so what is kept between two loops stays in the fastest memory
 static_assert(kBlockWidth % 2 == 0);
@@ -80,10 +82,10 @@ BOXREEL_INLINE std::uint32_t Blue(std::uint32_t pixel)
     return (pixel >> kBlueShift) & 255;
 }
 
-BOXREEL_INLINE std::uint8_t Weigh(const Weights& w, std::uint32_t red, std::uint32_t green,
-                                  std::uint32_t blue)
+BOXREEL_INLINE std::uint32_t Weigh(const Weights& w, std::uint32_t red, std::uint32_t green,
+                                   std::uint32_t blue)
 {
-    return std::uint8_t((w.red * red + w.green * green + w.blue * blue + w.offset) >> 24);
+    return w.red * red + w.green * green + w.blue * blue + w.offset;
 }
 
 /// A run of pixels in a row to as many samples.
@@ -93,7 +95,7 @@ BOXREEL_INLINE void WeighRow(const Weights& weights, const std::uint8_t* rgba, i
     for (int x = 0; x < count; ++x)
     {
         const std::uint32_t pixel = Load(rgba, x);
-        samples[x] = Weigh(weights, Red(pixel), Green(pixel), Blue(pixel));
+        samples[x] = std::uint8_t(Weigh(weights, Red(pixel), Green(pixel), Blue(pixel)) >> 24);
     }
 }
 
@@ -121,11 +123,12 @@ BOXREEL_INLINE void SwapRow(const std::uint8_t* rgba, int count, std::uint8_t* _
 }
 
 /// The colours of columns of two pixels, added; red in the low half and blue in the high one, where
-/// even eight pixels fit. Index 1 is the first column of a block, 0 the one to the left of it.
+/// even sixteen pixels fit. Index kReach is the first column of a block.
+constexpr int kReach = 2; // columns to either side that count for a sample
 struct ColumnSums
 {
-    std::uint32_t redBlue[kBlockWidth + 2];
-    std::uint32_t green[kBlockWidth + 2];
+    std::uint32_t redBlue[kBlockWidth + 2 * kReach];
+    std::uint32_t green[kBlockWidth + 2 * kReach];
 };
 
 BOXREEL_INLINE void AddRows(const std::uint8_t* above, const std::uint8_t* below, int count,
@@ -140,22 +143,31 @@ BOXREEL_INLINE void AddRows(const std::uint8_t* above, const std::uint8_t* below
     }
 }
 
-BOXREEL_INLINE std::uint32_t OneTwoOne(const std::uint32_t* sums, int x)
+/// By the weights -1 2 6 2 -1 of the 5/3 wavelet's low pass, from the column `x` on.
+BOXREEL_INLINE std::uint32_t LowPass(const std::uint32_t* sums, int x)
 {
-    return sums[x] + 2 * sums[x + 1] + sums[x + 2];
+    return 6 * sums[x + 2] + 2 * (sums[x + 1] + sums[x + 3]) - sums[x] - sums[x + 4];
+}
+
+/// Within what a picture may hold: 0 and 255 are for synchronisation (BT.709-6, 4.6).
+BOXREEL_INLINE std::uint8_t Chroma(std::uint32_t sum)
+{
+    return std::uint8_t(std::clamp(int(sum >> 23) - int(kOvershoot), 1, 254));
 }
 
 BOXREEL_INLINE void WeighColumns(const ColumnSums& sums, int count, std::uint8_t* __restrict cb,
                                  std::uint8_t* __restrict cr)
 {
+    // Added to each colour, it changes no chroma, and then no half of a number is negative.
+    constexpr std::uint32_t bias = 1024;
     for (int x = 0; x < count; ++x)
     {
-        const std::uint32_t redBlue = OneTwoOne(sums.redBlue, 2 * x);
-        const std::uint32_t green = OneTwoOne(sums.green, 2 * x);
+        const std::uint32_t redBlue = LowPass(sums.redBlue, 2 * x) + (bias | bias << 16);
+        const std::uint32_t green = LowPass(sums.green, 2 * x) + bias;
         const std::uint32_t red = redBlue & 0xffff;
         const std::uint32_t blue = redBlue >> 16;
-        cb[x] = Weigh(kCbOfEight, red, green, blue);
-        cr[x] = Weigh(kCrOfEight, red, green, blue);
+        cb[x] = Chroma(Weigh(kCbOfSums, red, green, blue));
+        cr[x] = Chroma(Weigh(kCrOfSums, red, green, blue));
     }
 }
 
@@ -164,42 +176,47 @@ std::uint8_t* Sample(const PicturePlanes& picture, int plane, int x, int y)
     return picture.data[plane] + y * picture.strides[plane] + x;
 }
 
+/// The columns around a block from `x0` to `x1`; those at the frame's border stand for those
+/// outside.
+BOXREEL_INLINE void AddBlock(const Frame& frame, int x0, int x1, int y, int yBelow,
+                             ColumnSums& sums)
+{
+    const int first = std::max(x0 - kReach, 0);
+    const int last = std::min(x1 + kReach, frame.width) - 1;
+    const int start = first - x0 + kReach;
+    const int end = last - x0 + kReach;
+    AddRows(frame.Pixel(first, y), frame.Pixel(first, yBelow), last - first + 1,
+            sums.redBlue + start, sums.green + start);
+    std::fill(sums.redBlue, sums.redBlue + start, sums.redBlue[start]);
+    std::fill(sums.green, sums.green + start, sums.green[start]);
+    const int count = x1 - x0 + 2 * kReach;
+    std::fill(sums.redBlue + end + 1, sums.redBlue + count, sums.redBlue[end]);
+    std::fill(sums.green + end + 1, sums.green + count, sums.green[end]);
+}
+
 /// Of two rows from `y`, an even one, the columns from `x0`, an even one, to `x1`: at most a block;
 /// it may end on an odd column only where the frame ends.
 BOXREEL_INLINE void ConvertBlock420(const Frame& frame, int x0, int x1, int y,
                                     const PicturePlanes& picture)
 {
     const int yBelow = std::min(y + 1, frame.height - 1);
-    const std::uint8_t* above = frame.Pixel(x0, y);
-    const std::uint8_t* below = frame.Pixel(x0, yBelow);
-    const int count = x1 - x0;
-    WeighRow(kY, above, count, Sample(picture, 0, x0, y));
-    WeighRow(kY, below, count, Sample(picture, 0, x0, yBelow));
-
+    WeighRow(kY, frame.Pixel(x0, y), x1 - x0, Sample(picture, 0, x0, y));
+    WeighRow(kY, frame.Pixel(x0, yBelow), x1 - x0, Sample(picture, 0, x0, yBelow));
     ColumnSums sums;
-    const int left = x0 > 0 ? 1 : 0; // the first column has no other to the left
-    AddRows(above - left * 4, below - left * 4, count + left, sums.redBlue + 1 - left,
-            sums.green + 1 - left);
-    if (left == 0)
-    {
-        sums.redBlue[0] = sums.redBlue[1];
-        sums.green[0] = sums.green[1];
-    }
-    sums.redBlue[count + 1] = sums.redBlue[count]; // used when the count is odd
-    sums.green[count + 1] = sums.green[count];
-    WeighColumns(sums, (count + 1) / 2, Sample(picture, 1, x0 / 2, y / 2),
+    AddBlock(frame, x0, x1, y, yBelow, sums);
+    WeighColumns(sums, (x1 - x0 + 1) / 2, Sample(picture, 1, x0 / 2, y / 2),
                  Sample(picture, 2, x0 / 2, y / 2));
 }
 
-/// Whole pairs of rows and columns: a pixel in an odd column counts for the sample to its right
-/// too.
+/// Whole pairs of rows and columns, and all pairs that the part reaches.
 BOXREEL_INLINE void Convert420(const Frame& frame, const PixelBounds& part,
                                const PicturePlanes& picture)
 {
-    const int end = std::min((part.x1 / 2 + 1) * 2, frame.width);
+    const int start = std::max(part.x0 - kReach + 1, 0) / 2 * 2;
+    const int end = std::min((part.x1 + kReach + 1) / 2 * 2, frame.width);
     for (int y = part.y0 / 2 * 2; y < part.y1; y += 2)
     {
-        for (int x = part.x0 / 2 * 2; x < end; x += kBlockWidth)
+        for (int x = start; x < end; x += kBlockWidth)
         {
             ConvertBlock420(frame, x, std::min(x + kBlockWidth, end), y, picture);
         }

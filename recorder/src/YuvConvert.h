@@ -13,11 +13,13 @@
 /// Y' = 0.2126 R + 0.7152 G + 0.0722 B, and
 /// Y = 16 + 219/255 Y', Cb = 128 + 224/255 (B - Y')/1.8556, Cr = 128 + 224/255 (R - Y')/1.5748.
 /// In 4:2:0 a chroma sample lies on the left pixel of its two columns and between its two rows
-/// (H.264, annex E, chroma_sample_loc_type 0), so it is the mean of six pixels by the weights
-/// 1 2 1 across and 1 1 down; at the border the pixels there count again for those outside.
+/// (H.264, annex E, chroma_sample_loc_type 0). It is the mean of its two rows, by the weights
+/// -1 2 6 2 -1 of five columns around it: the low pass that belongs to the linear interpolation of
+/// players (5/3 wavelet, Le Gall and Tabatabai 1988), at most 254 and at least 1. At the border of
+/// the frame the pixels there count for those outside.
 ///
 /// Distance from the real number: Y at most 0.500003; Cb and Cr of one pixel at most 0.5, so the
-/// nearest integer; Cb and Cr of six pixels at most 0.5002, and 0.50002 where all six are alike.
+/// nearest integer; Cb and Cr of 4:2:0 at most 0.501, and 0.5002 where all pixels are alike.
 namespace boxreel
 {
 

@@ -23,6 +23,7 @@ using boxreel::Instructions;
 using boxreel::PicturePlanes;
 using boxreel::PixelBounds;
 using boxreel::PlaneFormat;
+using testfilm::FillRect;
 using testfilm::Noise;
 using testing::Each;
 using testing::ElementsAre;
@@ -192,8 +193,9 @@ TEST(YuvConvert, EveryColourOfAFlatAreaKeepsItIn420)
     std::array<double, 3> worst{};
     for (int red = 0; red < 256; ++red)
     {
-        // Each row by itself, so that all of the six pixels of every second sample are alike.
-        const Frame colours = EveryGreenAndBlue(red, 4);
+        // Each row by itself; six pixels of a colour, so that one sample of three sees nothing
+        // else.
+        const Frame colours = EveryGreenAndBlue(red, 6);
         for (int green = 0; green < 256; ++green)
         {
             Frame row(colours.width, 1);
@@ -203,7 +205,7 @@ TEST(YuvConvert, EveryColourOfAFlatAreaKeepsItIn420)
             {
                 for (std::size_t i = 0; i < 3; ++i)
                 {
-                    const int x = i == 0 ? blue * 4 : blue * 2 + 1;
+                    const int x = i == 0 ? blue * 6 : blue * 3 + 1;
                     const double error =
                         kExact[i].Error(picture.At(int(i), x, 0), red, green, blue);
                     worst[i] = std::max(worst[i], error);
@@ -212,8 +214,8 @@ TEST(YuvConvert, EveryColourOfAFlatAreaKeepsItIn420)
         }
     }
     EXPECT_LE(worst[0], 0.500003);
-    EXPECT_LE(worst[1], 0.50002);
-    EXPECT_LE(worst[2], 0.50002);
+    EXPECT_LE(worst[1], 0.5002);
+    EXPECT_LE(worst[2], 0.5002);
 }
 
 TEST(YuvConvert, KnownColoursHaveTheirKnownValues)
@@ -255,41 +257,66 @@ TEST(YuvConvert, GreysHaveNoColour)
     }
 }
 
-/// The mean of six pixels by 1 2 1 and 1 1, by the definition.
+/// The mean of two rows of five pixels, by the definition.
 double ExactChroma(const Frame& frame, int plane, int x, int y)
 {
     double sum = 0.0;
     for (const int dy : {0, 1})
     {
-        for (const int dx : {-1, 0, 0, 1})
+        for (int dx = -2; dx <= 2; ++dx)
         {
+            const double weight = (dx == 0 ? 6 : std::abs(dx) == 1 ? 2 : -1) / 16.0;
             const std::uint8_t* p = frame.Pixel(std::clamp(2 * x + dx, 0, frame.width - 1),
                                                 std::min(2 * y + dy, frame.height - 1));
-            sum += kExact[plane].Value(p[0], p[1], p[2]) / 8.0;
+            sum += weight * kExact[plane].Value(p[0], p[1], p[2]);
         }
     }
-    return sum;
+    return std::clamp(sum, 1.0, 254.0);
 }
 
-TEST(YuvConvert, AChromaSampleIsTheMeanOfItsSixPixels)
+double WorstChroma(const Frame& frame)
+{
+    const Picture picture = Converted(frame, PlaneFormat::Yuv420);
+    double worst = 0.0;
+    for (int y = 0; y < picture.Height(1); ++y)
+    {
+        for (int x = 0; x < picture.Width(1); ++x)
+        {
+            for (const int plane : {1, 2})
+            {
+                const double exact = ExactChroma(frame, plane, x, y);
+                worst = std::max(worst, std::abs(picture.At(plane, x, y) - exact));
+            }
+        }
+    }
+    return worst;
+}
+
+TEST(YuvConvert, AChromaSampleIsTheLowPassOfTwoRowsOfFivePixels)
 {
     for (const auto& [width, height] : {std::pair(64, 48), {1, 1}, {2, 2}, {3, 5}, {1151, 7}})
     {
-        const Frame frame = Noise(width, height, width);
-        const Picture picture = Converted(frame, PlaneFormat::Yuv420);
-        double worst = 0.0;
-        for (int y = 0; y < picture.Height(1); ++y)
+        EXPECT_LE(WorstChroma(Noise(width, height, width)), 0.501) << width << "x" << height;
+    }
+}
+
+TEST(YuvConvert, TheHarshestEdgesEndAtTheBoundsOfAPicture)
+{
+    // Blue, yellow, red and cyan are the ends of Cb and Cr.
+    const int ends[4][3] = {{0, 0, 255}, {255, 255, 0}, {255, 0, 0}, {0, 255, 255}};
+    for (const auto& [one, other] : {std::pair(0, 1), {1, 0}, {2, 3}, {3, 2}})
+    {
+        for (int columns = 1; columns <= 4; ++columns)
         {
-            for (int x = 0; x < picture.Width(1); ++x)
+            Frame frame = Flat(32, 4, ends[one][0], ends[one][1], ends[one][2]);
+            for (int x = 16; x < 32; x += 2 * columns)
             {
-                for (const int plane : {1, 2})
-                {
-                    const double exact = ExactChroma(frame, plane, x, y);
-                    worst = std::max(worst, std::abs(picture.At(plane, x, y) - exact));
-                }
+                FillRect(frame, x, 0, x + columns, 4,
+                         {std::uint8_t(ends[other][0]), std::uint8_t(ends[other][1]),
+                          std::uint8_t(ends[other][2])});
             }
+            EXPECT_LE(WorstChroma(frame), 0.501);
         }
-        EXPECT_LE(worst, 0.5002) << width << "x" << height;
     }
 }
 
