@@ -122,31 +122,49 @@ BOXREEL_INLINE void SwapRow(const std::uint8_t* rgba, int count, std::uint8_t* _
     }
 }
 
-/// The colours of columns of two pixels, added; red in the low half and blue in the high one, where
-/// even sixteen pixels fit. Index kReach is the first column of a block.
-constexpr int kReach = 2; // columns to either side that count for a sample
+/// Columns of two pixels, the colours of both added: red in the low half and blue in the high one,
+/// where even sixteen pixels fit. Column x of a block from x0 is at (x - x0) / 2 + 1 of `even` or,
+/// to its right, of `odd`; apart, as samples of chroma are two columns apart.
 struct ColumnSums
 {
-    std::uint32_t redBlue[kBlockWidth + 2 * kReach];
-    std::uint32_t green[kBlockWidth + 2 * kReach];
+    struct Colours
+    {
+        std::uint32_t redBlue[kBlockWidth / 2 + 3];
+        std::uint32_t green[kBlockWidth / 2 + 3];
+    };
+    Colours even;
+    Colours odd;
 };
 
-BOXREEL_INLINE void AddRows(const std::uint8_t* above, const std::uint8_t* below, int count,
-                            std::uint32_t* __restrict redBlue, std::uint32_t* __restrict green)
+BOXREEL_INLINE std::uint32_t RedBlue(std::uint32_t pixel)
 {
-    for (int x = 0; x < count; ++x)
+    return Red(pixel) | Blue(pixel) << 16;
+}
+
+BOXREEL_INLINE void AddPairs(const std::uint8_t* above, const std::uint8_t* below, int count,
+                             ColumnSums& sums)
+{
+    std::uint32_t* __restrict evenRedBlue = sums.even.redBlue + 1;
+    std::uint32_t* __restrict evenGreen = sums.even.green + 1;
+    std::uint32_t* __restrict oddRedBlue = sums.odd.redBlue + 1;
+    std::uint32_t* __restrict oddGreen = sums.odd.green + 1;
+    for (int i = 0; i < count; ++i)
     {
-        const std::uint32_t a = Load(above, x);
-        const std::uint32_t b = Load(below, x);
-        redBlue[x] = (Red(a) | Blue(a) << 16) + (Red(b) | Blue(b) << 16);
-        green[x] = Green(a) + Green(b);
+        const std::uint32_t a = Load(above, 2 * i);
+        const std::uint32_t b = Load(below, 2 * i);
+        const std::uint32_t c = Load(above, 2 * i + 1);
+        const std::uint32_t d = Load(below, 2 * i + 1);
+        evenRedBlue[i] = RedBlue(a) + RedBlue(b);
+        evenGreen[i] = Green(a) + Green(b);
+        oddRedBlue[i] = RedBlue(c) + RedBlue(d);
+        oddGreen[i] = Green(c) + Green(d);
     }
 }
 
-/// By the weights -1 2 6 2 -1 of the 5/3 wavelet's low pass, from the column `x` on.
-BOXREEL_INLINE std::uint32_t LowPass(const std::uint32_t* sums, int x)
+/// By the weights -1 2 6 2 -1 of the 5/3 wavelet's low pass.
+BOXREEL_INLINE std::uint32_t LowPass(const std::uint32_t* even, const std::uint32_t* odd, int i)
 {
-    return 6 * sums[x + 2] + 2 * (sums[x + 1] + sums[x + 3]) - sums[x] - sums[x + 4];
+    return 6 * even[i + 1] + 2 * (odd[i] + odd[i + 1]) - even[i] - even[i + 2];
 }
 
 /// Within what a picture may hold: 0 and 255 are for synchronisation (BT.709-6, 4.6).
@@ -162,8 +180,9 @@ BOXREEL_INLINE void WeighColumns(const ColumnSums& sums, int count, std::uint8_t
     constexpr std::uint32_t bias = 1024;
     for (int x = 0; x < count; ++x)
     {
-        const std::uint32_t redBlue = LowPass(sums.redBlue, 2 * x) + (bias | bias << 16);
-        const std::uint32_t green = LowPass(sums.green, 2 * x) + bias;
+        const std::uint32_t redBlue =
+            LowPass(sums.even.redBlue, sums.odd.redBlue, x) + (bias | bias << 16);
+        const std::uint32_t green = LowPass(sums.even.green, sums.odd.green, x) + bias;
         const std::uint32_t red = redBlue & 0xffff;
         const std::uint32_t blue = redBlue >> 16;
         cb[x] = Chroma(Weigh(kCbOfSums, red, green, blue));
@@ -176,22 +195,29 @@ std::uint8_t* Sample(const PicturePlanes& picture, int plane, int x, int y)
     return picture.data[plane] + y * picture.strides[plane] + x;
 }
 
-/// The columns around a block from `x0` to `x1`; those at the frame's border stand for those
-/// outside.
-BOXREEL_INLINE void AddBlock(const Frame& frame, int x0, int x1, int y, int yBelow,
-                             ColumnSums& sums)
+/// One column of a block from `x0`; at the frame's border those stand for the columns outside.
+BOXREEL_INLINE void AddColumn(const Frame& frame, int x0, int x, int y, int yBelow,
+                              ColumnSums& sums)
 {
-    const int first = std::max(x0 - kReach, 0);
-    const int last = std::min(x1 + kReach, frame.width) - 1;
-    const int start = first - x0 + kReach;
-    const int end = last - x0 + kReach;
-    AddRows(frame.Pixel(first, y), frame.Pixel(first, yBelow), last - first + 1,
-            sums.redBlue + start, sums.green + start);
-    std::fill(sums.redBlue, sums.redBlue + start, sums.redBlue[start]);
-    std::fill(sums.green, sums.green + start, sums.green[start]);
-    const int count = x1 - x0 + 2 * kReach;
-    std::fill(sums.redBlue + end + 1, sums.redBlue + count, sums.redBlue[end]);
-    std::fill(sums.green + end + 1, sums.green + count, sums.green[end]);
+    const int inside = std::clamp(x, 0, frame.width - 1);
+    const std::uint32_t a = Load(frame.Pixel(inside, y), 0);
+    const std::uint32_t b = Load(frame.Pixel(inside, yBelow), 0);
+    ColumnSums::Colours& colours = x % 2 == 0 ? sums.even : sums.odd;
+    const int i = (x - x0 + 2) / 2;
+    colours.redBlue[i] = RedBlue(a) + RedBlue(b);
+    colours.green[i] = Green(a) + Green(b);
+}
+
+/// The columns from `x0` to `x1` and two to either side.
+BOXREEL_INLINE void AddColumns(const Frame& frame, int x0, int x1, int y, int yBelow,
+                               ColumnSums& sums)
+{
+    const int pairs = (x1 - x0) / 2;
+    AddPairs(frame.Pixel(x0, y), frame.Pixel(x0, yBelow), pairs, sums);
+    for (const int x : {x0 - 2, x0 - 1, x0 + 2 * pairs, x0 + 2 * pairs + 1, x0 + 2 * pairs + 2})
+    {
+        AddColumn(frame, x0, x, y, yBelow, sums);
+    }
 }
 
 /// Of two rows from `y`, an even one, the columns from `x0`, an even one, to `x1`: at most a block;
@@ -203,17 +229,17 @@ BOXREEL_INLINE void ConvertBlock420(const Frame& frame, int x0, int x1, int y,
     WeighRow(kY, frame.Pixel(x0, y), x1 - x0, Sample(picture, 0, x0, y));
     WeighRow(kY, frame.Pixel(x0, yBelow), x1 - x0, Sample(picture, 0, x0, yBelow));
     ColumnSums sums;
-    AddBlock(frame, x0, x1, y, yBelow, sums);
+    AddColumns(frame, x0, x1, y, yBelow, sums);
     WeighColumns(sums, (x1 - x0 + 1) / 2, Sample(picture, 1, x0 / 2, y / 2),
                  Sample(picture, 2, x0 / 2, y / 2));
 }
 
-/// Whole pairs of rows and columns, and all pairs that the part reaches.
+/// Whole pairs of rows and columns: all whose samples reach the part, two columns to either side.
 BOXREEL_INLINE void Convert420(const Frame& frame, const PixelBounds& part,
                                const PicturePlanes& picture)
 {
-    const int start = std::max(part.x0 - kReach + 1, 0) / 2 * 2;
-    const int end = std::min((part.x1 + kReach + 1) / 2 * 2, frame.width);
+    const int start = std::max(part.x0 - 1, 0) / 2 * 2;
+    const int end = std::min((part.x1 + 3) / 2 * 2, frame.width);
     for (int y = part.y0 / 2 * 2; y < part.y1; y += 2)
     {
         for (int x = start; x < end; x += kBlockWidth)
