@@ -167,7 +167,7 @@ BOXREEL_INLINE std::uint32_t LowPass(const std::uint32_t* even, const std::uint3
     return 6 * even[i + 1] + 2 * (odd[i] + odd[i + 1]) - even[i] - even[i + 2];
 }
 
-/// Within what a picture may hold: 0 and 255 are for synchronisation (BT.709-6, 4.6).
+/// Within what a picture may hold: 0 and 255 are for synchronisation (BT.709-6, part 4).
 BOXREEL_INLINE std::uint8_t Chroma(std::uint32_t sum)
 {
     return std::uint8_t(std::clamp(int(sum >> 23) - int(kOvershoot), 1, 254));

@@ -9,7 +9,7 @@
 /// The pixels of a frame become the planes that codecs take, whole or where they have changed.
 /// Alpha is ignored. Knows no codec: FFmpegPicture says where the planes are.
 ///
-/// YUV is by the matrix of BT.709-6 (3.2 to 3.4), limited range, 8 bits. With colours of 0 to 255:
+/// YUV is by the matrix of BT.709-6 (part 3), limited range, 8 bits. With colours of 0 to 255:
 /// Y' = 0.2126 R + 0.7152 G + 0.0722 B, and
 /// Y = 16 + 219/255 Y', Cb = 128 + 224/255 (B - Y')/1.8556, Cr = 128 + 224/255 (R - Y')/1.5748.
 /// In 4:2:0 a chroma sample lies on the left pixel of its two columns and between its two rows
