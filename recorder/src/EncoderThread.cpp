@@ -1,8 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "EncoderThread.h"
 
+#include <cstring>
+
 namespace boxreel
 {
+
+namespace
+{
+
+void CopyPixels(const Frame& from, const PixelBounds& part, Frame& to)
+{
+    const std::size_t bytes = std::size_t(part.x1 - part.x0) * 4;
+    for (int y = part.y0; y < part.y1; ++y)
+    {
+        std::memcpy(to.Pixel(part.x0, y), from.Pixel(part.x0, y), bytes);
+    }
+}
+
+/// Makes `to` equal to `from`, from which it differs inside of `stale` only. Parts that come
+/// several times are copied several times; when that is more than a whole frame, it is one.
+void BringUpToDate(const Frame& from, std::span<const PixelBounds> stale, Frame& to)
+{
+    std::int64_t area = 0;
+    for (const PixelBounds& part : stale)
+    {
+        area += part.Area();
+    }
+    const bool isFirst = to.width != from.width || to.height != from.height;
+    if (isFirst || area >= std::int64_t(from.width) * from.height)
+    {
+        to = from;
+        return;
+    }
+    for (const PixelBounds& part : stale)
+    {
+        CopyPixels(from, part, to);
+    }
+}
+
+} // namespace
 
 EncoderThread::EncoderThread(VideoWriter& writer) : m_writer(writer), m_thread([this] { Work(); })
 {}
@@ -27,21 +64,51 @@ void EncoderThread::End(bool isDropping)
     m_thread.join();
 }
 
-Frame* EncoderThread::BeginFrame()
+EncoderThread::Slot* EncoderThread::WaitForRoom()
 {
     std::unique_lock lock(m_mutex);
     m_changed.wait(lock, [this] { return m_count < kDepth || m_error; });
-    return m_error ? nullptr : &m_slots[(m_first + m_count) % kDepth].frame;
+    return m_error ? nullptr : &m_slots[(m_first + m_count) % kDepth];
 }
 
-void EncoderThread::EndFrame(bool isRepeat)
+void EncoderThread::HandOver()
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_slots[(m_first + m_count) % kDepth].isRepeat = isRepeat;
         ++m_count;
     }
     m_changed.notify_all();
+}
+
+bool EncoderThread::Append(const Frame& frame, std::span<const PixelBounds> changed)
+{
+    Slot* slot = WaitForRoom();
+    if (slot == nullptr)
+    {
+        return false;
+    }
+    for (Slot& other : m_slots)
+    {
+        other.stale.insert(other.stale.end(), changed.begin(), changed.end());
+    }
+    BringUpToDate(frame, slot->stale, slot->frame);
+    slot->stale.clear();
+    slot->changed.assign(changed.begin(), changed.end());
+    slot->isRepeat = false;
+    HandOver();
+    return true;
+}
+
+bool EncoderThread::Repeat()
+{
+    Slot* slot = WaitForRoom();
+    if (slot == nullptr)
+    {
+        return false;
+    }
+    slot->isRepeat = true;
+    HandOver();
+    return true;
 }
 
 std::int64_t EncoderThread::FramesDone()
@@ -63,6 +130,11 @@ Result<void> EncoderThread::Finish()
     return m_error ? Result<void>(*m_error) : Result<void>();
 }
 
+Result<void> EncoderThread::Encode(const Slot& slot)
+{
+    return slot.isRepeat ? m_writer.Repeat() : m_writer.Append(slot.frame, slot.changed);
+}
+
 void EncoderThread::Work()
 {
     std::unique_lock lock(m_mutex);
@@ -75,7 +147,7 @@ void EncoderThread::Work()
         }
         const Slot& slot = m_slots[m_first];
         lock.unlock();
-        const Result<void> done = slot.isRepeat ? m_writer.Repeat() : m_writer.Append(slot.frame);
+        const Result<void> done = Encode(slot);
         lock.lock();
         if (!done)
         {

@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
+#include <vector>
 
 /// Feeds a VideoWriter on a thread of its own through a ring of frames, so that memory stays flat
 /// and nothing is allocated once the ring is warm. Used by Record; one thread fills, this one
@@ -25,12 +27,12 @@ public:
     EncoderThread(const EncoderThread&) = delete;
     EncoderThread& operator=(const EncoderThread&) = delete;
 
-    /// Waits for room; a frame to fill, or null when the writer has failed.
-    Frame* BeginFrame();
+    /// Waits for room and hands over a copy. `frame` differs from the one handed over before inside
+    /// of `changed` only. False when the writer has failed.
+    bool Append(const Frame& frame, std::span<const PixelBounds> changed);
 
-    /// Hands over what BeginFrame gave; `isRepeat`: it was not filled, the frame before comes once
-    /// more.
-    void EndFrame(bool isRepeat);
+    /// Waits for room; the frame before comes once more. False when the writer has failed.
+    bool Repeat();
 
     std::int64_t FramesDone();
 
@@ -44,11 +46,16 @@ private:
     struct Slot
     {
         Frame frame;
+        std::vector<PixelBounds> changed; // since the frame before
+        std::vector<PixelBounds> stale;   // where `frame` shows an older one; the caller's
         bool isRepeat = false;
     };
     // Evens out frames that take long to draw or to encode; more only costs memory.
     static constexpr std::size_t kDepth = 4;
 
+    Slot* WaitForRoom();
+    void HandOver();
+    Result<void> Encode(const Slot& slot);
     void Work();
     void End(bool isDropping);
 

@@ -267,13 +267,15 @@ Result<void> FFmpegFilm::FillIndexed(const Frame& frame)
 }
 
 /// Whether a frame that shows what the one before shows is encoded all the same. A group's first
-/// and last are, so that it is the same whatever comes before and after it.
+/// and last are, so that it is the same whatever comes before and after it; and the second of all,
+/// for most programs take the film's rate from the distance of the first two.
 bool FFmpegFilm::MustShow(std::int64_t number) const
 {
     const std::int64_t group = m_frameTimes.GroupOf(number);
     const bool isFirst = group != m_group;
     const bool isLast = group != m_frameTimes.GroupOf(number + 1);
-    return m_plan.isConstantRate || m_settings.constantRate || isFirst ||
+    const bool isSecond = m_shown == 0 && m_resumed == 0;
+    return m_plan.isConstantRate || m_settings.constantRate || isFirst || isSecond ||
            (isLast && m_plan.needsGroups);
 }
 

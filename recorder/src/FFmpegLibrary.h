@@ -47,9 +47,10 @@ namespace boxreel
     X(av_strerror)
 
 #define BOXREEL_SWSCALE_FUNCTIONS(X)                                                               \
+    X(sws_alloc_context)                                                                           \
     X(sws_freeContext)                                                                             \
     X(sws_getCoefficients)                                                                         \
-    X(sws_getContext)                                                                              \
+    X(sws_init_context)                                                                            \
     X(sws_isSupportedInput)                                                                        \
     X(sws_scale)                                                                                   \
     X(sws_setColorspaceDetails)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegPicture.h"
 
+#include <cassert>
+#include <optional>
 #include <utility>
 
 namespace boxreel
@@ -57,37 +59,92 @@ bool IsFullRange(const AVFrame& picture)
     return isRgb || isFullRangeFormat || picture.color_range == AVCOL_RANGE_JPEG;
 }
 
+const char* NameOf(AVPixelFormat format)
+{
+    const char* name = FFmpeg().av_get_pix_fmt_name(format);
+    return name != nullptr ? name : "unknown";
+}
+
+std::optional<PlaneFormat> PlanesOf(AVPixelFormat format)
+{
+    switch (format)
+    {
+    case AV_PIX_FMT_YUV420P:
+        return PlaneFormat::Yuv420;
+    case AV_PIX_FMT_YUV444P:
+        return PlaneFormat::Yuv444;
+    case AV_PIX_FMT_GBRP:
+        return PlaneFormat::Gbr;
+    case AV_PIX_FMT_BGR0:
+        return PlaneFormat::Bgr0;
+    case AV_PIX_FMT_RGB24:
+        return PlaneFormat::Rgb24;
+    default:
+        return std::nullopt;
+    }
+}
+
+/// swscale takes chroma for centred unless told otherwise; the formats of films, and untagged ones,
+/// have it to the left. In 1/256 of a pixel from the centre of the first one.
+void PlaceChroma(SwsContext* context, const AVFrame& picture)
+{
+    const AVPixFmtDescriptor* description =
+        FFmpeg().av_pix_fmt_desc_get(AVPixelFormat(picture.format));
+    const AVChromaLocation place = picture.chroma_location;
+    const bool isLeft = place == AVCHROMA_LOC_UNSPECIFIED || place == AVCHROMA_LOC_LEFT ||
+                        place == AVCHROMA_LOC_TOPLEFT || place == AVCHROMA_LOC_BOTTOMLEFT;
+    const bool isTop = place == AVCHROMA_LOC_TOPLEFT || place == AVCHROMA_LOC_TOP;
+    const bool isBottom = place == AVCHROMA_LOC_BOTTOMLEFT || place == AVCHROMA_LOC_BOTTOM;
+    if (description->log2_chroma_w == 1 && isLeft)
+    {
+        FFmpeg().av_opt_set_int(context, "src_h_chr_pos", 0, 0);
+    }
+    if (description->log2_chroma_h == 1 && (isTop || isBottom))
+    {
+        FFmpeg().av_opt_set_int(context, "src_v_chr_pos", isTop ? 0 : 256, 0);
+    }
+}
+
 } // namespace
 
 Result<FrameToPicture> FrameToPicture::Create(int width, int height, AVPixelFormat format)
 {
-    FFmpegOwner<SwsContext> context(FFmpeg().sws_getContext(
-        width, height, AV_PIX_FMT_RGB0, width, height, format, kFlags, nullptr, nullptr, nullptr));
-    if (!context)
+    const std::optional<PlaneFormat> planes = PlanesOf(format);
+    if (!planes)
     {
-        return Error{ErrorKind::Absent,
-                     "This libswscale cannot make the pictures a film needs; install Debian's "
-                     "libswscale" +
-                         std::to_string(LIBSWSCALE_VERSION_MAJOR) + "."};
+        return Error{ErrorKind::Unusable,
+                     std::string("Frames cannot become pictures of the kind ") + NameOf(format) +
+                         "; use yuv420p, yuv444p, gbrp, bgr0 or rgb24."};
     }
-    SetColours(context.get(), SWS_CS_ITU709, true, SWS_CS_ITU709, false);
-    return FrameToPicture(std::move(context));
+    return FrameToPicture(width, height, *planes);
 }
 
-FrameToPicture::FrameToPicture(FFmpegOwner<SwsContext> context) : m_context(std::move(context)) {}
-
-void FrameToPicture::Convert(const Frame& frame, std::span<const PixelBounds>,
-                             AVFrame& picture) const
-{
-    Convert(frame, picture);
-}
+FrameToPicture::FrameToPicture(int width, int height, PlaneFormat format)
+    : m_width(width), m_height(height), m_format(format)
+{}
 
 void FrameToPicture::Convert(const Frame& frame, AVFrame& picture) const
 {
-    const std::uint8_t* const rows[4] = {frame.rgba.data(), nullptr, nullptr, nullptr};
-    const int strides[4] = {frame.width * 4, 0, 0, 0};
-    FFmpeg().sws_scale(m_context.get(), rows, strides, 0, frame.height, picture.data,
-                       picture.linesize);
+    const PixelBounds all{0, 0, m_width, m_height};
+    Convert(frame, {&all, 1}, picture);
+}
+
+void FrameToPicture::Convert(const Frame& frame, std::span<const PixelBounds> changed,
+                             AVFrame& picture) const
+{
+    assert(frame.width == m_width && frame.height == m_height && "the size of Create");
+    assert(picture.width == m_width && picture.height == m_height && "the size of Create");
+    assert(PlanesOf(AVPixelFormat(picture.format)) == m_format && "the format of Create");
+    PicturePlanes planes{.format = m_format};
+    for (int i = 0; i < 3; ++i)
+    {
+        planes.data[i] = picture.data[i];
+        planes.strides[i] = picture.linesize[i];
+    }
+    for (const PixelBounds& part : changed)
+    {
+        ConvertPixels(frame, part, planes);
+    }
 }
 
 bool PictureToFrame::Prepare(const AVFrame& picture)
@@ -95,7 +152,8 @@ bool PictureToFrame::Prepare(const AVFrame& picture)
     const int space = MatrixOf(picture);
     const int range = IsFullRange(picture) ? 1 : 0;
     if (m_context && m_width == picture.width && m_height == picture.height &&
-        m_format == picture.format && m_space == space && m_range == range)
+        m_format == picture.format && m_space == space && m_range == range &&
+        m_chromaLocation == picture.chroma_location)
     {
         return true;
     }
@@ -104,28 +162,47 @@ bool PictureToFrame::Prepare(const AVFrame& picture)
     m_format = picture.format;
     m_space = space;
     m_range = range;
-    const auto format = AVPixelFormat(picture.format);
+    m_chromaLocation = picture.chroma_location;
     m_context.reset();
-    if (FFmpeg().sws_isSupportedInput(format) != 0)
+    if (FFmpeg().sws_isSupportedInput(AVPixelFormat(picture.format)) != 0)
     {
-        m_context.reset(FFmpeg().sws_getContext(m_width, m_height, format, m_width, m_height,
-                                                AV_PIX_FMT_RGB0, kFlags, nullptr, nullptr,
-                                                nullptr));
-    }
-    if (m_context)
-    {
-        SetColours(m_context.get(), space, range != 0, SWS_CS_ITU709, true);
+        OpenContext(picture);
     }
     return m_context != nullptr;
+}
+
+/// Leaves none when swscale refuses.
+void PictureToFrame::OpenContext(const AVFrame& picture)
+{
+    m_context.reset(FFmpeg().sws_alloc_context());
+    if (!m_context)
+    {
+        return;
+    }
+    const std::pair<const char*, int> options[] = {
+        {"srcw", m_width},     {"srch", m_height},       {"dstw", m_width},
+        {"dsth", m_height},    {"src_format", m_format}, {"dst_format", AV_PIX_FMT_RGB0},
+        {"sws_flags", kFlags},
+    };
+    for (const auto& [name, value] : options)
+    {
+        FFmpeg().av_opt_set_int(m_context.get(), name, value, 0);
+    }
+    PlaceChroma(m_context.get(), picture);
+    if (FFmpeg().sws_init_context(m_context.get(), nullptr, nullptr) < 0)
+    {
+        m_context.reset();
+        return;
+    }
+    SetColours(m_context.get(), m_space, m_range != 0, SWS_CS_ITU709, true);
 }
 
 Result<void> PictureToFrame::Convert(const AVFrame& picture, Frame& frame)
 {
     if (!Prepare(picture))
     {
-        const char* name = FFmpeg().av_get_pix_fmt_name(AVPixelFormat(picture.format));
         return Error{ErrorKind::Unusable, std::string("pictures of the kind ") +
-                                              (name != nullptr ? name : "unknown") +
+                                              NameOf(AVPixelFormat(picture.format)) +
                                               " cannot be converted"};
     }
     if (frame.width != picture.width || frame.height != picture.height)

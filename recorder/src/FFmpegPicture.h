@@ -2,35 +2,41 @@
 #pragma once
 
 #include "FFmpegLibrary.h"
+#include "YuvConvert.h"
 
 #include <render/Frame.h>
 
 #include <span>
 
 /// Colours between frames (RGB, full range) and the pictures codecs take. The one place that knows
-/// matrices and ranges.
+/// matrices, ranges and places of chroma; the arithmetic is YuvConvert's towards a codec and
+/// swscale's back.
 namespace boxreel
 {
 
-/// Frame -> picture of a fixed size and pixel format; YUV by the bt709 matrix, limited range.
+/// Frame -> picture of a fixed size and pixel format: yuv420p with chroma to the left or yuv444p,
+/// both by the bt709 matrix in limited range; gbrp or bgr0.
 class FrameToPicture
 {
 public:
+    /// An Error (Unusable) for another format.
     static Result<FrameToPicture> Create(int width, int height, AVPixelFormat format);
 
     /// Writes into `picture`, which must be writable and of that size and format.
     void Convert(const Frame& frame, AVFrame& picture) const;
 
-    /// The same when the picture shows a frame that differs inside of `changed` only.
+    /// The same when `picture` already shows a frame that differs from this one in `changed` only.
     void Convert(const Frame& frame, std::span<const PixelBounds> changed, AVFrame& picture) const;
 
 private:
-    explicit FrameToPicture(FFmpegOwner<SwsContext> context);
-    FFmpegOwner<SwsContext> m_context;
+    FrameToPicture(int width, int height, PlaneFormat format);
+    int m_width;
+    int m_height;
+    PlaneFormat m_format;
 };
 
 /// Picture -> frame, by the picture's own tags. Untagged YUV is taken as players take it: bt709
-/// from 720 lines on, else bt601. Follows a film whose pictures change.
+/// from 720 lines on, else bt601, its chroma to the left. Follows a film whose pictures change.
 class PictureToFrame
 {
 public:
@@ -38,6 +44,7 @@ public:
 
 private:
     bool Prepare(const AVFrame& picture);
+    void OpenContext(const AVFrame& picture);
 
     FFmpegOwner<SwsContext> m_context;
     int m_width = 0;
@@ -45,6 +52,7 @@ private:
     int m_format = -1;
     int m_space = -1;
     int m_range = -1;
+    int m_chromaLocation = -1;
 };
 
 } // namespace boxreel

@@ -4,6 +4,7 @@
 #include "EncoderThread.h"
 
 #include <cassert>
+#include <span>
 #include <string>
 
 namespace boxreel
@@ -25,6 +26,8 @@ public:
 private:
     Result<void> Fill(std::int64_t frame);
     Result<void> Make(std::int64_t frame);
+    Result<void> HandOver();
+    Result<void> Repeat();
     bool Report(std::int64_t framesDone);
     Result<void> Finish();
 
@@ -34,6 +37,7 @@ private:
     FrameContent m_content;
     std::int64_t m_reported = 0;
     std::int64_t m_repeated = 0;
+    bool m_isBegun = false; // the encoder has a frame
     EncoderThread m_encoder;
 };
 
@@ -77,7 +81,7 @@ Result<void> Recorder::Make(std::int64_t frame)
     }
     // The renderer may have drawn the same before this film began, but the film has no frame to
     // repeat then.
-    const bool isRepeat = frame > 0 && m_renderer.Statistics().unchanged;
+    const bool isRepeat = m_isBegun && m_renderer.Statistics().unchanged;
     if (frame + 1 < m_settings.frameCount)
     {
         if (Result<void> filled = Fill(frame + 1); !filled)
@@ -85,21 +89,33 @@ Result<void> Recorder::Make(std::int64_t frame)
             return filled;
         }
     }
-    Frame* pixels = m_encoder.BeginFrame();
-    if (pixels == nullptr)
+    if (Result<void> handed = isRepeat ? Repeat() : HandOver(); !handed)
     {
-        return m_encoder.Finish();
-    }
-    if (!isRepeat)
-    {
-        if (Result<void> read = m_renderer.Read(*pixels); !read)
-        {
-            return read;
-        }
+        return handed;
     }
     m_repeated += isRepeat ? 1 : 0;
-    m_encoder.EndFrame(isRepeat);
+    m_isBegun = true;
     return {};
+}
+
+/// Reads what has changed and hands it to the encoder.
+Result<void> Recorder::HandOver()
+{
+    const Result<const Frame*> read = m_renderer.ReadChanges();
+    if (!read)
+    {
+        return read.GetError();
+    }
+    const Frame& frame = **read;
+    const PixelBounds whole{0, 0, frame.width, frame.height};
+    const std::span<const PixelBounds> changed =
+        m_isBegun ? m_renderer.Changes() : std::span(&whole, 1);
+    return m_encoder.Append(frame, changed) ? Result<void>() : m_encoder.Finish();
+}
+
+Result<void> Recorder::Repeat()
+{
+    return m_encoder.Repeat() ? Result<void>() : m_encoder.Finish();
 }
 
 /// False when the caller wants to stop.

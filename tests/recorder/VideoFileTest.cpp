@@ -257,7 +257,9 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
     const Refused cases[] = {
         {"film", {}, "no extension"},
         {"film.avi", {}, ".avi"},
-        {"film.avi", {}, "use .mp4, .mkv, .webm, .gif, .apng, .webp or a name like frames-####.png"},
+        {"film.avi",
+         {},
+         "use .mp4, .mkv, .webm, .gif, .apng, .webp or a name like frames-####.png"},
         {"", {}, "names no file"},
         {"folder/", {}, "names no file"},
         {".mp4", {}, "no extension"},

@@ -68,6 +68,43 @@ TEST_F(VideoReaderTest, AnH264FilmCarriesTheTagsOfHd)
     }
 }
 
+/// The mean of reader minus writer over one colour, away from the border.
+double MeanShift(const Frame& read, const Frame& written, int colour)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 8; y < written.height - 8; ++y)
+    {
+        for (int x = 8; x < written.width - 8; ++x, ++count)
+        {
+            sum += read.Pixel(x, y)[colour] - written.Pixel(x, y)[colour];
+        }
+    }
+    return sum / count;
+}
+
+/// Half a pixel to the side would be one of 255 here, up in one colour and down in the other.
+TEST_F(VideoReaderTest, ColoursComeBackWhereTheyWere)
+{
+    Frame frame(128, 64);
+    for (int y = 0; y < frame.height; ++y)
+    {
+        for (int x = 0; x < frame.width; ++x)
+        {
+            FillRect(frame, x, y, x + 1, y + 1,
+                     {std::uint8_t(2 * x), 128, std::uint8_t(254 - 2 * x)});
+        }
+    }
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm"})
+    {
+        WriteFilm(m_folder / name, {.quality = Quality::High}, {frame, frame, frame});
+        const Film film = ReadFilm(m_folder / name);
+        ASSERT_EQ(film.frames.size(), 3u);
+        EXPECT_NEAR(MeanShift(film.frames[1], frame, 0), 0.0, 0.3) << name;
+        EXPECT_NEAR(MeanShift(film.frames[1], frame, 2), 0.0, 0.3) << name;
+    }
+}
+
 TEST_F(VideoReaderTest, ALosslessFilmIsTaggedAsFullRangeRgb)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm"})

@@ -47,15 +47,15 @@ void PrintTo(const Case& c, std::ostream* out)
 // The errors are those of 1-px lines in 4:2:0, where a line keeps its brightness and shares its
 // colour with its neighbours; measured, with a tenth to spare.
 const Case kCases[] = {
-    {"draft.mp4", Quality::Draft, "h264", "yuv420p", 0.0, 110, 3.0},
-    {"standard.mp4", Quality::Standard, "h264", "yuv420p", 0.0, 90, 1.5},
-    {"high.mp4", Quality::High, "h264", "yuv420p", 0.0, 90, 1.2},
+    {"draft.mp4", Quality::Draft, "h264", "yuv420p", 0.0, 60, 0.75},
+    {"standard.mp4", Quality::Standard, "h264", "yuv420p", 0.0, 50, 0.7},
+    {"high.mp4", Quality::High, "h264", "yuv420p", 0.0, 50, 0.7},
     {"lossless.mp4", Quality::Lossless, "h264", "gbrp", 0.0, 0, 0.0},
-    {"standard.mkv", Quality::Standard, "h264", "yuv420p", 0.001, 90, 1.5},
+    {"standard.mkv", Quality::Standard, "h264", "yuv420p", 0.001, 50, 0.7},
     {"lossless.mkv", Quality::Lossless, "ffv1", "bgr0", 0.001, 0, 0.0},
-    {"draft.webm", Quality::Draft, "vp9", "yuv420p", 0.001, 110, 3.0},
-    {"standard.webm", Quality::Standard, "vp9", "yuv420p", 0.001, 90, 1.5},
-    {"high.webm", Quality::High, "vp9", "yuv420p", 0.001, 90, 1.2},
+    {"draft.webm", Quality::Draft, "vp9", "yuv420p", 0.001, 50, 1.0},
+    {"standard.webm", Quality::Standard, "vp9", "yuv420p", 0.001, 50, 0.75},
+    {"high.webm", Quality::High, "vp9", "yuv420p", 0.001, 50, 0.7},
     {"lossless.webm", Quality::Lossless, "vp9", "gbrp", 0.001, 0, 0.0},
     {"standard.gif", Quality::Standard, "gif", "bgra", 0.01, 0, 0.0},
     {"lossless.gif", Quality::Lossless, "gif", "bgra", 0.01, 0, 0.0},

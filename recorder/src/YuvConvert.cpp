@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+#include "YuvConvert.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+// The loops are plain, over integers, and the compiler makes vectors of them: once for any
+// processor and, on x86-64, once more for those with AVX2. Two functions and a question at run time
+// instead of target_clones, whose resolvers run before the sanitizers have started.
+#define BOXREEL_INLINE [[gnu::always_inline]] inline
+#if defined(__x86_64__)
+#define BOXREEL_AVX2 1
+#endif
+
+namespace boxreel
+{
+
+namespace
+{
+
+/// One row of the matrix: (red R + green G + blue B + offset) / 2^24, modulo 2^32, so negative
+/// weights are their complements. The offset holds the half that rounds.
+struct Weights
+{
+    std::uint32_t red;
+    std::uint32_t green;
+    std::uint32_t blue;
+    std::uint32_t offset;
+};
+
+// All integers within 5 of the real weights were tried against the exact results near halves;
+// YuvConvertTest goes through all 2^24 colours. These of Cb and Cr are right for every one. None of
+// Y is, for its sum fills 32 bits with just these 24 behind the point; this one takes 7 colours,
+// within 2.4e-6 of a half, to the other side.
+constexpr Weights kY = {3063283u, 10305079u, 1040306u, (16u << 24) + (1u << 23) - 19u};
+constexpr Weights kCb = {-1688522u, -5680295u, 7368817u, (128u << 24) + (1u << 23)};
+constexpr Weights kCr = {7368816u, -6693138u, -675678u, (128u << 24) + (1u << 23)};
+
+/// The same for sums of pixels that weigh sixteen together, which takes four bits of the weights,
+/// and with room for what a filter may overshoot: / 2^23, and above by kOvershoot.
+constexpr std::uint32_t kOvershoot = 64; // chroma comes to -40 at least and 296 at most
+constexpr std::uint32_t kZeroOfSums = ((128u + kOvershoot) << 23) + (1u << 22);
+constexpr Weights kCbOfSums = {-52766u, -177509u, 230275u, kZeroOfSums};
+constexpr Weights kCrOfSums = {230276u, -209161u, -21115u, kZeroOfSums};
+
+// Grey has no colour, whatever its brightness.
+constexpr bool IsNeutral(const Weights& w)
+{
+    return w.red + w.green + w.blue == 0;
+}
+static_assert(IsNeutral(kCb) && IsNeutral(kCr) && IsNeutral(kCbOfSums) && IsNeutral(kCrOfSums));
+
+constexpr int kBlockWidth = 512; // so what is kept between two loops stays in the fastest memory
+static_assert(kBlockWidth % 2 == 0);
+
+// Where a colour is in a pixel loaded as one number.
+constexpr bool kLittle = std::endian::native == std::endian::little;
+constexpr int kRedShift = kLittle ? 0 : 24;
+constexpr int kGreenShift = kLittle ? 8 : 16;
+constexpr int kBlueShift = kLittle ? 16 : 8;
+
+BOXREEL_INLINE std::uint32_t Load(const std::uint8_t* rgba, int x)
+{
+    std::uint32_t pixel;
+    std::memcpy(&pixel, rgba + std::ptrdiff_t(x) * 4, 4);
+    return pixel;
+}
+
+BOXREEL_INLINE std::uint32_t Red(std::uint32_t pixel)
+{
+    return (pixel >> kRedShift) & 255;
+}
+
+BOXREEL_INLINE std::uint32_t Green(std::uint32_t pixel)
+{
+    return (pixel >> kGreenShift) & 255;
+}
+
+BOXREEL_INLINE std::uint32_t Blue(std::uint32_t pixel)
+{
+    return (pixel >> kBlueShift) & 255;
+}
+
+BOXREEL_INLINE std::uint32_t Weigh(const Weights& w, std::uint32_t red, std::uint32_t green,
+                                   std::uint32_t blue)
+{
+    return w.red * red + w.green * green + w.blue * blue + w.offset;
+}
+
+/// A run of pixels in a row to as many samples.
+BOXREEL_INLINE void WeighRow(const Weights& weights, const std::uint8_t* rgba, int count,
+                             std::uint8_t* __restrict samples)
+{
+    for (int x = 0; x < count; ++x)
+    {
+        const std::uint32_t pixel = Load(rgba, x);
+        samples[x] = std::uint8_t(Weigh(weights, Red(pixel), Green(pixel), Blue(pixel)) >> 24);
+    }
+}
+
+BOXREEL_INLINE void SplitRow(const std::uint8_t* rgba, int count, std::uint8_t* __restrict greens,
+                             std::uint8_t* __restrict blues, std::uint8_t* __restrict reds)
+{
+    for (int x = 0; x < count; ++x)
+    {
+        const std::uint32_t pixel = Load(rgba, x);
+        greens[x] = std::uint8_t(Green(pixel));
+        blues[x] = std::uint8_t(Blue(pixel));
+        reds[x] = std::uint8_t(Red(pixel));
+    }
+}
+
+BOXREEL_INLINE void SwapRow(const std::uint8_t* rgba, int count, std::uint8_t* __restrict bgr0)
+{
+    for (int x = 0; x < count; ++x)
+    {
+        const std::uint32_t pixel = Load(rgba, x);
+        const std::uint32_t swapped =
+            Blue(pixel) << kRedShift | Green(pixel) << kGreenShift | Red(pixel) << kBlueShift;
+        std::memcpy(bgr0 + std::ptrdiff_t(x) * 4, &swapped, 4);
+    }
+}
+
+BOXREEL_INLINE void PackRow(const std::uint8_t* rgba, int count, std::uint8_t* __restrict rgb)
+{
+    for (int x = 0; x < count; ++x)
+    {
+        rgb[x * 3] = rgba[x * 4];
+        rgb[x * 3 + 1] = rgba[x * 4 + 1];
+        rgb[x * 3 + 2] = rgba[x * 4 + 2];
+    }
+}
+
+/// Columns of two pixels, the colours of both added: red in the low half and blue in the high one,
+/// where even sixteen pixels fit. Column x of a block from x0 is at (x - x0) / 2 + 1 of `even` or,
+/// to its right, of `odd`; apart, as samples of chroma are two columns apart.
+struct ColumnSums
+{
+    struct Colours
+    {
+        std::uint32_t redBlue[kBlockWidth / 2 + 3];
+        std::uint32_t green[kBlockWidth / 2 + 3];
+    };
+    Colours even;
+    Colours odd;
+};
+
+BOXREEL_INLINE std::uint32_t RedBlue(std::uint32_t pixel)
+{
+    return Red(pixel) | Blue(pixel) << 16;
+}
+
+BOXREEL_INLINE void AddPairs(const std::uint8_t* above, const std::uint8_t* below, int count,
+                             ColumnSums& sums)
+{
+    std::uint32_t* __restrict evenRedBlue = sums.even.redBlue + 1;
+    std::uint32_t* __restrict evenGreen = sums.even.green + 1;
+    std::uint32_t* __restrict oddRedBlue = sums.odd.redBlue + 1;
+    std::uint32_t* __restrict oddGreen = sums.odd.green + 1;
+    for (int i = 0; i < count; ++i)
+    {
+        const std::uint32_t a = Load(above, 2 * i);
+        const std::uint32_t b = Load(below, 2 * i);
+        const std::uint32_t c = Load(above, 2 * i + 1);
+        const std::uint32_t d = Load(below, 2 * i + 1);
+        evenRedBlue[i] = RedBlue(a) + RedBlue(b);
+        evenGreen[i] = Green(a) + Green(b);
+        oddRedBlue[i] = RedBlue(c) + RedBlue(d);
+        oddGreen[i] = Green(c) + Green(d);
+    }
+}
+
+/// By the weights -1 2 6 2 -1 of the 5/3 wavelet's low pass.
+BOXREEL_INLINE std::uint32_t LowPass(const std::uint32_t* even, const std::uint32_t* odd, int i)
+{
+    return 6 * even[i + 1] + 2 * (odd[i] + odd[i + 1]) - even[i] - even[i + 2];
+}
+
+/// Within what a picture may hold: 0 and 255 are for synchronisation (BT.709-6, part 4).
+BOXREEL_INLINE std::uint8_t Chroma(std::uint32_t sum)
+{
+    return std::uint8_t(std::clamp(int(sum >> 23) - int(kOvershoot), 1, 254));
+}
+
+BOXREEL_INLINE void WeighColumns(const ColumnSums& sums, int count, std::uint8_t* __restrict cb,
+                                 std::uint8_t* __restrict cr)
+{
+    // Added to each colour, it changes no chroma, and then no half of a number is negative.
+    constexpr std::uint32_t bias = 1024;
+    for (int x = 0; x < count; ++x)
+    {
+        const std::uint32_t redBlue =
+            LowPass(sums.even.redBlue, sums.odd.redBlue, x) + (bias | bias << 16);
+        const std::uint32_t green = LowPass(sums.even.green, sums.odd.green, x) + bias;
+        const std::uint32_t red = redBlue & 0xffff;
+        const std::uint32_t blue = redBlue >> 16;
+        cb[x] = Chroma(Weigh(kCbOfSums, red, green, blue));
+        cr[x] = Chroma(Weigh(kCrOfSums, red, green, blue));
+    }
+}
+
+std::uint8_t* Sample(const PicturePlanes& picture, int plane, int x, int y)
+{
+    return picture.data[plane] + y * picture.strides[plane] + x;
+}
+
+/// One column of a block from `x0`; at the frame's border those stand for the columns outside.
+BOXREEL_INLINE void AddColumn(const Frame& frame, int x0, int x, int y, int yBelow,
+                              ColumnSums& sums)
+{
+    const int inside = std::clamp(x, 0, frame.width - 1);
+    const std::uint32_t a = Load(frame.Pixel(inside, y), 0);
+    const std::uint32_t b = Load(frame.Pixel(inside, yBelow), 0);
+    ColumnSums::Colours& colours = x % 2 == 0 ? sums.even : sums.odd;
+    const int i = (x - x0 + 2) / 2;
+    colours.redBlue[i] = RedBlue(a) + RedBlue(b);
+    colours.green[i] = Green(a) + Green(b);
+}
+
+/// The columns from `x0` to `x1` and two to either side.
+BOXREEL_INLINE void AddColumns(const Frame& frame, int x0, int x1, int y, int yBelow,
+                               ColumnSums& sums)
+{
+    const int pairs = (x1 - x0) / 2;
+    AddPairs(frame.Pixel(x0, y), frame.Pixel(x0, yBelow), pairs, sums);
+    for (const int x : {x0 - 2, x0 - 1, x0 + 2 * pairs, x0 + 2 * pairs + 1, x0 + 2 * pairs + 2})
+    {
+        AddColumn(frame, x0, x, y, yBelow, sums);
+    }
+}
+
+/// Of two rows from `y`, an even one, the columns from `x0`, an even one, to `x1`: at most a block;
+/// it may end on an odd column only where the frame ends.
+BOXREEL_INLINE void ConvertBlock420(const Frame& frame, int x0, int x1, int y,
+                                    const PicturePlanes& picture)
+{
+    const int yBelow = std::min(y + 1, frame.height - 1);
+    WeighRow(kY, frame.Pixel(x0, y), x1 - x0, Sample(picture, 0, x0, y));
+    WeighRow(kY, frame.Pixel(x0, yBelow), x1 - x0, Sample(picture, 0, x0, yBelow));
+    ColumnSums sums;
+    AddColumns(frame, x0, x1, y, yBelow, sums);
+    WeighColumns(sums, (x1 - x0 + 1) / 2, Sample(picture, 1, x0 / 2, y / 2),
+                 Sample(picture, 2, x0 / 2, y / 2));
+}
+
+/// Whole pairs of rows and columns: all whose samples reach the part, two columns to either side.
+BOXREEL_INLINE void Convert420(const Frame& frame, const PixelBounds& part,
+                               const PicturePlanes& picture)
+{
+    const int start = std::max(part.x0 - 1, 0) / 2 * 2;
+    const int end = std::min((part.x1 + 3) / 2 * 2, frame.width);
+    for (int y = part.y0 / 2 * 2; y < part.y1; y += 2)
+    {
+        for (int x = start; x < end; x += kBlockWidth)
+        {
+            ConvertBlock420(frame, x, std::min(x + kBlockWidth, end), y, picture);
+        }
+    }
+}
+
+BOXREEL_INLINE void ConvertRow(const std::uint8_t* rgba, int count, int x, int y,
+                               const PicturePlanes& picture)
+{
+    switch (picture.format)
+    {
+    case PlaneFormat::Yuv420:
+        break; // not row by row
+    case PlaneFormat::Yuv444:
+        WeighRow(kY, rgba, count, Sample(picture, 0, x, y));
+        WeighRow(kCb, rgba, count, Sample(picture, 1, x, y));
+        WeighRow(kCr, rgba, count, Sample(picture, 2, x, y));
+        break;
+    case PlaneFormat::Gbr:
+        SplitRow(rgba, count, Sample(picture, 0, x, y), Sample(picture, 1, x, y),
+                 Sample(picture, 2, x, y));
+        break;
+    case PlaneFormat::Bgr0:
+        SwapRow(rgba, count, Sample(picture, 0, x * 4, y));
+        break;
+    case PlaneFormat::Rgb24:
+        PackRow(rgba, count, Sample(picture, 0, x * 3, y));
+        break;
+    }
+}
+
+BOXREEL_INLINE void ConvertPart(const Frame& frame, const PixelBounds& part,
+                                const PicturePlanes& picture)
+{
+    if (picture.format == PlaneFormat::Yuv420)
+    {
+        Convert420(frame, part, picture);
+        return;
+    }
+    for (int y = part.y0; y < part.y1; ++y)
+    {
+        ConvertRow(frame.Pixel(part.x0, y), part.x1 - part.x0, part.x0, y, picture);
+    }
+}
+
+void ConvertAnywhere(const Frame& frame, const PixelBounds& part, const PicturePlanes& picture)
+{
+    ConvertPart(frame, part, picture);
+}
+
+#if defined(BOXREEL_AVX2)
+[[gnu::target("avx2")]] void ConvertWithAvx2(const Frame& frame, const PixelBounds& part,
+                                             const PicturePlanes& picture)
+{
+    ConvertPart(frame, part, picture);
+}
+#endif
+
+} // namespace
+
+void ConvertPixels(const Frame& frame, const PixelBounds& changed, const PicturePlanes& picture,
+                   Instructions instructions)
+{
+    const PixelBounds part = Intersection(changed, {0, 0, frame.width, frame.height});
+    if (part.IsEmpty())
+    {
+        return;
+    }
+#if defined(BOXREEL_AVX2)
+    if (instructions == Instructions::Widest && __builtin_cpu_supports("avx2") != 0)
+    {
+        ConvertWithAvx2(frame, part, picture);
+        return;
+    }
+#else
+    (void)instructions;
+#endif
+    ConvertAnywhere(frame, part, picture);
+}
+
+} // namespace boxreel
