@@ -148,10 +148,11 @@ void FFmpegReader::FillInfo()
     info.container = m_input->iformat->name;
     info.width = codec.width;
     info.height = codec.height;
-    // An MP4's average counts frames that are held for long but once; the other is the rate that
-    // all times are multiples of.
-    const bool isMp4 = info.container.find("mp4") != std::string::npos;
-    AVRational rate = isMp4 ? m_stream->r_frame_rate : m_stream->avg_frame_rate;
+    // An average counts frames that are held for long but once; the other is the rate that all
+    // times are multiples of. Matroska and PNG store the rate itself.
+    const bool isAverage =
+        info.container.find("mp4") != std::string::npos || info.container == "gif";
+    AVRational rate = isAverage ? m_stream->r_frame_rate : m_stream->avg_frame_rate;
     if (rate.num <= 0 || rate.den <= 0)
     {
         rate = FFmpeg().av_guess_frame_rate(m_input.get(), m_stream, nullptr);
