@@ -148,11 +148,17 @@ void FFmpegReader::FillInfo()
     info.container = m_input->iformat->name;
     info.width = codec.width;
     info.height = codec.height;
-    // An average counts frames that are held for long but once; the other is the rate that all
-    // times are multiples of. Matroska and PNG store the rate itself.
-    const bool isAverage =
-        info.container.find("mp4") != std::string::npos || info.container == "gif";
-    AVRational rate = isAverage ? m_stream->r_frame_rate : m_stream->avg_frame_rate;
+    AVRational rate = m_stream->avg_frame_rate;
+    // An average counts frames that are held for long but once. The rate that all times are
+    // multiples of is right then, but where times are rounded it is too high.
+    const AVRational finest = m_stream->r_frame_rate;
+    const bool isStored =
+        info.container.find("mp4") == std::string::npos && info.container != "gif";
+    if (!isStored &&
+        std::int64_t(finest.num) * rate.den * 4 > std::int64_t(rate.num) * finest.den * 5)
+    {
+        rate = finest;
+    }
     if (rate.num <= 0 || rate.den <= 0)
     {
         rate = FFmpeg().av_guess_frame_rate(m_input.get(), m_stream, nullptr);
