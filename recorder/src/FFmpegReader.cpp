@@ -149,13 +149,13 @@ void FFmpegReader::FillInfo()
     info.width = codec.width;
     info.height = codec.height;
     AVRational rate = m_stream->avg_frame_rate;
-    // An average counts frames that are held for long but once. The rate that all times are
-    // multiples of is right then, but where times are rounded it is too high.
+    // In these an average counts frames that are held for long but once. The rate that all times
+    // are multiples of is right then; a GIF's times are rounded, which makes it too high.
     const AVRational finest = m_stream->r_frame_rate;
-    const bool isStored =
-        info.container.find("mp4") == std::string::npos && info.container != "gif";
-    if (!isStored &&
-        std::int64_t(finest.num) * rate.den * 4 > std::int64_t(rate.num) * finest.den * 5)
+    const bool isMp4 = info.container.find("mp4") != std::string::npos;
+    const bool isHeld =
+        std::int64_t(finest.num) * rate.den * 4 > std::int64_t(rate.num) * finest.den * 5;
+    if (isMp4 || (info.container == "gif" && isHeld))
     {
         rate = finest;
     }
