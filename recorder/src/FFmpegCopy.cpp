@@ -82,8 +82,8 @@ std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTime
         return 0;
     }
     const std::int64_t last = *std::max_element(shown->begin(), shown->end());
-    const std::int64_t group = times.GroupOf(times.NumberAt(last));
-    return std::max<std::int64_t>(0, times.FirstOfGroup(group) - times.FirstFrame());
+    const std::int64_t group = times.GroupOf(times.IndexAt(last));
+    return std::max<std::int64_t>(0, times.FirstIndexOf(group));
 }
 
 Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,

@@ -46,7 +46,7 @@ public:
 private:
     bool IsGif() const { return m_format == VideoFormat::Gif; }
     bool IsAnimation() const { return IsGif() || m_format == VideoFormat::Apng; }
-    std::int64_t Last() const { return m_settings.firstFrame + m_frames - 1; }
+    std::int64_t Last() const { return m_frames - 1; }
     std::string Name() const { return m_path.string(); }
 
     Result<void> OpenFile();
@@ -55,8 +55,8 @@ private:
     Result<void> Resume();
     Result<void> Fill(const Frame& frame, std::span<const PixelBounds> changed);
     Result<void> FillIndexed(const Frame& frame);
-    bool MustShow(std::int64_t number) const;
-    Result<void> Show(std::int64_t number);
+    bool MustShow(std::int64_t index) const;
+    Result<void> Show(std::int64_t index);
     Result<void> StartGroup(std::int64_t group);
     void EndGroup();
     Result<void> Take();
@@ -88,7 +88,7 @@ private:
     std::int64_t m_resumed = 0;
     std::int64_t m_frames = 0;     // kept, appended or repeated
     std::int64_t m_group = -1;     // that m_codec encodes
-    std::int64_t m_shown = -1;     // number of the frame that was encoded last
+    std::int64_t m_shown = -1;     // index of the frame that was encoded last
     bool m_isLastFrameDue = false; // the last frame that was appended was not yet encoded
 };
 
@@ -249,7 +249,8 @@ Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> c
 
 Result<void> FFmpegFilm::FillIndexed(const Frame& frame)
 {
-    if (m_frameTimes.GroupOf(Last()) != m_frameTimes.GroupOf(Last() - 1))
+    const bool isFirst = Last() == m_resumed;
+    if (isFirst || m_frameTimes.GroupOf(Last()) != m_frameTimes.GroupOf(Last() - 1))
     {
         m_palette = GifPalette(); // a group knows nothing of the one before
     }
@@ -258,7 +259,8 @@ Result<void> FFmpegFilm::FillIndexed(const Frame& frame)
     if (!exact && m_settings.quality == Quality::Lossless)
     {
         return Error{ErrorKind::Unusable,
-                     Name() + " cannot be lossless, frame " + std::to_string(Last()) +
+                     Name() + " cannot be lossless, frame " +
+                         std::to_string(m_frameTimes.NumberOf(Last())) +
                          " has more than 256 colours; use .mkv or frames-####.png."};
     }
     std::memcpy(m_picture->data[1], m_palette.Colors().data(),
@@ -269,26 +271,26 @@ Result<void> FFmpegFilm::FillIndexed(const Frame& frame)
 /// Whether a frame that shows what the one before shows is encoded all the same. A group's first
 /// and last are, so that it is the same whatever comes before and after it; and the second of all,
 /// for most programs take the film's rate from the distance of the first two.
-bool FFmpegFilm::MustShow(std::int64_t number) const
+bool FFmpegFilm::MustShow(std::int64_t index) const
 {
-    const std::int64_t group = m_frameTimes.GroupOf(number);
+    const std::int64_t group = m_frameTimes.GroupOf(index);
     const bool isFirst = group != m_group;
-    const bool isLast = group != m_frameTimes.GroupOf(number + 1);
-    const bool isSecond = m_shown == 0 && m_resumed == 0;
+    const bool isLast = group != m_frameTimes.GroupOf(index + 1);
+    const bool isSecond = m_shown == 0 && m_frameTimes.NumberOf(0) == 0;
     return m_plan.isConstantRate || m_settings.constantRate || isFirst || isSecond ||
            (isLast && m_plan.needsGroups);
 }
 
-/// Encodes the picture as the frame of this number.
-Result<void> FFmpegFilm::Show(std::int64_t number)
+/// Encodes the picture as this frame.
+Result<void> FFmpegFilm::Show(std::int64_t index)
 {
-    if (Result<void> started = StartGroup(m_frameTimes.GroupOf(number)); !started)
+    if (Result<void> started = StartGroup(m_frameTimes.GroupOf(index)); !started)
     {
         return started;
     }
     m_isLastFrameDue = false;
-    m_shown = number;
-    m_picture->pts = m_frameTimes.TimeOf(number);
+    m_shown = index;
+    m_picture->pts = m_frameTimes.TimeOf(index);
     m_decodingTimes->Show(m_picture->pts);
     const int status = m_codec->Send(m_picture.get());
     if (status < 0)

@@ -6,34 +6,57 @@ namespace boxreel
 
 FrameTimes::FrameTimes(VideoFormat format, const VideoSettings& settings)
     : m_isGif(format == VideoFormat::Gif), m_framesPerSecond(settings.framesPerSecond),
-      m_step(m_isGif ? GifFrameStep(settings.framesPerSecond) : 1),
-      m_groupFrames(settings.groupFrames * m_step), m_firstFrame(settings.firstFrame)
+      m_frames(settings.frames), m_step(m_isGif ? GifFrameStep(settings.framesPerSecond) : 1),
+      m_groupFrames(settings.groupFrames * m_step)
 {}
 
-std::int64_t FrameTimes::TimeOf(std::int64_t number) const
+std::int64_t FrameTimes::NumberOf(std::int64_t index) const
 {
-    if (!m_isGif)
-    {
-        return number - m_firstFrame;
-    }
-    return GifTimeOfFrame(number, m_framesPerSecond) -
-           GifTimeOfFrame(m_firstFrame, m_framesPerSecond);
+    // Frames that are not in one run make a film of their own, which is no part of another.
+    return m_frames.IsWhole() ? m_frames.First() + index : index;
 }
 
-std::int64_t FrameTimes::NumberAt(std::int64_t time) const
+bool FrameTimes::IsKept(std::int64_t index) const
+{
+    return NumberOf(index) % m_step == 0;
+}
+
+std::int64_t FrameTimes::TimeOf(std::int64_t index) const
 {
     if (!m_isGif)
     {
-        return m_firstFrame + time;
+        return index;
     }
-    const std::int64_t centiseconds = time + GifTimeOfFrame(m_firstFrame, m_framesPerSecond);
-    std::int64_t number =
-        centiseconds * m_framesPerSecond.num / (100 * m_framesPerSecond.den); // or the next one
-    while (TimeOf(number + 1) <= time)
+    return GifTimeOfFrame(NumberOf(index), m_framesPerSecond) -
+           GifTimeOfFrame(NumberOf(0), m_framesPerSecond);
+}
+
+std::int64_t FrameTimes::IndexAt(std::int64_t time) const
+{
+    if (!m_isGif)
     {
-        ++number;
+        return time;
     }
-    return number;
+    std::int64_t index = time * m_framesPerSecond.num / (100 * m_framesPerSecond.den);
+    while (index > 0 && TimeOf(index) > time)
+    {
+        --index;
+    }
+    while (TimeOf(index + 1) <= time)
+    {
+        ++index;
+    }
+    return index;
+}
+
+std::int64_t FrameTimes::GroupOf(std::int64_t index) const
+{
+    return NumberOf(index) / m_groupFrames;
+}
+
+std::int64_t FrameTimes::FirstIndexOf(std::int64_t group) const
+{
+    return group * m_groupFrames - NumberOf(0);
 }
 
 } // namespace boxreel

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr int kDefaultThreads = 2;
 constexpr int kFastest = 1; // for flat drawings a twentieth larger than level 3, and a fifth faster
 
-/// One frame and the numbers it is written under.
+/// One frame and the places in the sequence that show it.
 struct Job
 {
     std::int64_t first = 0;
@@ -38,9 +38,10 @@ struct Job
 class PngSequenceWriter final : public VideoSink
 {
 public:
-    PngSequenceWriter(SequenceName name, const VideoSettings& settings);
+    PngSequenceWriter(SequenceName name, const VideoSettings& settings, std::int64_t resumed);
     ~PngSequenceWriter() override;
 
+    std::int64_t ResumedFrames() const override { return m_resumed; }
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
     Result<void> Repeat() override;
     Result<void> Close() override;
@@ -53,10 +54,12 @@ private:
     Result<void> Write(const Job& job);
 
     SequenceName m_name;
+    FrameRange m_numbers;
     bool m_overwrite;
     std::size_t m_depth; // jobs that may wait
     Job m_pending;       // the last frame: a Repeat may still follow
-    std::int64_t m_frames = 0;
+    std::int64_t m_resumed;
+    std::int64_t m_frames; // with those that were there
     bool m_isClosed = false;
 
     std::mutex m_mutex; // guards all that follows but the threads
@@ -69,8 +72,10 @@ private:
     std::vector<std::thread> m_threads;
 };
 
-PngSequenceWriter::PngSequenceWriter(SequenceName name, const VideoSettings& settings)
-    : m_name(std::move(name)), m_overwrite(settings.overwrite)
+PngSequenceWriter::PngSequenceWriter(SequenceName name, const VideoSettings& settings,
+                                     std::int64_t resumed)
+    : m_name(std::move(name)), m_numbers(settings.frames),
+      m_overwrite(settings.overwrite || settings.resume), m_resumed(resumed), m_frames(resumed)
 {
     const int threads = settings.threads > 0 ? settings.threads : kDefaultThreads;
     m_depth = std::size_t(threads);
@@ -109,7 +114,7 @@ void PngSequenceWriter::Join()
 
 Result<void> PngSequenceWriter::Append(const Frame& frame, std::span<const PixelBounds>)
 {
-    if (m_frames > 0)
+    if (m_frames > m_resumed)
     {
         if (Result<void> done = Flush(); !done)
         {
@@ -183,7 +188,7 @@ Result<void> PngSequenceWriter::Write(const Job& job)
     }
     for (std::int64_t i = 0; i < job.count; ++i)
     {
-        const fs::path path = m_name.PathOf(job.first + i);
+        const fs::path path = m_name.PathOf(m_numbers.At(job.first + i));
         if (Result<void> done = WriteWhole(path, *bytes, m_overwrite); !done)
         {
             return done;
@@ -232,6 +237,23 @@ std::vector<std::int64_t> NumbersPresent(const SequenceName& name)
     }
     std::sort(numbers.begin(), numbers.end());
     return numbers;
+}
+
+bool IsAmong(std::int64_t number, const FrameRange& numbers)
+{
+    return number >= numbers.First() && number <= numbers.Last();
+}
+
+/// How many of the pictures that are asked for are there, from the first on.
+std::int64_t CountLeading(const SequenceName& name, const FrameRange& numbers)
+{
+    std::error_code ignored;
+    std::int64_t count = 0;
+    while (count < numbers.Count() && fs::exists(name.PathOf(numbers.At(count)), ignored))
+    {
+        ++count;
+    }
+    return count;
 }
 
 class PngSequenceReader final : public VideoSource
@@ -305,21 +327,26 @@ Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& 
                                                    const VideoSettings& settings)
 {
     const SequenceName name = *ParseSequenceName(path);
-    const std::vector<std::int64_t> present = NumbersPresent(name);
-    if (!settings.overwrite && !present.empty())
+    const std::int64_t resumed = settings.resume ? CountLeading(name, settings.frames) : 0;
+    for (const std::int64_t number : NumbersPresent(name))
     {
-        return Error{ErrorKind::Unusable,
-                     name.PathOf(present.front()).string() +
-                         " exists already; choose another name or folder, or allow "
-                         "overwriting (--force)."};
+        if (!settings.overwrite && !settings.resume && IsAmong(number, settings.frames))
+        {
+            return Error{ErrorKind::Unusable,
+                         name.PathOf(number).string() +
+                             " exists already; choose another name or folder, continue what was "
+                             "stopped (--resume), or allow overwriting (--force)."};
+        }
     }
     // Whether the folder can be written to is known before anything is simulated.
-    Result<AtomicFile> trial = AtomicFile::Create(name.PathOf(0), settings.overwrite);
+    const std::int64_t first = settings.frames.First();
+    Result<AtomicFile> trial =
+        AtomicFile::Create(name.PathOf(first), settings.overwrite || settings.resume);
     if (!trial)
     {
         return trial.GetError();
     }
-    return std::unique_ptr<VideoSink>(std::make_unique<PngSequenceWriter>(name, settings));
+    return std::unique_ptr<VideoSink>(std::make_unique<PngSequenceWriter>(name, settings, resumed));
 }
 
 Result<std::unique_ptr<VideoSource>> OpenPngSequenceSource(const std::filesystem::path& path)

@@ -146,12 +146,10 @@ Result<void> CheckNumbers(const VideoSettings& settings)
                          " threads cannot encode a film; use 0 (two threads) to " +
                          std::to_string(kMaxThreads) + "."};
     }
-    if (settings.groupFrames < 1 || settings.firstFrame < 0)
+    if (settings.groupFrames < 1)
     {
         return Error{ErrorKind::Unusable, "A group of " + std::to_string(settings.groupFrames) +
-                                              " frames, and a first frame with the number " +
-                                              std::to_string(settings.firstFrame) +
-                                              ": give at least 1, and at least 0."};
+                                              " frames is none; give at least 1."};
     }
     if (settings.plays < 0 || settings.plays > kMostPlays)
     {

@@ -3,6 +3,7 @@
 
 #include <debugdraw/Result.h>
 #include <recorder/FrameClock.h>
+#include <recorder/FrameRange.h>
 #include <render/Frame.h>
 
 #include <cstdint>
@@ -48,7 +49,7 @@
 ///   1/50 s are not shown by browsers, so above 50 frames a second every n-th frame is kept
 ///   (StoredFrameRate says what is left: 60 becomes 30).
 /// - Matroska and WebM store times in 1/1000 s, rounded in the same way; MP4 stores them exactly.
-/// - Pictures are numbered from VideoSettings::firstFrame, with as many digits as there are # (more
+/// - Pictures are numbered as VideoSettings::frames says, with as many digits as there are # (more
 ///   when the number needs them), and each is there whole or not at all.
 namespace boxreel
 {
@@ -82,13 +83,13 @@ struct VideoSettings
     int plays = 0;   ///< how often a gif, apng or webp plays; 0: for ever
     int threads = 0; ///< of the encoder, at most 64; 0: two. H.264's bytes depend on it, the film's
                      ///< look does not.
-    bool constantRate = false;   ///< every frame is encoded, also one that shows the same
-    int groupFrames = 100;       ///< length of a group; at least 1 [frames]
-    std::int64_t firstFrame = 0; ///< number of the first frame that is appended: groups begin at
-                                 ///< multiples of their length
-    bool overwrite = false;      ///< false: an existing film, or what is left of one, is an Error
-    bool resume = false; ///< true: what is left of one is continued; firstFrame is the number of
-                         ///< the first frame of all, ResumedFrames says where to go on
+    bool constantRate = false; ///< every frame is encoded, also one that shows the same
+    int groupFrames = 100;     ///< length of a group; at least 1 [frames]
+    /// The numbers of the frames that are appended, in the film of which this one may be a part:
+    /// groups begin at multiples of their length, and pictures are called by them.
+    FrameRange frames{};
+    bool overwrite = false; ///< false: an existing film, or what is left of one, is an Error
+    bool resume = false;    ///< true: what is left of one is continued, from ResumedFrames on
 };
 
 /// Whether `path` names a format that can be written with these settings, without opening anything:
