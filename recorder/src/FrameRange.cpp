@@ -14,10 +14,12 @@ namespace
 
 constexpr std::int64_t kMost = 1'000'000'000'000;
 
-Error Refused(std::string_view text, const std::string& why)
+/// `why` is said of the word at fault.
+Error Refused(std::string_view text, std::string_view word, std::string_view why)
 {
-    return Error{ErrorKind::Unusable, "'" + std::string(text) + "' names no frames: " + why +
-                                          "; give them as 200-399 or 1-3,5,7-20:2."};
+    std::string message = "'";
+    message.append(text).append("' names no frames: '").append(word).append("' ").append(why);
+    return Error{ErrorKind::Unusable, message + "; give them as 200-399 or 1-3,5,7-20:2."};
 }
 
 std::optional<std::int64_t> Whole(std::string_view text)
@@ -74,15 +76,15 @@ Result<FrameRange> FrameRange::Parse(std::string_view text)
         const std::optional<FrameRun> run = ParseRun(word);
         if (!run)
         {
-            return Refused(text, "'" + std::string(word) + "' is no run of whole numbers");
+            return Refused(text, word, "is no run of whole numbers");
         }
         if (run->last < run->first)
         {
-            return Refused(text, "'" + std::string(word) + "' goes backwards");
+            return Refused(text, word, "goes backwards");
         }
         if (!range.m_runs.empty() && run->first <= range.m_runs.back().last)
         {
-            return Refused(text, "'" + std::string(word) + "' does not come after the run before");
+            return Refused(text, word, "does not come after the run before");
         }
         range.m_runs.push_back(*run);
         if (comma == std::string_view::npos)
