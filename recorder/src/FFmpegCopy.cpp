@@ -27,6 +27,21 @@ Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part)
     return times;
 }
 
+Result<std::int64_t> LastDelay(const CopiedPart& part)
+{
+    Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
+    if (!packets)
+    {
+        return packets.GetError();
+    }
+    std::int64_t delay = 1;
+    while (const FFmpegOwner<AVPacket> packet = packets->Next())
+    {
+        delay = std::max<std::int64_t>(1, packet->duration);
+    }
+    return delay;
+}
+
 Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
                          FFmpegMuxer& muxer)
 {

@@ -85,4 +85,17 @@ std::vector<std::int64_t> LatestDecodingTimes(const std::vector<std::int64_t>& s
     return times;
 }
 
+int DelayOf(const std::vector<std::int64_t>& shown)
+{
+    std::vector<std::int64_t> sorted = shown;
+    std::sort(sorted.begin(), sorted.end());
+    std::ptrdiff_t delay = 0;
+    for (std::size_t j = 0; j < shown.size(); ++j)
+    {
+        const auto place = std::lower_bound(sorted.begin(), sorted.end(), shown[j]);
+        delay = std::max(delay, std::ptrdiff_t(j) - (place - sorted.begin()));
+    }
+    return int(delay);
+}
+
 } // namespace boxreel

@@ -66,4 +66,7 @@ private:
 /// when the film ends, which is how an MP4 tells its length.
 std::vector<std::int64_t> LatestDecodingTimes(const std::vector<std::int64_t>& shown, int delay);
 
+/// How many places a packet of such a film comes before its frame, at most.
+int DelayOf(const std::vector<std::int64_t>& shown);
+
 } // namespace boxreel

@@ -18,10 +18,11 @@ class Recorder
 {
 public:
     Recorder(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer)
-        : m_settings(settings), m_renderer(renderer), m_writer(writer), m_encoder(writer)
+        : m_settings(settings), m_renderer(renderer), m_writer(writer),
+          m_frameCount(settings.frameCount), m_encoder(writer)
     {}
 
-    Result<void> Run();
+    Result<RecordingEnd> Run();
 
 private:
     Result<void> Fill(std::int64_t frame);
@@ -29,36 +30,53 @@ private:
     Result<void> HandOver();
     Result<void> Repeat();
     bool Report(std::int64_t framesDone);
-    Result<void> Finish();
+    Result<RecordingEnd> Stop();
+    Result<RecordingEnd> Finish();
 
     const RecordingSettings& m_settings;
     Renderer& m_renderer;
     VideoWriter& m_writer;
     FrameContent m_content;
+    std::int64_t m_frameCount;       // until a frame says that it is the last
+    const Frame* m_pixels = nullptr; // the renderer's
     std::int64_t m_reported = 0;
     std::int64_t m_repeated = 0;
     bool m_isBegun = false; // the encoder has a frame
     EncoderThread m_encoder;
 };
 
-Result<void> Recorder::Run()
+Result<RecordingEnd> Recorder::Run()
 {
     if (Result<void> filled = Fill(0); !filled)
     {
-        return filled;
+        return filled.GetError();
     }
-    for (std::int64_t frame = 0; frame < m_settings.frameCount; ++frame)
+    for (std::int64_t frame = 0; frame < m_frameCount; ++frame)
     {
+        if (m_content.stops)
+        {
+            return Stop();
+        }
         if (Result<void> made = Make(frame); !made)
         {
-            return made;
+            return made.GetError();
         }
         if (!Report(m_encoder.FramesDone()))
         {
-            return {};
+            return Stop();
         }
     }
     return Finish();
+}
+
+/// What was handed over is still encoded.
+Result<RecordingEnd> Recorder::Stop()
+{
+    if (Result<void> finished = m_encoder.Finish(); !finished)
+    {
+        return finished.GetError();
+    }
+    return RecordingEnd::Stopped;
 }
 
 Result<void> Recorder::Fill(std::int64_t frame)
@@ -67,7 +85,11 @@ Result<void> Recorder::Fill(std::int64_t frame)
     m_content.overlay.vertices.clear();
     m_content.overlay.indices.clear();
     m_content.overlay.commands.clear();
-    return m_settings.fill(frame, m_content);
+    m_content.isLast = false;
+    m_content.stops = false;
+    Result<void> filled = m_settings.fill(frame, m_content);
+    m_frameCount = m_content.isLast ? frame + 1 : m_frameCount;
+    return filled;
 }
 
 /// Submits frame `frame`, fills the next while it is drawn, hands its pixels to the encoder.
@@ -82,7 +104,7 @@ Result<void> Recorder::Make(std::int64_t frame)
     // The renderer may have drawn the same before this film began, but the film has no frame to
     // repeat then.
     const bool isRepeat = m_isBegun && m_renderer.Statistics().unchanged;
-    if (frame + 1 < m_settings.frameCount)
+    if (frame + 1 < m_frameCount)
     {
         if (Result<void> filled = Fill(frame + 1); !filled)
         {
@@ -95,6 +117,10 @@ Result<void> Recorder::Make(std::int64_t frame)
     }
     m_repeated += isRepeat ? 1 : 0;
     m_isBegun = true;
+    if (m_settings.seen)
+    {
+        m_settings.seen(frame, *m_pixels);
+    }
     return {};
 }
 
@@ -106,7 +132,8 @@ Result<void> Recorder::HandOver()
     {
         return read.GetError();
     }
-    const Frame& frame = **read;
+    m_pixels = *read;
+    const Frame& frame = *m_pixels;
     const PixelBounds whole{0, 0, frame.width, frame.height};
     const std::span<const PixelBounds> changed =
         m_isBegun ? m_renderer.Changes() : std::span(&whole, 1);
@@ -126,13 +153,13 @@ bool Recorder::Report(std::int64_t framesDone)
         return true;
     }
     m_reported = framesDone;
-    return m_settings.progress({framesDone, m_settings.frameCount, m_repeated});
+    return m_settings.progress({framesDone, m_frameCount, m_repeated});
 }
 
-Result<void> Recorder::Finish()
+Result<RecordingEnd> Recorder::Finish()
 {
     std::int64_t done = m_encoder.FramesDone();
-    while (done < m_settings.frameCount)
+    while (done < m_frameCount)
     {
         const std::int64_t more = m_encoder.WaitForMore(done);
         if (more == done) // the writer has failed
@@ -142,19 +169,24 @@ Result<void> Recorder::Finish()
         done = more;
         if (!Report(done))
         {
-            return {};
+            return Stop();
         }
     }
     if (Result<void> finished = m_encoder.Finish(); !finished)
     {
-        return finished;
+        return finished.GetError();
     }
-    return m_writer.Close();
+    if (Result<void> closed = m_writer.Close(); !closed)
+    {
+        return closed.GetError();
+    }
+    return RecordingEnd::Complete;
 }
 
 } // namespace
 
-Result<void> Record(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer)
+Result<RecordingEnd> Record(const RecordingSettings& settings, Renderer& renderer,
+                            VideoWriter& writer)
 {
     assert(settings.fill && "a recording needs somebody who fills its frames");
     if (settings.frameCount < 1)

@@ -273,6 +273,17 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
     return CheckFormat(path, *format, settings);
 }
 
+std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& settings)
+{
+    const std::optional<VideoFormat> format = FormatOf(path, settings);
+    if (!format || IsPipe(path) || !HasParts(*format))
+    {
+        return 0;
+    }
+    const bool isGif = *format == VideoFormat::Gif;
+    return settings.groupFrames * (isGif ? GifFrameStep(settings.framesPerSecond) : 1);
+}
+
 Rational StoredFrameRate(const std::filesystem::path& path, const Rational& framesPerSecond)
 {
     if (FormatOf(path, {}) != VideoFormat::Gif)

@@ -196,6 +196,22 @@ Result<Request> CheckRecord(RecordOptions options)
     {
         return Unusable("Say where the film goes, such as -o film.mp4.");
     }
+    if (options.film.resume && options.film.overwrite)
+    {
+        return Unusable("--resume goes on with what --force throws away; give one of them.");
+    }
+    if (options.range && !options.until.empty())
+    {
+        return Unusable("--frame-range needs a film whose length is known; leave --until out.");
+    }
+    if (options.progress == ProgressMode::OpenJD && options.output == "-")
+    {
+        return Unusable("--progress openjd and -o - both need the standard output; write a file.");
+    }
+    if (options.thumbnailAt && options.thumbnail.empty())
+    {
+        return Unusable("--thumbnail-at says when, --thumbnail FILE.png where to; give both.");
+    }
     if (options.seconds && options.frames)
     {
         return Unusable("--seconds and --frames both say how long the film is; give one of them.");
@@ -268,6 +284,19 @@ Result<Request> CheckShot(ShotOptions options)
     return Request(std::move(options));
 }
 
+Result<Request> CheckMerge(MergeOptions options)
+{
+    if (options.parts.empty())
+    {
+        return Unusable("Name the parts, such as `boxreel merge a.mkv b.mkv -o film.mkv`.");
+    }
+    if (options.output.empty())
+    {
+        return Unusable("Say where the film goes, such as -o film.mkv.");
+    }
+    return Request(std::move(options));
+}
+
 Result<Request> CheckDiff(DiffOptions options)
 {
     if (options.expected.empty() || options.actual.empty())
@@ -318,6 +347,10 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return CheckRecord(std::move(parsed.record));
     }
+    if (name == "merge")
+    {
+        return CheckMerge(std::move(parsed.merge));
+    }
     if (name == "shot")
     {
         return CheckShot(std::move(parsed.shot));
@@ -352,6 +385,7 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
                    "be resumed.");
     DeclareList(program, parsed);
     DeclareRecord(program, parsed);
+    DeclareMerge(program, parsed);
     DeclareShot(program, parsed);
     DeclareDiff(program, parsed);
     DeclareGolden(program, parsed);
@@ -372,6 +406,7 @@ Result<Request> ParseCommandLine(const std::vector<std::string>& arguments)
 {
     CLI::App program("2D rigid bodies, drawn and recorded off-screen", "boxreel");
     ParsedOptions parsed;
+    parsed.record.arguments.assign(arguments.begin(), arguments.end());
     DeclareProgram(program, parsed);
     std::vector<std::string> words = arguments;
     if (words.empty())

@@ -18,8 +18,8 @@ struct TextRequest
     std::string text;
 };
 
-using Request = std::variant<TextRequest, ListOptions, RecordOptions, ShotOptions, DiffOptions,
-                             GoldenOptions, BenchOptions>;
+using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions,
+                             DiffOptions, GoldenOptions, BenchOptions>;
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);

@@ -35,13 +35,6 @@ std::string NamesOfThemes()
     return names;
 }
 
-auto WholeBetween(std::int64_t lowest, std::int64_t highest)
-{
-    return [lowest, highest](const std::string& option, const std::string& text) {
-        return ParseWhole(option, text, lowest, highest);
-    };
-}
-
 /// A theme's name, or "both" where `bothThemes` may say so.
 void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
 {

@@ -9,40 +9,6 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMostFrames = 10'000'000; // 46 hours at 60 frames a second
-
-/// One of a few words.
-template <class Value>
-auto OneOf(std::vector<std::pair<std::string, Value>> choices)
-{
-    return [choices](const std::string& option, const std::string& text) -> Result<Value> {
-        std::string names;
-        for (const auto& [name, value] : choices)
-        {
-            if (name == text)
-            {
-                return value;
-            }
-            names += (names.empty() ? "" : ", ") + name;
-        }
-        return Error{ErrorKind::Unusable, option + " '" + text + "': give one of " + names + "."};
-    };
-}
-
-auto RatioBetween(double lowest, double highest)
-{
-    return [lowest, highest](const std::string& option, const std::string& text) {
-        return ParseRatio(option, text, lowest, highest);
-    };
-}
-
-auto WholeBetween(std::int64_t lowest, std::int64_t highest)
-{
-    return [lowest, highest](const std::string& option, const std::string& text) {
-        return ParseWhole(option, text, lowest, highest);
-    };
-}
-
 Result<double> ParseScale(const std::string& option, const std::string& text)
 {
     const Result<double> scale = ParseNumber(option, text);
@@ -76,6 +42,8 @@ Result<std::vector<int>> ParseThreads(const std::string& option, const std::stri
     return counts;
 }
 
+} // namespace
+
 void AddScene(CLI::App& command, std::string& scene)
 {
     command.add_option("SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file")
@@ -107,8 +75,6 @@ CLI::Option* AddBackend(CLI::App& command, Backend& backend)
                     "osmesa, egl, egl-gpu, auto (auto: $BOXREEL_BACKEND, or what works)");
 }
 
-} // namespace
-
 void DeclareList(CLI::App& program, ParsedOptions& parsed)
 {
     CLI::App* command = program.add_subcommand("list", "The scenes, with what they show");
@@ -116,53 +82,6 @@ void DeclareList(CLI::App& program, ParsedOptions& parsed)
     command->footer("Examples:\n"
                     "  boxreel list\n"
                     "  boxreel list --names | head -3");
-}
-
-void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
-{
-    RecordOptions& record = parsed.record;
-    CLI::App* command = program.add_subcommand("record", "Make a film of a scene");
-    AddScene(*command, record.scene);
-    AddPath(*command, "-o,--output", "FILE", record.output,
-            "The film: .mp4 .mkv .webm .gif, or frames-####.png");
-    AddForce(*command, record.force);
-    AddStats(*command, record.stats);
-    AddValue(*command, "--quality", "LEVEL", record.quality,
-             OneOf<Quality>({{"draft", Quality::Draft},
-                             {"standard", Quality::Standard},
-                             {"high", Quality::High},
-                             {"lossless", Quality::Lossless}}),
-             "draft, standard, high, lossless (standard)");
-    AddValue(*command, "--progress", "KIND", record.progress,
-             OneOf<ProgressMode>({{"auto", ProgressMode::Auto},
-                                  {"bar", ProgressMode::Bar},
-                                  {"lines", ProgressMode::Lines},
-                                  {"json", ProgressMode::Json},
-                                  {"none", ProgressMode::None}}),
-             "auto, bar, lines, json, none (auto)");
-    AddValue(*command, "--seconds", "TIME", record.seconds, ParseDuration,
-             "Length of the film (10)")
-        ->group("Time");
-    AddValue(*command, "--frames", "N", record.frames, WholeBetween(1, kMostFrames),
-             "Or its number of frames")
-        ->group("Time");
-    AddValue(*command, "--fps", "RATE", record.framesPerSecond, RatioBetween(0.1, 1000.0),
-             "Frames a second (60)")
-        ->group("Time");
-    AddValue(*command, "--speed", "FACTOR", record.speed, RatioBetween(0.001, 1000.0),
-             "Simulated seconds a second; 0.25 is slow motion (1)")
-        ->group("Time");
-    AddLook(*command, record.look, nullptr);
-    AddBackend(*command, record.backend)->group("Picture");
-    command->footer(
-        "Examples:\n"
-        "  boxreel record pyramid -o pyramid.mp4\n"
-        "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"
-        "  boxreel record dominos -o frames-####.png --frames 120 --hud\n"
-        "  boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25\n"
-        "  boxreel record dominos -o ball.mp4 --camera follow:13:8\n"
-        "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
-        "  boxreel record bridge -o bridge.mp4 --theme okabe-ito");
 }
 
 void DeclareShot(CLI::App& program, ParsedOptions& parsed)

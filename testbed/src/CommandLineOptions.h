@@ -7,8 +7,12 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// Each command's options, declared to the parser. Private to CommandLine*.cpp.
 namespace boxreel
@@ -19,6 +23,7 @@ struct ParsedOptions
 {
     ListOptions list;
     RecordOptions record;
+    MergeOptions merge;
     ShotOptions shot;
     DiffOptions diff;
     GoldenOptions golden;
@@ -27,10 +32,43 @@ struct ParsedOptions
 
 void DeclareList(CLI::App& program, ParsedOptions& parsed);
 void DeclareRecord(CLI::App& program, ParsedOptions& parsed);
+void DeclareMerge(CLI::App& program, ParsedOptions& parsed);
 void DeclareShot(CLI::App& program, ParsedOptions& parsed);
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed);
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
 void DeclareBench(CLI::App& program, ParsedOptions& parsed);
+
+/// One of a few words.
+template <class Value>
+auto OneOf(std::vector<std::pair<std::string, Value>> choices)
+{
+    return [choices](const std::string& option, const std::string& text) -> Result<Value> {
+        std::string names;
+        for (const auto& [name, value] : choices)
+        {
+            if (name == text)
+            {
+                return value;
+            }
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        return Error{ErrorKind::Unusable, option + " '" + text + "': give one of " + names + "."};
+    };
+}
+
+inline auto RatioBetween(double lowest, double highest)
+{
+    return [lowest, highest](const std::string& option, const std::string& text) {
+        return ParseRatio(option, text, lowest, highest);
+    };
+}
+
+inline auto WholeBetween(std::int64_t lowest, std::int64_t highest)
+{
+    return [lowest, highest](const std::string& option, const std::string& text) {
+        return ParseWhole(option, text, lowest, highest);
+    };
+}
 
 /// An option whose text `parse` turns into a value for `target`; a refusal becomes the parser's
 /// error.
@@ -51,6 +89,14 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
     option->type_name(unit);
     return option;
 }
+
+/// Options that several commands share.
+void AddScene(CLI::App& command, std::string& scene);
+void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
+             std::filesystem::path& path, const std::string& help);
+void AddForce(CLI::App& command, bool& force);
+void AddStats(CLI::App& command, bool& stats);
+CLI::Option* AddBackend(CLI::App& command, Backend& backend);
 
 /// Options that decide what a picture of a scene looks like, shared by record and shot.
 /// `bothThemes`: where to say that a light and a dark twin are wanted; null where there are none.

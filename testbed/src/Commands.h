@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Condition.h"
 #include "MotionChoice.h"
 #include "Progress.h"
 #include "SceneSession.h"
@@ -30,15 +31,28 @@ struct RecordOptions
     std::string scene; ///< a name or a file
     std::filesystem::path output;
     SceneLook look;
-    std::optional<Duration> seconds;    ///< length of the film …
-    std::optional<std::int64_t> frames; ///< … or its number of frames; neither: 10 s
-    Rational framesPerSecond{60, 1};
-    Rational speed{1, 1}; ///< simulated seconds per second of film
-    Quality quality = Quality::Standard;
+    VideoSettings film;                  ///< but for its size, which is the look's
+    std::optional<Duration> seconds;     ///< length of the film …
+    std::optional<std::int64_t> frames;  ///< … or its number of frames; neither: 10 s
+    std::optional<Duration> from;        ///< simulated before the first frame
+    std::vector<Condition> until;        ///< the film ends when one holds; 10 min at most
+    std::optional<FrameRange> range;     ///< only these frames
+    Rational speed{1, 1};                ///< simulated seconds per second of film
+    std::filesystem::path thumbnail;     ///< a picture of one frame; empty: none
+    std::optional<Duration> thumbnailAt; ///< when in the film; not given: in its middle
     Backend backend = Backend::Auto;
-    bool force = false;
     bool stats = false; ///< say what was drawn and what was left as it was
     ProgressMode progress = ProgressMode::Auto;
+    std::vector<std::string> arguments; ///< as they were typed
+};
+
+/// Parts of a film become the whole.
+struct MergeOptions
+{
+    std::vector<std::filesystem::path> parts;
+    std::filesystem::path output;
+    int plays = 0; ///< how often a gif or apng plays; 0: for ever
+    bool force = false;
 };
 
 struct ShotOptions
@@ -91,6 +105,7 @@ struct BenchOptions
 
 Result<int> RunList(const ListOptions& options);
 Result<int> RunRecord(const RecordOptions& options);
+Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);

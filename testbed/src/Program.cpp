@@ -22,6 +22,7 @@ struct Runner
     }
     Result<int> operator()(const ListOptions& options) const { return RunList(options); }
     Result<int> operator()(const RecordOptions& options) const { return RunRecord(options); }
+    Result<int> operator()(const MergeOptions& options) const { return RunMerge(options); }
     Result<int> operator()(const ShotOptions& options) const { return RunShot(options); }
     Result<int> operator()(const DiffOptions& options) const { return RunDiff(options); }
     Result<int> operator()(const GoldenOptions& options) const { return RunGolden(options); }

@@ -134,6 +134,12 @@ std::string ProgressJsonText(const RecordingProgress& progress, double seconds)
                   Printable(progress.framesDone), Printable(progress.framesTotal), seconds);
 }
 
+std::string ProgressOpenJdText(const RecordingProgress& progress, double seconds)
+{
+    return Format("openjd_progress: %.1f\nopenjd_status: ", 100.0 * Share(progress)) +
+           Counts(progress, seconds);
+}
+
 std::string ReportText(const FilmReport& report)
 {
     std::string text =
@@ -199,6 +205,12 @@ void Progress::Update(const RecordingProgress& progress)
     else if (m_mode == ProgressMode::Json && (isLast || since >= kSecondsBetweenObjects))
     {
         WriteMessage(ProgressJsonText(progress, now));
+        m_lastWritten = now;
+    }
+    else if (m_mode == ProgressMode::OpenJD && (isLast || since >= kSecondsBetweenObjects))
+    {
+        std::printf("%s\n", ProgressOpenJdText(progress, now).c_str());
+        std::fflush(stdout);
         m_lastWritten = now;
     }
 }

@@ -9,7 +9,7 @@
 #include <string>
 
 /// How far a film is, on standard error: a bar for a person at a terminal, lines for a log, JSON
-/// objects for a program. Never touches standard output.
+/// objects for a program; of these only Open Job Description's go to standard output.
 namespace boxreel
 {
 
@@ -19,6 +19,7 @@ enum class ProgressMode
     Bar,
     Lines,
     Json,
+    OpenJD, ///< what Open Job Description's agents read, on standard output
     None,
 };
 
@@ -39,6 +40,7 @@ struct FilmReport
 std::string ProgressBarText(const RecordingProgress& progress, double seconds, int columns);
 std::string ProgressLineText(const RecordingProgress& progress, double seconds);
 std::string ProgressJsonText(const RecordingProgress& progress, double seconds);
+std::string ProgressOpenJdText(const RecordingProgress& progress, double seconds);
 std::string ReportText(const FilmReport& report);
 std::string ReportJsonText(const FilmReport& report);
 

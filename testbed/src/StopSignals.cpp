@@ -2,11 +2,7 @@
 #include "StopSignals.h"
 
 #include <atomic>
-#include <climits>
 #include <csignal>
-#include <cstring>
-
-#include <unistd.h>
 
 namespace boxreel
 {
@@ -20,20 +16,12 @@ constexpr int kStopSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 std::atomic<int> s_caught{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// Written before the flag is set, so that the handler never reads half a path.
-char s_unfinished[PATH_MAX];
-std::atomic<bool> s_hasUnfinished{false};
-
 // The first signal is remembered, the second ends the program. Only what POSIX allows in a handler.
 void Remember(int signal)
 {
     if (s_caught.exchange(signal) == 0)
     {
         return;
-    }
-    if (s_hasUnfinished.load())
-    {
-        ::unlink(s_unfinished);
     }
     std::signal(signal, SIG_DFL);
     ::raise(signal);
@@ -44,7 +32,6 @@ void Remember(int signal)
 StopSignals::StopSignals()
 {
     s_caught.store(0);
-    s_hasUnfinished.store(false);
     std::signal(SIGXFSZ, SIG_IGN);
     for (const int number : kStopSignals)
     {
@@ -75,16 +62,6 @@ StopSignals::~StopSignals()
         }
     }
     std::signal(SIGXFSZ, SIG_DFL);
-}
-
-void StopSignals::RemoveWhenEnded(const std::filesystem::path& file)
-{
-    const std::string& name = file.native();
-    if (name.size() < sizeof s_unfinished)
-    {
-        std::memcpy(s_unfinished, name.c_str(), name.size() + 1);
-        s_hasUnfinished.store(true);
-    }
 }
 
 int StopSignals::Caught()

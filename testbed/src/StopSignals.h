@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-
 /// While one exists, SIGINT, SIGTERM and SIGHUP ask for an orderly stop instead of ending the
 /// program; a second one ends it at once. A signal that the parent process has switched
 /// off (nohup, a job in the background) stays off. A write beyond a limit of file size becomes an
@@ -17,10 +15,6 @@ public:
     ~StopSignals();
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
-
-    /// What a second signal removes before it ends the program: a file that is not finished. A path
-    /// too long to be kept is left to the orderly stop.
-    static void RemoveWhenEnded(const std::filesystem::path& file);
 
     /// The signal that came, or 0.
     static int Caught();

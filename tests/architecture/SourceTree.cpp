@@ -72,7 +72,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"imgui", {"render/src/Overlay", "render/src/FontAtlas", "testbed/ui/"}},
         {"stb", {"render/src/FontAtlas"}},
         {"CLI/", {"testbed/src/CommandLine"}},
-        {"nlohmann/", {"testbed/bench/", "testbed/rube/"}},
+        {"nlohmann/", {"testbed/bench/", "testbed/rube/", "testbed/src/FilmPapers"}},
         {"cairo", {"render/src/FigureCairo.", "testbed/bench/ChartCairo."}},
         {"ft2build.h", {"render/src/FigureCairo."}},
         {"freetype", {"render/src/FigureCairo."}},

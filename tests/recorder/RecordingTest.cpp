@@ -79,7 +79,7 @@ TEST_F(RecordFixture, TheFilmHoldsTheFramesThatDrawingOneByOneGives)
 {
     constexpr int kCount = 40;
     VideoWriter writer = OpenWriter(m_folder / "film.mkv");
-    const Result<void> recorded = Record(Settings(kCount, 25), *m_renderer, writer);
+    const Result<boxreel::RecordingEnd> recorded = Record(Settings(kCount, 25), *m_renderer, writer);
     ASSERT_TRUE(recorded) << recorded.GetError().message;
     const Film film = ReadFilm(m_folder / "film.mkv");
     ASSERT_EQ(film.frames.size(), std::size_t(kCount));
@@ -173,7 +173,7 @@ TEST_F(RecordFixture, AnErrorOfTheCallerEndsTheFilmAndLeavesNothing)
             return frame < 12 ? Result<void>() : Error{ErrorKind::Failed, "the world ended"};
         };
         VideoWriter writer = OpenWriter(m_folder / "film.mkv");
-        const Result<void> recorded = Record(settings, *m_renderer, writer);
+        const Result<boxreel::RecordingEnd> recorded = Record(settings, *m_renderer, writer);
         ASSERT_FALSE(recorded);
         EXPECT_EQ(recorded.GetError().message, "the world ended");
     }
@@ -199,7 +199,7 @@ TEST_F(RecordFixture, AnErrorOfTheEncoderEndsTheLoopAndIsReturned)
             return {};
         };
         VideoWriter writer = OpenWriter(m_folder / "film.gif");
-        const Result<void> recorded = Record(settings, *m_renderer, writer);
+        const Result<boxreel::RecordingEnd> recorded = Record(settings, *m_renderer, writer);
         ASSERT_FALSE(recorded);
         EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
         EXPECT_THAT(recorded.GetError().message,
@@ -209,7 +209,7 @@ TEST_F(RecordFixture, AnErrorOfTheEncoderEndsTheLoopAndIsReturned)
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
 }
 
-TEST_F(RecordFixture, AStopIsNoErrorAndLeavesNothing)
+TEST_F(RecordFixture, AStopIsNoErrorAndLeavesWhatTheWriterDoesWithIt)
 {
     {
         RecordingSettings settings = Settings(100000, 100000);
@@ -217,7 +217,9 @@ TEST_F(RecordFixture, AStopIsNoErrorAndLeavesNothing)
             return progress.framesDone < 10;
         };
         VideoWriter writer = OpenWriter(m_folder / "film.mkv");
-        EXPECT_TRUE(Record(settings, *m_renderer, writer));
+        const Result<boxreel::RecordingEnd> recorded = Record(settings, *m_renderer, writer);
+        ASSERT_TRUE(recorded);
+        EXPECT_EQ(*recorded, boxreel::RecordingEnd::Stopped);
         EXPECT_THAT(m_folder.Names(), testing::ElementsAre("film.part.mkv"));
     }
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
@@ -226,7 +228,7 @@ TEST_F(RecordFixture, AStopIsNoErrorAndLeavesNothing)
 TEST_F(RecordFixture, RefusesAFilmWithoutFrames)
 {
     VideoWriter writer = OpenWriter(m_folder / "film.mkv");
-    const Result<void> recorded = Record(Settings(0, 0), *m_renderer, writer);
+    const Result<boxreel::RecordingEnd> recorded = Record(Settings(0, 0), *m_renderer, writer);
     ASSERT_FALSE(recorded);
     EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
 }

@@ -36,7 +36,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-constexpr VideoSettings kSmall{.width = 64, .height = 48, .framesPerSecond = {25, 1}};
+const VideoSettings kSmall{.width = 64, .height = 48, .framesPerSecond = {25, 1}};
 
 class VideoFile : public testing::TestWithParam<const char*>
 {

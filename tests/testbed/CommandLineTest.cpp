@@ -54,11 +54,11 @@ TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
     EXPECT_EQ(options.scene, "pyramid");
     EXPECT_EQ(options.output, "pyramid.mp4");
     EXPECT_FALSE(options.seconds || options.frames) << "ten seconds, unless said";
-    EXPECT_EQ(options.framesPerSecond, (Rational{60, 1}));
+    EXPECT_EQ(options.film.framesPerSecond, (Rational{60, 1}));
     EXPECT_EQ(options.speed, (Rational{1, 1}));
-    EXPECT_EQ(options.quality, Quality::Standard);
+    EXPECT_EQ(options.film.quality, Quality::Standard);
     EXPECT_EQ(options.progress, ProgressMode::Auto);
-    EXPECT_FALSE(options.force);
+    EXPECT_FALSE(options.film.overwrite);
     EXPECT_EQ(options.look.width, 1280);
     EXPECT_EQ(options.look.height, 720);
     EXPECT_FALSE(options.look.stepsPerSecond || options.look.velocityIterations ||
@@ -79,11 +79,11 @@ TEST(CommandLine, RecordReadsEveryOption)
                               "--labels --hud -o film.mkv bridge");
     EXPECT_EQ(options.scene, "bridge");
     EXPECT_EQ(options.seconds, Duration{2'500'000'000});
-    EXPECT_EQ(options.framesPerSecond, (Rational{2997, 100}));
+    EXPECT_EQ(options.film.framesPerSecond, (Rational{2997, 100}));
     EXPECT_EQ(options.speed, (Rational{1, 4}));
-    EXPECT_EQ(options.quality, Quality::Lossless);
+    EXPECT_EQ(options.film.quality, Quality::Lossless);
     EXPECT_EQ(options.progress, ProgressMode::Json);
-    EXPECT_TRUE(options.force);
+    EXPECT_TRUE(options.film.overwrite);
     EXPECT_EQ(options.look.width, 640);
     EXPECT_EQ(options.look.height, 480);
     EXPECT_EQ(options.look.stepsPerSecond, (Rational{240, 1}));

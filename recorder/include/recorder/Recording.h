@@ -20,6 +20,8 @@ struct FrameContent
     DrawList list;
     Camera camera;
     Overlay overlay;
+    bool isLast = false; ///< the film ends with this frame, however many were asked for
+    bool stops = false;  ///< the recording stops before this frame, which need not be filled
 };
 
 struct RecordingProgress
@@ -37,14 +39,23 @@ struct RecordingSettings
     /// encoded.
     std::function<Result<void>(std::int64_t frame, FrameContent& content)> fill;
     /// Called on the calling thread after frames are encoded; may be empty. False stops the
-    /// recording early.
+    /// recording early: what was drawn is still encoded.
     std::function<bool(const RecordingProgress&)> progress;
+    /// Called on the calling thread with the pixels of each frame, repeated ones too; may be empty.
+    std::function<void(std::int64_t frame, const Frame& pixels)> seen;
 };
 
-/// Runs to the end and closes the writer. On an Error (or a stop, which is no Error) the writer is
-/// left unclosed, so that its destruction leaves no file under the final name. The film does not
-/// depend on the timing: a frame whose content equals the one before is repeated instead of drawn,
-/// which gives the same pixels. The writer's size must be the renderer's.
-Result<void> Record(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer);
+enum class RecordingEnd
+{
+    Complete, ///< the writer is closed
+    Stopped,  ///< by the caller; the writer is open, to be suspended, or destroyed
+};
+
+/// Runs to the end and closes the writer. On an Error the writer is left unclosed, so that its
+/// destruction leaves no file under the final name. The film does not depend on the timing: a frame
+/// whose content equals the one before is repeated instead of drawn, which gives the same pixels.
+/// The writer's size must be the renderer's.
+Result<RecordingEnd> Record(const RecordingSettings& settings, Renderer& renderer,
+                            VideoWriter& writer);
 
 } // namespace boxreel

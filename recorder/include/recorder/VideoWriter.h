@@ -97,6 +97,10 @@ struct VideoSettings
 /// quality that it does not have.
 Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettings& settings);
 
+/// From one frame that a part of such a film may begin with to the next, at multiples; 0: it has no
+/// parts. `settings` must have passed CheckVideoPath.
+std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& settings);
+
 /// How many frames a second the film at `path` will hold: as asked, but for a GIF above 50.
 Rational StoredFrameRate(const std::filesystem::path& path, const Rational& framesPerSecond);
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <recorder/VideoWriter.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+/// Parts of a film become the whole, without encoding a frame again. libav is loaded when called.
+namespace boxreel
+{
+
+struct FilmPart
+{
+    std::filesystem::path path;
+    std::int64_t firstFrame = 0; ///< its number in the whole film
+};
+
+/// `parts`: in their order, each beginning where the one before ends, made with the same settings
+/// and with groups of frames that end where a part does. Of `settings` count framesPerSecond, plays
+/// and overwrite. An Error (Unusable) when `path` is of a kind that cannot be joined, or the parts
+/// are not coded alike.
+Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                       const VideoSettings& settings);
+
+} // namespace boxreel

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "FFmpegJoin.h"
+
+#include "FFmpegCodec.h"
+#include "FFmpegCopy.h"
+#include "FrameTimes.h"
+
+#include <debugdraw/AtomicFile.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace boxreel
+{
+
+namespace
+{
+
+/// A part as it is copied, and when its frames are shown in the whole.
+struct Part
+{
+    CopiedPart copied;
+    std::vector<std::int64_t> shown;
+    std::vector<std::int64_t> decoded;
+};
+
+Result<std::vector<Part>> LookAt(const std::vector<FilmPart>& films, const FrameTimes& times,
+                                 AVRational tick)
+{
+    std::vector<Part> parts;
+    for (const FilmPart& film : films)
+    {
+        const std::int64_t index = film.firstFrame - films.front().firstFrame;
+        Part part{{.from = film.path, .tick = tick, .offset = times.TimeOf(index)}, {}, {}};
+        Result<std::vector<std::int64_t>> shown = TimesIn(part.copied);
+        if (!shown)
+        {
+            return shown.GetError();
+        }
+        part.shown = std::move(*shown);
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+/// When each packet is needed, over all parts.
+void FillDecodingTimes(std::vector<Part>& parts)
+{
+    std::vector<std::int64_t> shown;
+    for (const Part& part : parts)
+    {
+        shown.insert(shown.end(), part.shown.begin(), part.shown.end());
+    }
+    const std::vector<std::int64_t> decoded = LatestDecodingTimes(shown, DelayOf(shown));
+    auto next = decoded.begin();
+    for (Part& part : parts)
+    {
+        part.decoded.assign(next, next + std::ptrdiff_t(part.shown.size()));
+        next += std::ptrdiff_t(part.shown.size());
+    }
+}
+
+bool IsAlike(const AVCodecParameters& a, const AVCodecParameters& b)
+{
+    return a.codec_id == b.codec_id && a.width == b.width && a.height == b.height &&
+           a.format == b.format && a.extradata_size == b.extradata_size &&
+           (a.extradata_size == 0 ||
+            std::memcmp(a.extradata, b.extradata, std::size_t(a.extradata_size)) == 0);
+}
+
+/// One stream has one description of how it is coded.
+Result<void> CheckAlike(const std::vector<FilmPart>& films, AVRational tick)
+{
+    Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
+    if (!first)
+    {
+        return first.GetError();
+    }
+    for (const FilmPart& film : films)
+    {
+        const Result<FFmpegPackets> packets = FFmpegPackets::Open(film.path, tick);
+        if (!packets)
+        {
+            return packets.GetError();
+        }
+        if (!IsAlike(first->Codec(), packets->Codec()))
+        {
+            return Error{ErrorKind::Unusable,
+                         film.path.string() + " is not coded as " + films.front().path.string() +
+                             " is; make both with the same options and libraries."};
+        }
+    }
+    return {};
+}
+
+Result<void> Write(const std::vector<Part>& parts, const EncoderPlan& plan, FFmpegMuxer& muxer)
+{
+    for (const Part& part : parts)
+    {
+        if (Result<void> copied = CopyPackets(part.copied, part.decoded, muxer); !copied)
+        {
+            return copied;
+        }
+    }
+    if (plan.muxer == "gif" || plan.muxer == "apng")
+    {
+        const Result<std::int64_t> delay = LastDelay(parts.back().copied);
+        if (!delay)
+        {
+            return delay.GetError();
+        }
+        muxer.SetFinalDelay(*delay);
+    }
+    return muxer.Finish();
+}
+
+} // namespace
+
+Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::filesystem::path& path,
+                             VideoFormat format, const VideoSettings& settings)
+{
+    if (Result<void> loaded = LoadFFmpeg(); !loaded)
+    {
+        return loaded;
+    }
+    const Result<EncoderPlan> plan = PlanFor(format, settings);
+    if (!plan)
+    {
+        return plan.GetError();
+    }
+    const AVRational tick = TickOf(*plan, settings.framesPerSecond);
+    VideoSettings whole = settings;
+    whole.frames = FrameRange(FrameRun{.first = films.front().firstFrame});
+    Result<std::vector<Part>> parts = LookAt(films, FrameTimes(format, whole), tick);
+    if (!parts)
+    {
+        return parts.GetError();
+    }
+    if (Result<void> alike = CheckAlike(films, tick); !alike)
+    {
+        return alike;
+    }
+    FillDecodingTimes(*parts);
+    Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
+    Result<AtomicFile> file = AtomicFile::Create(path, settings.overwrite);
+    if (!first || !file)
+    {
+        return first ? file.GetError() : first.GetError();
+    }
+    FFmpegOutput output(&*file);
+    const AVRational rate{int(settings.framesPerSecond.num), int(settings.framesPerSecond.den)};
+    const Options options =
+        format == VideoFormat::Mp4 ? Options{{"movflags", "+faststart"}} : plan->muxerOptions;
+    Result<FFmpegMuxer> muxer = FFmpegMuxer::Open(output, plan->muxer, options,
+                                                  {&first->Codec(), tick, rate}, path.string());
+    if (!muxer)
+    {
+        return muxer.GetError();
+    }
+    if (Result<void> written = Write(*parts, *plan, *muxer); !written)
+    {
+        return written;
+    }
+    return file->Commit();
+}
+
+} // namespace boxreel

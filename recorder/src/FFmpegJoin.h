@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "VideoFormat.h"
+
+#include <recorder/JoinFilms.h>
+
+/// JoinFilms for what libav writes. Loads libav when called.
+namespace boxreel
+{
+
+Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                             VideoFormat format, const VideoSettings& settings);
+
+} // namespace boxreel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <recorder/JoinFilms.h>
+
+#include "FFmpegJoin.h"
+#include "VideoFormat.h"
+
+#include <cassert>
+
+namespace boxreel
+{
+
+Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                       const VideoSettings& settings)
+{
+    assert(!parts.empty() && "parts of a film");
+    if (Result<void> usable = CheckVideoPath(path, settings); !usable)
+    {
+        return usable;
+    }
+    const VideoFormat format = *FormatOf(path, settings);
+    for (const FilmPart& part : parts)
+    {
+        if (FormatOf(part.path, {}) != format)
+        {
+            return Error{ErrorKind::Unusable, part.path.string() + " and " + path.string() +
+                                                  " are of different kinds; parts and whole have "
+                                                  "the same extension."};
+        }
+    }
+    if (IsPipe(path) || !HasParts(format) || format == VideoFormat::PngSequence)
+    {
+        return Error{ErrorKind::Unusable, path.string() +
+                                              " is of a kind that cannot be joined; make parts as "
+                                              ".mp4, .mkv, .webm, .gif or .apng. Parts of "
+                                              "frames-####.png need no joining: put them into one "
+                                              "folder."};
+    }
+    return JoinFFmpegFilms(parts, path, format, settings);
+}
+
+} // namespace boxreel

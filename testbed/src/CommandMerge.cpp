@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "Commands.h"
+#include "FilmPapers.h"
+#include "Terminal.h"
+
+#include <recorder/JoinFilms.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+namespace
+{
+
+/// A part and what its papers say.
+struct NamedPart
+{
+    std::filesystem::path path;
+    FilmPapers papers;
+};
+
+Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path>& paths)
+{
+    std::vector<NamedPart> parts;
+    for (const std::filesystem::path& path : paths)
+    {
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(path, ignored))
+        {
+            return Error{ErrorKind::Unusable, path.string() + " is no film; name the parts that "
+                                                              "`boxreel record --frame-range` "
+                                                              "made."};
+        }
+        Result<FilmPapers> papers = ReadPapers(path);
+        if (!papers)
+        {
+            return papers.GetError();
+        }
+        parts.push_back({path, std::move(*papers)});
+    }
+    std::sort(parts.begin(), parts.end(), [](const NamedPart& a, const NamedPart& b) {
+        return a.papers.first < b.papers.first;
+    });
+    return parts;
+}
+
+/// Whether `after` goes on where `before` ends.
+Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
+{
+    const auto refused = [&](const std::string& why) {
+        return Error{ErrorKind::Unusable, before.path.string() + " and " + after.path.string() +
+                                              " cannot be joined: " + why + "."};
+    };
+    const std::string difference = DifferenceOf(before.papers, after.papers);
+    if (!difference.empty())
+    {
+        return refused(difference);
+    }
+    const std::int64_t end = before.papers.end;
+    const std::int64_t next = after.papers.first;
+    if (next != end)
+    {
+        return refused(next < end ? "frame " + std::to_string(next) + " is in both"
+                                  : "frames " + std::to_string(end) + " to " +
+                                        std::to_string(next - 1) + " are missing");
+    }
+    if (end % before.papers.groupFrames != 0)
+    {
+        return refused("they meet at frame " + std::to_string(end) +
+                       ", within a group of frames; make parts that begin with multiples of " +
+                       std::to_string(before.papers.groupFrames));
+    }
+    const auto left = before.papers.states.find(end);
+    const auto right = after.papers.states.find(end);
+    if (left == before.papers.states.end() || right == after.papers.states.end() ||
+        left->second != right->second)
+    {
+        return refused("the world is in another state at frame " + std::to_string(end) +
+                       " in each; make both with the same build of this program");
+    }
+    return {};
+}
+
+} // namespace
+
+Result<int> RunMerge(const MergeOptions& options)
+{
+    const Result<std::vector<NamedPart>> parts = ReadParts(options.parts);
+    if (!parts)
+    {
+        return parts.GetError();
+    }
+    std::vector<FilmPart> films;
+    for (std::size_t i = 0; i < parts->size(); ++i)
+    {
+        if (i > 0)
+        {
+            if (Result<void> seam = CheckSeam((*parts)[i - 1], (*parts)[i]); !seam)
+            {
+                return seam.GetError();
+            }
+        }
+        films.push_back({(*parts)[i].path, (*parts)[i].papers.first});
+    }
+    const FilmPapers& first = parts->front().papers;
+    VideoSettings settings;
+    settings.framesPerSecond = first.framesPerSecond;
+    settings.plays = options.plays;
+    settings.overwrite = options.force;
+    if (Result<void> joined = JoinFilms(films, options.output, settings); !joined)
+    {
+        return joined.GetError();
+    }
+    const std::int64_t frames = parts->back().papers.end - first.first;
+    WriteMessage(options.output.string() + ": " + std::to_string(frames) + " frames of " +
+                 std::to_string(films.size()) + (films.size() == 1 ? " part" : " parts"));
+    return 0;
+}
+
+} // namespace boxreel

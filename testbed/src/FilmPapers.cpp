@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "FilmPapers.h"
+
+#include <debugdraw/AtomicFile.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace boxreel
+{
+namespace
+{
+
+using nlohmann::json;
+
+struct Exempt
+{
+    std::string_view option;
+    bool hasValue;
+};
+
+constexpr std::array<Exempt, 10> kExempt = {{
+    {"-o", true},
+    {"--output", true},
+    {"--frame-range", true},
+    {"--progress", true},
+    {"--snapshots", true},
+    {"--thumbnail", true},
+    {"--backend", true},
+    {"--resume", false},
+    {"--force", false},
+    {"--stats", false},
+}};
+
+const Exempt* ExemptionOf(std::string_view word)
+{
+    const std::string_view option = word.substr(0, word.find('='));
+    const auto* found = std::find_if(kExempt.begin(), kExempt.end(),
+                                     [option](const Exempt& e) { return e.option == option; });
+    return found == kExempt.end() ? nullptr : found;
+}
+
+std::string Joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+    {
+        text += (text.empty() ? "" : " ") + word;
+    }
+    return text;
+}
+
+json ToJson(const FilmPapers& papers)
+{
+    json states = json::object();
+    for (const auto& [frame, state] : papers.states)
+    {
+        states[std::to_string(frame)] = state;
+    }
+    return {{"boxreel", papers.version},
+            {"command", papers.command},
+            {"fps", {papers.framesPerSecond.num, papers.framesPerSecond.den}},
+            {"group", papers.groupFrames},
+            {"frames", papers.frameCount},
+            {"first", papers.first},
+            {"end", papers.end},
+            {"states", states}};
+}
+
+FilmPapers FromJson(const json& object)
+{
+    FilmPapers papers;
+    papers.version = object.at("boxreel").get<std::string>();
+    papers.command = object.at("command").get<std::vector<std::string>>();
+    papers.framesPerSecond = {object.at("fps").at(0).get<std::int64_t>(),
+                              object.at("fps").at(1).get<std::int64_t>()};
+    papers.groupFrames = object.at("group").get<std::int64_t>();
+    papers.frameCount = object.at("frames").get<std::int64_t>();
+    papers.first = object.at("first").get<std::int64_t>();
+    papers.end = object.at("end").get<std::int64_t>();
+    for (const auto& [frame, state] : object.at("states").items())
+    {
+        papers.states[std::stoll(frame)] = state.get<std::string>();
+    }
+    return papers;
+}
+
+} // namespace
+
+std::filesystem::path PapersPath(const std::filesystem::path& film)
+{
+    std::filesystem::path path = film;
+    path += ".json";
+    return path;
+}
+
+Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers)
+{
+    return WriteWhole(PapersPath(film), ToJson(papers).dump(1) + "\n", true);
+}
+
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film)
+{
+    const std::filesystem::path path = PapersPath(film);
+    std::ifstream file(path);
+    if (!file)
+    {
+        return Error{ErrorKind::Unusable, path.string() + ", which says how " + film.string() +
+                                              " was made, cannot be read; it lies beside every "
+                                              "part and must come along."};
+    }
+    try
+    {
+        return FromJson(json::parse(file));
+    }
+    catch (const std::exception&)
+    {
+        return Error{ErrorKind::Unusable, path.string() + " is damaged, or of another version of "
+                                                          "this program; make the film anew "
+                                                          "(--force)."};
+    }
+}
+
+std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> command;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+    {
+        const Exempt* exempt = ExemptionOf(arguments[i]);
+        if (exempt == nullptr)
+        {
+            command.push_back(arguments[i]);
+        }
+        else if (exempt->hasValue && arguments[i].find('=') == std::string::npos)
+        {
+            ++i; // its value
+        }
+    }
+    return command;
+}
+
+std::string DifferenceOf(const FilmPapers& a, const FilmPapers& b)
+{
+    if (a.command != b.command)
+    {
+        return "the commands differ: `" + Joined(a.command) + "` and `" + Joined(b.command) + "`";
+    }
+    if (a.version != b.version)
+    {
+        return "versions " + a.version + " and " + b.version + " of this program made them";
+    }
+    return "";
+}
+
+} // namespace boxreel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+#include <recorder/FrameClock.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// What is written beside a film that is not whole, FILE.json: which command makes it, and the
+/// state of its world where it may be continued or joined to another part. Whoever goes on checks
+/// that it is the same film and the same simulation. Used by record and merge.
+namespace boxreel
+{
+
+struct FilmPapers
+{
+    std::string version;              ///< of this program
+    std::vector<std::string> command; ///< what the user asked for, without where it goes
+    Rational framesPerSecond;
+    std::int64_t groupFrames = 100;
+    std::int64_t frameCount = 0; ///< of the whole film
+    std::int64_t first = 0;      ///< number of this part's first frame
+    std::int64_t end = 0;        ///< one more than that of its last
+    /// State hashes by number of the frame that shows them: where groups begin, and at `end`.
+    std::map<std::int64_t, std::string> states;
+};
+
+/// film.mkv becomes film.mkv.json.
+std::filesystem::path PapersPath(const std::filesystem::path& film);
+
+/// Replaces what is there.
+Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers);
+
+/// An Error (Unusable) when there are none, or they are not readable.
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film);
+
+/// The command without the options that do not change a frame: where it goes, how it is reported,
+/// which part it is, that it goes on.
+std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments);
+
+/// Nothing when both make the same film; else what differs, as a clause.
+std::string DifferenceOf(const FilmPapers& a, const FilmPapers& b);
+
+} // namespace boxreel
