@@ -16,7 +16,8 @@
 ///   BOXREEL_WORLD=417 boxreel_random_worlds_tests
 /// and, with BOXREEL_REDUCE=1 as well, as few of its bodies and joints as still fail.
 /// BOXREEL_WORLDS=0-999 tries these numbers instead of the first hundred. Each world has a number
-/// of sub-steps of its own; BOXREEL_COUNT=8 gives it another.
+/// of sub-steps of its own; BOXREEL_COUNT=8 gives it another, and BOXREEL_SECONDS=12 a longer time
+/// than 4 s.
 namespace
 {
 
@@ -57,6 +58,8 @@ WorldPlan Planned(int number, int subSteps = 0)
 {
     WorldPlan plan = PlanWorld(number);
     plan.subSteps = subSteps > 0 ? subSteps : plan.subSteps;
+    const char* seconds = std::getenv("BOXREEL_SECONDS");
+    plan.duration = seconds != nullptr ? float32(std::atof(seconds)) : plan.duration;
     return plan;
 }
 
