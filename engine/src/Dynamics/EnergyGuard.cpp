@@ -369,7 +369,9 @@ void EnergyGuard::ChargeImpacts()
     {
         BodyData& b = Data(*spring.joint->GetBodyB());
         BodyData& body = b.IsDynamic() ? b : Data(*spring.joint->GetBodyA());
-        body.energyOwed += float32(StoredBetween(spring.after, SpringOf(*spring.joint, nullptr)));
+        const SpringState end = SpringOf(*spring.joint, nullptr);
+        body.energyOwed +=
+            float32(StoredBetween(spring.before, end) - StoredBetween(spring.before, spring.after));
     }
     m_springs.clear(); // a joint may be gone before the next step begins
 }
