@@ -443,6 +443,41 @@ TEST(EnergyGuard, TakesCorrectionsBackThatWindUpASpring)
     EXPECT_NEAR(pair.At(pair.b).d.x, kStep * 1.0f, 1e-5f);
 }
 
+/// All that moves would not pay for the spring: it must not have gone anywhere.
+TEST(EnergyGuard, StandsStillWhereSpeedsThatAreLostWouldWindUpASpring)
+{
+    Pair pair;
+    b2WeldJointDef def;
+    def.Initialize(pair.scene.Ground(), pair.b, b2Vec2(2.0f, 0.0f));
+    def.frequencyHz = 5.0f;
+    pair.scene.world.CreateJoint(&def);
+    pair.Begin();
+    const double start = pair.Energy();
+    pair.At(pair.b).angle = 30.0f;
+    pair.At(pair.b).w = 30.0f / kStep;
+    pair.Balance();
+    EXPECT_EQ(pair.At(pair.b).angle, 0.0f);
+    EXPECT_EQ(pair.At(pair.b).d, b2Vec2_zero);
+    EXPECT_LT(pair.Energy(), 1.02 * start);
+}
+
+TEST(EnergyGuard, LetsAFallThatIsTakenBackGiveNothing)
+{
+    Pair pair(b2Vec2(0.0f, -10.0f));
+    b2WeldJointDef def;
+    def.Initialize(pair.scene.Ground(), pair.b, b2Vec2(2.0f, 0.0f));
+    def.frequencyHz = 5.0f;
+    pair.scene.world.CreateJoint(&def);
+    pair.Begin();
+    const double start = pair.Energy();
+    pair.At(pair.b).angle = 30.0f;
+    pair.At(pair.b).d.Set(0.0f, -5.0f); // 50 J
+    pair.At(pair.b).v.Set(10.0f, 0.0f); // the same
+    pair.Balance();
+    EXPECT_EQ(pair.At(pair.b).d.y, 0.0f);
+    EXPECT_LT(pair.Energy(), 1.2 * start);
+}
+
 TEST(EnergyGuard, RemembersWhatIsWonLittleByLittle)
 {
     Pair pair;
