@@ -229,6 +229,33 @@ TEST(EnergyGuard, LooksOnlyAtWhatIsAtRisk)
     EXPECT_TRUE(IsGuarded(far));
 }
 
+/// A pull along a line turns the body straight in a moment.
+TEST(EnergyGuard, LooksAtShorterLeversWhereALineHoldsThem)
+{
+    const auto isGuarded = [](float32 lever, b2JointType type) {
+        Pair pair(b2Vec2_zero, 0.0f);
+        b2DistanceJointDef rod;
+        rod.Initialize(pair.a, pair.b, b2Vec2(0.0f, 0.0f), b2Vec2(2.0f, lever));
+        b2RopeJointDef rope;
+        rope.bodyA = pair.a;
+        rope.bodyB = pair.b;
+        rope.localAnchorB.Set(0.0f, lever);
+        rope.maxLength = 3.0f;
+        b2PulleyJointDef pulley;
+        pulley.Initialize(pair.a, pair.b, b2Vec2(0.0f, 5.0f), b2Vec2(2.0f, 5.0f),
+                          b2Vec2(0.0f, 0.0f), b2Vec2(2.0f, lever), 1.0f);
+        const b2JointDef* defs[] = {&rod, &rope, &pulley};
+        const auto isOne = [type](const b2JointDef* def) { return def->type == type; };
+        pair.scene.world.CreateJoint(*std::find_if(defs, defs + 3, isOne));
+        return IsGuarded(pair);
+    };
+    for (const b2JointType type : {e_distanceJoint, e_ropeJoint, e_pulleyJoint})
+    {
+        EXPECT_FALSE(isGuarded(0.7f, type)) << type; // 1.7 radii of gyration
+        EXPECT_TRUE(isGuarded(1.0f, type)) << type;  // 2.4
+    }
+}
+
 TEST(EnergyGuard, NoticesThatMassesHaveBecomeUnequal)
 {
     Pair pair(b2Vec2_zero, 0.0f);
