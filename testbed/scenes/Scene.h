@@ -42,6 +42,10 @@ public:
     /// own.
     virtual StepSettings PreferredSteps() const { return {}; }
 
+    /// Does it make bodies after it was created? When not, what is asked of a body that is not
+    /// there can be refused before anything is simulated.
+    virtual bool MakesBodiesLater() const { return false; }
+
     /// What it calls its bodies, by their number in the order of creation; those it leaves out have
     /// no name.
     const std::map<std::uint32_t, std::string>& Names() const { return m_names; }

@@ -191,6 +191,13 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
         parts.push_back({motion->Picture(*session, content.list), session->CurrentCamera(),
                          moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
     }
+    for (const Result<void>& came : {motion->CheckBodiesCame(), session->CheckView()})
+    {
+        if (!came)
+        {
+            return came;
+        }
+    }
     for (const Picture& picture : pictures)
     {
         const Result<void> written =

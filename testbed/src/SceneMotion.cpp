@@ -65,30 +65,34 @@ std::optional<Vec2> PlaceOf(const MeasuredEnd& end, b2World& world)
     return std::get<Vec2>(end);
 }
 
-void AddBodyOf(const MeasuredEnd& end, std::vector<int>& bodies)
+/// The bodies between which is measured.
+std::vector<int> MeasuredBodies(const MotionLook& look)
 {
-    if (const int* const number = std::get_if<int>(&end))
-    {
-        bodies.push_back(*number);
-    }
-}
-
-Result<void> CheckAllBodies(const MotionLook& look, b2World& world)
-{
-    std::vector<int> measured;
+    std::vector<int> bodies;
     for (const DimensionChoice& dimension : look.dimensions)
     {
-        AddBodyOf(dimension.from, measured);
-        AddBodyOf(dimension.to, measured);
+        for (const MeasuredEnd& end : {dimension.from, dimension.to})
+        {
+            if (const int* const number = std::get_if<int>(&end))
+            {
+                bodies.push_back(*number);
+            }
+        }
     }
+    return bodies;
+}
+
+/// Of the first `made` bodies are all that the look names.
+Result<void> CheckAllBodies(const MotionLook& look, int made)
+{
     const std::pair<const char*, std::vector<int>> named[] = {
         {"--trail", look.trail ? look.trail->bodies : std::vector<int>()},
         {"--strobe", look.strobe ? look.strobe->of.bodies : std::vector<int>()},
         {"--onion", look.onion ? look.onion->of.bodies : std::vector<int>()},
-        {"--dimension", measured}};
+        {"--dimension", MeasuredBodies(look)}};
     for (const auto& [option, numbers] : named)
     {
-        if (const Result<void> found = CheckBodies(option, world, numbers); !found)
+        if (const Result<void> found = CheckBodies(option, made, numbers); !found)
         {
             return found;
         }
@@ -101,11 +105,14 @@ Result<void> CheckAllBodies(const MotionLook& look, b2World& world)
 Result<SceneMotion> SceneMotion::Create(const MotionLook& look, SceneSession& session,
                                         const std::vector<std::int64_t>& moments)
 {
-    if (const Result<void> found = CheckAllBodies(look, session.World()); !found)
+    const int made = CountMade(session.World());
+    if (const Result<void> found = CheckAllBodies(look, made);
+        !found && !session.MakesBodiesLater())
     {
         return found.GetError();
     }
     SceneMotion motion(look);
+    motion.m_made = made;
     for (const std::int64_t moment : moments)
     {
         for (const std::int64_t step : motion.PosesFor(moment, session.StepsPerSecond()))
@@ -166,6 +173,7 @@ void SceneMotion::AdvanceTo(SceneSession& session, std::int64_t step)
 
 void SceneMotion::Observe(SceneSession& session)
 {
+    m_made = std::max(m_made, CountMade(session.World()));
     const auto pose = m_poses.find(session.Step());
     if (pose == m_poses.end() && !m_look.trail)
     {
@@ -247,7 +255,7 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
     }
 }
 
-DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) const
+DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene)
 {
     DrawList list;
     AddPoses(session, list);
@@ -266,7 +274,32 @@ DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) cons
             AddDimension(list, session.CurrentCamera(), *from, *to);
         }
     }
+    for (const int body : MeasuredBodies(m_look))
+    {
+        if (FindBodies(session.World(), {body}).front() != nullptr)
+        {
+            m_measured.insert(body);
+        }
+    }
     return list;
+}
+
+Result<void> SceneMotion::CheckBodiesCame() const
+{
+    if (const Result<void> came = CheckAllBodies(m_look, m_made); !came)
+    {
+        return came;
+    }
+    for (const int body : MeasuredBodies(m_look))
+    {
+        if (!m_measured.contains(body))
+        {
+            return Error{ErrorKind::Unusable, "--dimension: body " + std::to_string(body) +
+                                                  " is there no more; give an earlier moment, or "
+                                                  "another body."};
+        }
+    }
+    return {};
 }
 
 } // namespace boxreel

@@ -73,12 +73,14 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
         source.scene = source.entry->create(SceneSettings{look.seed});
     }
     const Result<SceneCamera> camera =
-        SceneCamera::Create(look.view, source.scene->World(), look.width, look.height);
+        SceneCamera::Create(look.view, source.scene->World(), look.width, look.height,
+                            source.scene->MakesBodiesLater());
     if (!camera)
     {
         return camera.GetError();
     }
     SceneSession session(std::move(source.scene), std::move(source.title), look, *camera);
+    session.TellUnmet();
     if (look.hud)
     {
         const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
@@ -115,6 +117,16 @@ void SceneSession::StepOnce()
     }
     m_camera.Update(m_scene->World(), SecondsAt(m_step, m_stepsPerSecond),
                     StepSeconds(m_stepsPerSecond));
+    TellUnmet();
+}
+
+void SceneSession::TellUnmet() const
+{
+    if (m_look.unmet)
+    {
+        const Result<void> met = CheckView();
+        *m_look.unmet = met ? "" : met.GetError().message;
+    }
 }
 
 double SceneSession::Time() const
