@@ -50,6 +50,9 @@ public:
     /// no name.
     const std::map<std::uint32_t, std::string>& Names() const { return m_names; }
 
+    /// What it calls its joints; those it leaves out have no name.
+    const std::map<const b2Joint*, std::string>& JointNames() const { return m_jointNames; }
+
     /// One step of the world; a scene that steers overrides it and calls this one.
     virtual void Step(const StepSettings& settings)
     {
@@ -60,6 +63,7 @@ protected:
     SceneSettings m_settings;
     b2World m_world;
     std::map<std::uint32_t, std::string> m_names;
+    std::map<const b2Joint*, std::string> m_jointNames; ///< only to look up: addresses
 };
 
 /// One line of the table of scenes.

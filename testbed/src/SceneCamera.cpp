@@ -32,20 +32,20 @@ double HeightForFollowing(const Rect& bodies, int width, int height)
     return std::max(kLeastFollowHeight, height / fitting.pixelsPerMeter);
 }
 
-std::vector<int> BodiesOf(const ViewChoice& choice)
+std::vector<int> NumbersOf(ViewChoice choice)
 {
-    if (const auto* fit = std::get_if<FitBodiesView>(&choice))
+    std::vector<int> numbers;
+    for (const BodyRef* const body : BodiesOf(choice))
     {
-        return fit->bodies;
+        numbers.push_back(body->number);
     }
-    const auto* follow = std::get_if<FollowView>(&choice);
-    return follow != nullptr ? follow->bodies : std::vector<int>();
+    return numbers;
 }
 
 } // namespace
 
 SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, int height)
-    : m_bodies(BodiesOf(choice)), m_made(CountMade(world))
+    : m_bodies(NumbersOf(choice)), m_made(CountMade(world))
 {
     m_view.width = width;
     m_view.height = height;

@@ -32,7 +32,7 @@ bool IsMeant(const BodyChoice& choice, const b2Body& body)
 {
     return choice.moving ? body.GetType() != b2_staticBody
                          : std::find(choice.bodies.begin(), choice.bodies.end(),
-                                     body.GetNumber()) != choice.bodies.end();
+                                     BodyRef(body.GetNumber())) != choice.bodies.end();
 }
 
 DrawList ShapesOf(b2World& world)
@@ -55,9 +55,9 @@ std::int64_t StepsIn(const Interval& interval, std::int64_t count, const Rationa
 
 std::optional<Vec2> PlaceOf(const MeasuredEnd& end, b2World& world)
 {
-    if (const int* const number = std::get_if<int>(&end))
+    if (const BodyRef* const measured = std::get_if<BodyRef>(&end))
     {
-        const b2Body* const body = FindBodies(world, {*number}).front();
+        const b2Body* const body = FindBodies(world, {measured->number}).front();
         return body != nullptr
                    ? std::optional(Vec2{body->GetWorldCenter().x, body->GetWorldCenter().y})
                    : std::nullopt;
@@ -73,9 +73,9 @@ std::vector<int> MeasuredBodies(const MotionLook& look)
     {
         for (const MeasuredEnd& end : {dimension.from, dimension.to})
         {
-            if (const int* const number = std::get_if<int>(&end))
+            if (const BodyRef* const body = std::get_if<BodyRef>(&end))
             {
-                bodies.push_back(*number);
+                bodies.push_back(body->number);
             }
         }
     }
@@ -86,9 +86,9 @@ std::vector<int> MeasuredBodies(const MotionLook& look)
 Result<void> CheckAllBodies(const MotionLook& look, int made)
 {
     const std::pair<const char*, std::vector<int>> named[] = {
-        {"--trail", look.trail ? look.trail->bodies : std::vector<int>()},
-        {"--strobe", look.strobe ? look.strobe->of.bodies : std::vector<int>()},
-        {"--onion", look.onion ? look.onion->of.bodies : std::vector<int>()},
+        {"--trail", look.trail ? NumbersOf(look.trail->bodies) : std::vector<int>()},
+        {"--strobe", look.strobe ? NumbersOf(look.strobe->of.bodies) : std::vector<int>()},
+        {"--onion", look.onion ? NumbersOf(look.onion->of.bodies) : std::vector<int>()},
         {"--dimension", MeasuredBodies(look)}};
     for (const auto& [option, numbers] : named)
     {
@@ -100,11 +100,57 @@ Result<void> CheckAllBodies(const MotionLook& look, int made)
     return {};
 }
 
+std::vector<BodyRef*> Pointers(std::vector<BodyRef>& bodies)
+{
+    std::vector<BodyRef*> pointers;
+    for (BodyRef& body : bodies)
+    {
+        pointers.push_back(&body);
+    }
+    return pointers;
+}
+
+/// The look with numbers instead of names.
+Result<MotionLook> WithNumbers(MotionLook look, const BodyNames& names)
+{
+    std::vector<BodyRef> none;
+    std::vector<BodyRef*> measured;
+    for (DimensionChoice& dimension : look.dimensions)
+    {
+        for (MeasuredEnd* const end : {&dimension.from, &dimension.to})
+        {
+            if (BodyRef* const body = std::get_if<BodyRef>(end))
+            {
+                measured.push_back(body);
+            }
+        }
+    }
+    const std::pair<const char*, std::vector<BodyRef*>> named[] = {
+        {"--trail", Pointers(look.trail ? look.trail->bodies : none)},
+        {"--strobe", Pointers(look.strobe ? look.strobe->of.bodies : none)},
+        {"--onion", Pointers(look.onion ? look.onion->of.bodies : none)},
+        {"--dimension", measured}};
+    for (const auto& [option, bodies] : named)
+    {
+        if (const Result<void> found = FindNames(option, bodies, names); !found)
+        {
+            return found.GetError();
+        }
+    }
+    return look;
+}
+
 } // namespace
 
-Result<SceneMotion> SceneMotion::Create(const MotionLook& look, SceneSession& session,
+Result<SceneMotion> SceneMotion::Create(const MotionLook& asked, SceneSession& session,
                                         const std::vector<std::int64_t>& moments)
 {
+    const Result<MotionLook> numbered = WithNumbers(asked, session.Names());
+    if (!numbered)
+    {
+        return numbered.GetError();
+    }
+    const MotionLook& look = *numbered;
     const int made = CountMade(session.World());
     if (const Result<void> found = CheckAllBodies(look, made);
         !found && !session.MakesBodiesLater())

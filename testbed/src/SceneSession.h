@@ -86,6 +86,7 @@ private:
     StepSettings m_stepSettings;
     SceneCamera m_camera;
     LayerCollector m_layers;
+    BodyNames m_shownNames;
     std::optional<Hud> m_hud;
     std::int64_t m_step = 0;
     double m_stepMilliseconds = 0.0; // of the last step, smoothed
