@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// A body as options mean it: by its number in the order of creation, as `--labels` shows it, or by
