@@ -21,7 +21,17 @@ struct Runner
         return 0;
     }
     Result<int> operator()(const ListOptions& options) const { return RunList(options); }
-    Result<int> operator()(const RecordOptions& options) const { return RunRecord(options); }
+    /// A film in which what the camera waits for has never come is a film all the same.
+    Result<int> operator()(RecordOptions options) const
+    {
+        options.look.unmet = std::make_shared<std::string>();
+        const Result<int> code = RunRecord(options);
+        if (code && *code == 0 && !options.look.unmet->empty())
+        {
+            WriteMessage("boxreel: " + *options.look.unmet);
+        }
+        return code;
+    }
     Result<int> operator()(const ShotOptions& options) const { return RunShot(options); }
     Result<int> operator()(const DiffOptions& options) const { return RunDiff(options); }
     Result<int> operator()(const GoldenOptions& options) const { return RunGolden(options); }

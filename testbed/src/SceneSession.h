@@ -41,6 +41,9 @@ struct SceneLook
     bool labels = false;          ///< the number of each body at its centre of mass
     bool hud = false;             ///< a panel with time, step and counts
     bool hudMilliseconds = false; ///< and the time a step took, which no two runs share
+    /// Where the session says, step by step, what of the view has not come true: a sentence, empty
+    /// when all has. For whoever has no session to ask; none: nowhere.
+    std::shared_ptr<std::string> unmet;
 };
 
 class SceneSession
@@ -63,11 +66,16 @@ public:
     b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
     const Camera& CurrentCamera() const { return m_camera.View(); } ///< at scale 1
     double Time() const; ///< simulated since the start [s]
+    /// Bodies may come that are not there yet.
+    bool MakesBodiesLater() const { return m_scene->MakesBodiesLater(); }
+    /// Unusable while a body that the camera should show has never been there.
+    Result<void> CheckView() const { return m_camera.CheckBodiesCame(); }
 
 private:
     SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
                  const SceneCamera& camera);
     void StepOnce();
+    void TellUnmet() const;
     HudContent DescribeState() const;
     boxreel::View CollectedView() const;
 
@@ -78,6 +86,7 @@ private:
     StepSettings m_stepSettings;
     SceneCamera m_camera;
     LayerCollector m_layers;
+    BodyNames m_shownNames;
     std::optional<Hud> m_hud;
     std::int64_t m_step = 0;
     double m_stepMilliseconds = 0.0; // of the last step, smoothed
