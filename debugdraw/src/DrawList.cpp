@@ -27,6 +27,34 @@ void Rect::Include(const Rect& other)
     upper = {std::max(upper.x, other.upper.x), std::max(upper.y, other.upper.y)};
 }
 
+namespace
+{
+
+/// Corners that lie on a line, give or take a thousandth of their sides, turn either way.
+bool TurnsOneWay(const Vec2* corners, std::size_t count)
+{
+    constexpr double kStraight = 1e-3;
+    bool left = false;
+    bool right = false;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Vec2 a = corners[i];
+        const Vec2 b = corners[(i + 1) % count];
+        const Vec2 c = corners[(i + 2) % count];
+        const double ux = double(b.x) - a.x;
+        const double uy = double(b.y) - a.y;
+        const double vx = double(c.x) - b.x;
+        const double vy = double(c.y) - b.y;
+        const double turn = ux * vy - uy * vx;
+        const double straight = kStraight * (ux * ux + uy * uy + vx * vx + vy * vy);
+        left = left || turn > straight;
+        right = right || turn < -straight;
+    }
+    return !(left && right);
+}
+
+} // namespace
+
 DrawItem& DrawList::Add(DrawKind kind, const Vec2* vertices, std::size_t count, Color color)
 {
     assert(count <= 0xffff && "an item has at most 65535 points");
@@ -49,7 +77,9 @@ void DrawList::AddPolygon(const Vec2* vertices, std::size_t count, Color color)
 
 void DrawList::AddSolidPolygon(const Vec2* vertices, std::size_t count, Color color)
 {
-    Add(DrawKind::SolidPolygon, vertices, count, color);
+    constexpr std::size_t kMostCorners = 8; // what renderers fill
+    const bool fills = count <= kMostCorners && TurnsOneWay(vertices, count);
+    Add(fills ? DrawKind::SolidPolygon : DrawKind::Polygon, vertices, count, color);
 }
 
 void DrawList::AddCircle(Vec2 center, float radius, Color color)

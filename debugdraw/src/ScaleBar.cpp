@@ -3,6 +3,7 @@
 
 #include <debugdraw/NiceNumbers.h>
 #include <debugdraw/Paper.h>
+#include <debugdraw/TextWidth.h>
 
 namespace boxreel
 {
@@ -18,6 +19,11 @@ void AddScaleBar(DrawList& list, const Camera& paper, double pixelsPerMeter, Vec
     }
     const Paper sheet(list, paper);
     const double meters = NiceBelow(longest);
+    const std::string label = NumberBy(meters, meters) + " m";
+    if (left.x + meters * pixelsPerMeter + kGap + TextWidth(label) > paper.width)
+    {
+        return; // a bar of no known length
+    }
     const PixelPoint from{left.x, left.y};
     const PixelPoint to{left.x + meters * pixelsPerMeter, left.y};
     sheet.Line(from, to, kInk);
@@ -25,7 +31,7 @@ void AddScaleBar(DrawList& list, const Camera& paper, double pixelsPerMeter, Vec
     {
         sheet.Line({end.x, end.y - kEnd}, {end.x, end.y + kEnd}, kInk);
     }
-    sheet.Text({to.x + kGap, to.y}, NumberBy(meters, meters) + " m", {0.0, 0.5}, kInk);
+    sheet.Text({to.x + kGap, to.y}, label, {0.0, 0.5}, kInk);
 }
 
 } // namespace boxreel

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "WorldSeen.h"
+
 #include <debugdraw/Arrow.h>
 #include <debugdraw/WorldArrows.h>
 
 #include <cmath>
-#include <vector>
 
 namespace boxreel
 {
@@ -52,18 +53,10 @@ double SizeOf(const b2Body& body)
 void AddVelocities(const b2World& world, const View& view, double seconds, DrawList& list)
 {
     list.layer = DrawLayer::Velocities;
-    std::vector<const b2Body*> moving; // newest first
-    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    for (const b2Body* const body : AwakeBodies(world))
     {
-        if (body->GetType() != b2_staticBody && body->IsAwake())
-        {
-            moving.push_back(body);
-        }
-    }
-    for (auto body = moving.rbegin(); body != moving.rend(); ++body)
-    {
-        list.owner = static_cast<std::uint32_t>((*body)->GetNumber());
-        AddSeenArrow(view, (*body)->GetWorldCenter(), (*body)->GetLinearVelocity(), seconds,
+        list.owner = static_cast<std::uint32_t>(body->GetNumber());
+        AddSeenArrow(view, body->GetWorldCenter(), body->GetLinearVelocity(), seconds,
                      kVelocityColor, list);
     }
     list.owner = kNoOwner;
@@ -80,9 +73,8 @@ void AddJointForces(const b2World& world, const View& view, double metersPerNewt
     }
 }
 
-double MetersPerNewtonFor(const b2World& world)
+double MetersPerNewtonFor(const b2World& world, double share)
 {
-    constexpr double kShare = 0.125; // a pile or a bridge carries ten times the weight of its parts
     double mass = 0.0;
     double size = 0.0;
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
@@ -96,7 +88,7 @@ double MetersPerNewtonFor(const b2World& world)
     const b2Vec2 gravity = world.GetGravity();
     const double strength =
         std::sqrt(double(gravity.x) * gravity.x + double(gravity.y) * gravity.y);
-    const double scale = kShare * size / (mass * (strength > 0.0 ? strength : 10.0));
+    const double scale = share * size / (mass * (strength > 0.0 ? strength : 10.0));
     constexpr double kUnknown = 0.01; // nothing that has a size or a mass
     return scale > 0.0 && std::isfinite(scale) ? scale : kUnknown;
 }

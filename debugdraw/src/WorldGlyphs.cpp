@@ -32,8 +32,8 @@ constexpr double kSpring = 5.0;       // half its width
 constexpr double kShortSpring = 14.0; // below this it would be a blot
 constexpr double kRail = 30.0;        // half a rail without limits
 constexpr double kPulley = 8.0;       // radius
-constexpr double kGear = 9.0;         // radius without the teeth
-constexpr double kTooth = 3.0;
+constexpr double kGear = 18.0; // radius without the teeth: around a hinge, its motor, a carriage
+constexpr double kTooth = 4.0;
 constexpr double kStrut = 26.0; // length of the spring above an axle
 constexpr double kWeld = 5.0;   // half the square
 constexpr double kRopeEnd = 4.0;
@@ -225,13 +225,12 @@ void GlyphWriter::AddGearWheel(const b2Vec2& center, const b2Body& body)
 {
     GlyphPen pen = PenAt(center, XAxisOf(body));
     pen.Circle({}, kGear);
-    for (int step = 0; step < GlyphPen::kFullTurn; step += 3)
+    for (int step = 0; step < GlyphPen::kFullTurn; step += 2)
     {
         const Point out = GlyphPen::Direction(step);
         const double tip = kGear + kTooth;
         pen.Line({kGear * out.x, kGear * out.y}, {tip * out.x, tip * out.y});
     }
-    pen.Dot({}, kPin);
 }
 
 void GlyphWriter::Add(const b2GearJoint& joint)
@@ -285,6 +284,8 @@ void GlyphWriter::Add(const b2WeldJoint& joint)
 
 // What hangs with its length L between two ends that are c apart is nearly a parabola, whose
 // length is c + 8 s^2 / (3 c) for a sag s that is small; it never hangs lower than half its length.
+// Between ends that lie one above the other that would be a line: there it sags sideways as well,
+// more near its first end, so that it can also be seen to come back to where it began.
 void GlyphWriter::Add(const b2RopeJoint& joint)
 {
     const b2Vec2 a = joint.GetAnchorA();
@@ -294,16 +295,23 @@ void GlyphWriter::Add(const b2RopeJoint& joint)
     const double slack = std::max(0.0, length - chord);
     const double sag = std::min(std::sqrt(0.375 * chord * slack + 0.25 * slack * slack),
                                 0.5 * length); // exact for ends that meet, too
+    const double dx = double(b.x) - a.x;
+    const double dy = double(b.y) - a.y;
+    const double steepness = chord > 0.0f ? 1.0 - std::abs(dx) / double(chord) : 1.0;
+    const double aside = (dx * dy < 0.0 ? -1.0 : 1.0) * steepness * sag;
     Rect box{From(a), From(a)};
     box.Include(From(b));
     box.lower.y -= float(sag);
+    box.lower.x -= float(sag);
+    box.upper.x += float(sag);
     if (!m_view.Shows(box, kReach + kLetters))
     {
         return;
     }
     const auto at = [&](double share) {
-        return Vec2{float(a.x + share * (double(b.x) - a.x)),
-                    float(a.y + share * (double(b.y) - a.y) - 4.0 * sag * share * (1.0 - share))};
+        const double hang = 4.0 * share * (1.0 - share);
+        return Vec2{float(a.x + share * dx + aside * hang * 1.5 * (1.0 - share)),
+                    float(a.y + share * dy - sag * hang)};
     };
     constexpr int kStretches = 31; // odd: both ends are drawn
     for (int i = 0; i < kStretches; i += 2)
@@ -316,8 +324,10 @@ void GlyphWriter::Add(const b2RopeJoint& joint)
     }
     GlyphPen letters(m_list, m_view.camera, at(0.5), {1.0f, 0.0f}, kGlyphColor);
     const std::string text = Meters(length);
-    const double left = -0.5 * kDigitWidth * double(text.size());
-    m_list.AddText(letters.At({left, -3.0}), text, kGlyphColor); // below it
+    // Below it, or to the right of one that is steep.
+    const double middle = -0.5 * kDigitWidth * double(text.size());
+    const double left = middle + steepness * (7.0 - middle);
+    m_list.AddText(letters.At({left, -3.0 + 11.0 * steepness}), text, kGlyphColor);
 }
 
 void GlyphWriter::Add(const b2FrictionJoint& joint)

@@ -398,7 +398,7 @@ void PaintFigure(const Figure& figure, FigureCanvas& canvas)
 Result<void> CheckFigure(const Figure& figure)
 {
     const auto isSize = [](int width, int height) {
-        return width >= 1 && height >= 1 && width <= 8192 && height <= 8192;
+        return width >= 1 && height >= 1 && width <= kLargestFigure && height <= kLargestFigure;
     };
     bool usable = isSize(figure.width, figure.height);
     for (const FigurePanel& panel : figure.panels)
@@ -416,8 +416,9 @@ Result<void> CheckFigure(const Figure& figure)
     }
     if (!usable)
     {
-        return Error{ErrorKind::Unusable, "a figure and its panels must be 1 to 8192 pixels wide "
-                                          "and high; choose another size"};
+        return Error{ErrorKind::Unusable, "a figure and its panels must be 1 to " +
+                                              std::to_string(kLargestFigure) +
+                                              " pixels wide and high; choose another size"};
     }
     if (!(figure.scale >= 0.1 && figure.scale <= 16.0))
     {

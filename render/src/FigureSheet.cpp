@@ -58,6 +58,20 @@ bool IsPlain(const std::vector<SheetPicture>& pictures, const SheetSettings& set
            settings.caption.empty() && pictures.front().title.empty();
 }
 
+/// Then one bar says it for all.
+bool HaveOneScale(const std::vector<SheetPicture>& pictures)
+{
+    return std::all_of(pictures.begin(), pictures.end(), [&](const SheetPicture& picture) {
+        return picture.camera.pixelsPerMeter == pictures.front().camera.pixelsPerMeter;
+    });
+}
+
+void AddBar(DrawList& list, const Camera& sheet, const Camera& view, double left, double top)
+{
+    AddScaleBar(list, sheet, view.pixelsPerMeter,
+                {float(left), float(top + 0.5 * kScaleBarHeight + 2.0)}, std::min(view.width, 240));
+}
+
 Margins MarginsOf(const std::vector<SheetPicture>& pictures, const SheetSettings& settings)
 {
     Margins margins;
@@ -66,7 +80,8 @@ Margins MarginsOf(const std::vector<SheetPicture>& pictures, const SheetSettings
         margins.left = std::max(margins.left, settings.axes ? RoomForAxis(picture.camera) : 0);
         margins.top = std::max(margins.top, picture.title.empty() ? 0 : kTitleHeight);
     }
-    margins.bottom = (settings.axes ? kAxisBelow : 0) + (settings.scaleBar ? kScaleBarHeight : 0);
+    margins.bottom = settings.axes ? kAxisBelow : 0;
+    margins.bottom += settings.scaleBar && !HaveOneScale(pictures) ? kScaleBarHeight : 0;
     return margins;
 }
 
@@ -104,7 +119,7 @@ void AddFrame(const Paper& paper, const Camera& view, PixelPoint corner)
 }
 
 void AddSurroundings(DrawList& list, const Camera& sheet, const SheetPicture& picture,
-                     PixelPoint corner, const SheetSettings& settings)
+                     PixelPoint corner, const SheetSettings& settings, bool hasBar)
 {
     const Paper paper(list, sheet);
     const Camera& view = picture.camera;
@@ -119,11 +134,9 @@ void AddSurroundings(DrawList& list, const Camera& sheet, const SheetPicture& pi
     {
         AddFrame(paper, view, corner);
     }
-    if (settings.scaleBar)
+    if (hasBar)
     {
-        const double room = std::min(view.width, 240);
-        AddScaleBar(list, sheet, view.pixelsPerMeter,
-                    {at.x, float(below + 0.5 * kScaleBarHeight + 2.0)}, room);
+        AddBar(list, sheet, view, corner.x, below);
     }
     paper.Text({corner.x, corner.y - 0.5 * kTitleHeight}, picture.title, {0.0, 0.5}, kInk);
 }
@@ -146,8 +159,10 @@ Figure SheetOf(std::vector<SheetPicture> pictures, const SheetSettings& settings
     }
     const Margins margins = MarginsOf(pictures, settings);
     const Grid grid = GridOf(pictures, margins, settings);
+    const bool sharesBar = settings.scaleBar && HaveOneScale(pictures);
+    const int barHeight = sharesBar ? kScaleBarHeight : 0;
     figure.width = grid.Width();
-    figure.height = grid.Height();
+    figure.height = grid.Height() + barHeight;
     std::vector<std::string> lines;
     if (!settings.caption.empty())
     {
@@ -164,12 +179,18 @@ Figure SheetOf(std::vector<SheetPicture> pictures, const SheetSettings& settings
         const PixelPoint corner{
             double(grid.border + column * (grid.cellWidth + grid.gap) + margins.left),
             double(grid.border + row * (grid.cellHeight + grid.gap) + margins.top)};
-        AddSurroundings(around.list, sheet, pictures[i], corner, settings);
+        AddSurroundings(around.list, sheet, pictures[i], corner, settings,
+                        settings.scaleBar && !sharesBar);
         figure.panels.push_back(
             {std::move(pictures[i].list), pictures[i].camera, corner.x, corner.y, {}});
     }
+    if (sharesBar)
+    {
+        AddBar(around.list, sheet, figure.panels.back().camera, grid.border + margins.left,
+               grid.Height() - grid.border);
+    }
     const Paper paper(around.list, sheet);
-    double y = grid.Height() - grid.border + kCaptionGap;
+    double y = grid.Height() - grid.border + barHeight + kCaptionGap;
     for (const std::string& line : lines)
     {
         paper.Text({double(kBorder), y}, line, {0.0, 0.0}, kInk);

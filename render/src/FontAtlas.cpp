@@ -99,6 +99,12 @@ FontAtlas::~FontAtlas()
     IM_DELETE(m_atlas);
 }
 
+bool FontAtlas::Has(char32_t letter) const
+{
+    return letter <= 0xFFFF &&
+           m_atlas->Fonts[0]->FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr;
+}
+
 void FontAtlas::Layout(std::string_view text, std::vector<GlyphQuad>& quads) const
 {
     quads.clear();

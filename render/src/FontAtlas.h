@@ -47,6 +47,9 @@ public:
     /// Replaces `quads` by the visible letters of a UTF-8 text; a line feed starts a line.
     void Layout(std::string_view text, std::vector<GlyphQuad>& quads) const;
 
+    /// Whether there is a picture of this letter; others are drawn as '?'.
+    bool Has(char32_t letter) const;
+
     /// For Overlay.cpp alone.
     ImFontAtlas* ImGuiAtlas() const { return m_atlas; }
 

@@ -127,8 +127,11 @@ private:
                 // is enough for all.
                 const bool isNear =
                     &family != &kFamilies[0] && time > kNearShare * figures->full.cpu;
-                ChartPoint point{time * 1e3, figures->rms,
-                                 isNear ? "" : ChartNumber(result.info.count)};
+                // Of one picture all points have the same number: what has changed tells them
+                // apart.
+                const std::string label =
+                    m_results.size() == 1 ? family.legend : ChartNumber(result.info.count);
+                ChartPoint point{time * 1e3, figures->rms, isNear ? "" : label};
                 point.mayLackLabel = &family != &kFamilies[0];
                 line.points.push_back(point);
             }
@@ -144,6 +147,7 @@ private:
         for (const Family& family : kFamilies)
         {
             const bool isUsed =
+                m_results.size() > 1 && // a point has no stroke
                 std::any_of(m_chart.lines.begin(), m_chart.lines.end(), [&](const ChartLine& line) {
                     return line.series.stroke == family.stroke;
                 });
@@ -185,8 +189,9 @@ private:
         const RenderCase& info = m_results.front().info;
         m_chart.frame.title = Format("Drawing at %d x %d", info.width, info.height);
         m_chart.frame.subtitle =
-            "CPU time of a frame, one raster thread, against the error at edges; along each curve "
-            "the number of shapes";
+            std::string("CPU time of a frame, one raster thread, against the error at edges; ") +
+            (m_results.size() > 1 ? "along each curve the number of shapes"
+                                  : ChartNumber(info.count) + " shapes");
         m_chart.frame.notes = {
             "Error: root mean square of the differences from 16 x 16 samples a pixel, over the red,"
             " green and blue of the pixels whose samples are not all alike,",

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "RubeBuilder.h"
 
+#include "RubeJoints.h"
+#include "RubeNames.h"
+
 namespace boxreel
 {
 
@@ -8,30 +11,6 @@ namespace
 {
 
 constexpr std::size_t kMostFindings = 1000; ///< nobody reads more, and memory stays bounded
-
-// Names come from the file: long ones would drown the message, control characters could garble the
-// terminal. Bytes of other scripts pass; a name is cut between characters only.
-std::string Quoted(const std::string& name)
-{
-    constexpr std::size_t kMost = 60;
-    std::size_t length = name.size();
-    if (length > kMost)
-    {
-        length = kMost;
-        while (length > 0 && (static_cast<unsigned char>(name[length]) & 0xC0) == 0x80)
-        {
-            --length;
-        }
-    }
-    std::string result = "\"";
-    result.append(name, 0, length);
-    for (char& c : result)
-    {
-        const unsigned char byte = static_cast<unsigned char>(c);
-        c = byte < 0x20 || byte == 0x7F ? '?' : c;
-    }
-    return result + (length < name.size() ? "...\"" : "\"");
-}
 
 // Vertices closer to the one before than the engine can tell apart add nothing but asserts.
 std::vector<b2Vec2> WithoutRepeats(const std::vector<b2Vec2>& vertices)
@@ -54,22 +33,21 @@ public:
         : m_scene(scene), m_world(world), m_leftOut(leftOut)
     {}
 
-    void Build()
+    std::vector<const b2Joint*> Build()
     {
         ApplyWorldSettings();
         for (const RubeBody& body : m_scene.bodies)
         {
             BuildBody(body);
         }
-        for (std::size_t i = 0; i < m_scene.joints.size(); ++i)
-        {
-            BuildJoint(m_scene.joints[i], i);
-        }
+        const auto report = [this](const std::string& sentence) { Report(sentence); };
+        std::vector<const b2Joint*> joints = BuildRubeJoints(m_scene, m_bodies, m_world, report);
         if (m_findings > kMostFindings)
         {
             m_leftOut.push_back("And so are " + std::to_string(m_findings - kMostFindings) +
                                 " more parts.");
         }
+        return joints;
     }
 
 private:
@@ -89,11 +67,6 @@ private:
         {
             m_leftOut.push_back(sentence + ".");
         }
-    }
-
-    std::string NameOfBody(std::size_t index) const
-    {
-        return "body " + std::to_string(index) + " " + Quoted(m_scene.bodies[index].name);
     }
 
     // ---- Bodies and fixtures
@@ -123,7 +96,7 @@ private:
             if (!why.empty())
             {
                 Report("fixture " + std::to_string(i) + " " + Quoted(source.fixtures[i].name) +
-                       " of " + NameOfBody(m_bodies.size() - 1) + " is left out: " + why);
+                       " of " + NameOfBody(m_scene, m_bodies.size() - 1) + " is left out: " + why);
             }
         }
         if (source.massData && source.type == b2_dynamicBody)
@@ -139,7 +112,7 @@ private:
         const float32 ofCenter = data.mass * data.center.LengthSquared();
         if (data.I > 0.0f && !(data.I > ofCenter))
         {
-            Report("the mass of " + NameOfBody(m_bodies.size() - 1) +
+            Report("the mass of " + NameOfBody(m_scene, m_bodies.size() - 1) +
                    " is left out: its inertia is too small for a centre of mass so far from the "
                    "origin");
             return;
@@ -272,128 +245,6 @@ private:
         return "";
     }
 
-    // ---- Joints
-
-    void BuildJoint(const RubeJoint& source, std::size_t index)
-    {
-        const std::string who = "joint " + std::to_string(index) + " " + Quoted(source.name) +
-                                " (" + Shown(source.type) + ", between " +
-                                NameOfBody(source.bodyA) + " and " + NameOfBody(source.bodyB) + ")";
-        if (source.bodyA == source.bodyB)
-        {
-            Report(who + " is left out: it connects a body with itself");
-        }
-        else if (const auto* revolute = std::get_if<RubeRevolute>(&source.details))
-        {
-            BuildRevolute(source, *revolute, who);
-        }
-        else if (const auto* distance = std::get_if<RubeDistance>(&source.details))
-        {
-            BuildDistance(source, *distance, who);
-        }
-        else if (const auto* prismatic = std::get_if<RubePrismatic>(&source.details))
-        {
-            BuildPrismatic(source, *prismatic, who);
-        }
-        else
-        {
-            Report(who + " is left out: joints of this kind cannot be built");
-        }
-    }
-
-    // The kind without the quotes that a name has.
-    static std::string Shown(const std::string& type)
-    {
-        const std::string quoted = Quoted(type);
-        return type.empty() ? "no kind" : quoted.substr(1, quoted.size() - 2);
-    }
-
-    void FillCommon(const RubeJoint& source, b2JointDef& definition)
-    {
-        definition.bodyA = m_bodies[source.bodyA];
-        definition.bodyB = m_bodies[source.bodyB];
-        definition.collideConnected = source.collideConnected;
-    }
-
-    void BuildRevolute(const RubeJoint& source, const RubeRevolute& revolute,
-                       const std::string& who)
-    {
-        b2RevoluteJointDef definition;
-        FillCommon(source, definition);
-        definition.localAnchorA = source.anchorA;
-        definition.localAnchorB = source.anchorB;
-        definition.referenceAngle = revolute.referenceAngle;
-        if (revolute.lowerLimit <= revolute.upperLimit)
-        {
-            definition.enableLimit = revolute.enableLimit;
-            definition.lowerAngle = revolute.lowerLimit;
-            definition.upperAngle = revolute.upperLimit;
-        }
-        else
-        {
-            ReportLimit(who);
-        }
-        definition.enableMotor = revolute.enableMotor;
-        definition.motorSpeed = revolute.motorSpeed;
-        definition.maxMotorTorque = revolute.maxMotorTorque;
-        m_world.CreateJoint(&definition);
-    }
-
-    void BuildPrismatic(const RubeJoint& source, const RubePrismatic& prismatic,
-                        const std::string& who)
-    {
-        b2PrismaticJointDef definition;
-        FillCommon(source, definition);
-        definition.localAnchorA = source.anchorA;
-        definition.localAnchorB = source.anchorB;
-        definition.localAxisA = prismatic.axis;
-        if (!(definition.localAxisA.Normalize() > 0.0f))
-        {
-            Report(who + " is left out: its axis has no direction");
-            return;
-        }
-        definition.referenceAngle = prismatic.referenceAngle;
-        if (prismatic.lowerLimit <= prismatic.upperLimit)
-        {
-            definition.enableLimit = prismatic.enableLimit;
-            definition.lowerTranslation = prismatic.lowerLimit;
-            definition.upperTranslation = prismatic.upperLimit;
-        }
-        else
-        {
-            ReportLimit(who);
-        }
-        definition.enableMotor = prismatic.enableMotor;
-        definition.motorSpeed = prismatic.motorSpeed;
-        definition.maxMotorForce = prismatic.maxMotorForce;
-        m_world.CreateJoint(&definition);
-    }
-
-    void ReportLimit(const std::string& who)
-    {
-        Report("the limit of " + who + " is left out: its lower end is above its upper end");
-    }
-
-    // The manual warns of short lengths; shorter than the tolerance has no direction at all.
-    void BuildDistance(const RubeJoint& source, const RubeDistance& distance,
-                       const std::string& who)
-    {
-        if (distance.length < b2_linearSlop)
-        {
-            Report(who +
-                   " is left out: its length is zero; a revolute joint keeps points together");
-            return;
-        }
-        b2DistanceJointDef definition;
-        FillCommon(source, definition);
-        definition.localAnchorA = source.anchorA;
-        definition.localAnchorB = source.anchorB;
-        definition.length = distance.length;
-        definition.frequencyHz = distance.frequency;
-        definition.dampingRatio = distance.dampingRatio;
-        m_world.CreateJoint(&definition);
-    }
-
     const RubeScene& m_scene;
     b2World& m_world;
     std::vector<std::string>& m_leftOut;
@@ -403,9 +254,10 @@ private:
 
 } // namespace
 
-void BuildRubeScene(const RubeScene& scene, b2World& world, std::vector<std::string>& leftOut)
+std::vector<const b2Joint*> BuildRubeScene(const RubeScene& scene, b2World& world,
+                                           std::vector<std::string>& leftOut)
 {
-    Builder(scene, world, leftOut).Build();
+    return Builder(scene, world, leftOut).Build();
 }
 
 } // namespace boxreel

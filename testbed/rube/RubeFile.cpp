@@ -23,7 +23,7 @@ public:
         m_steps.timeStep = 1.0f / content.stepsPerSecond;
         m_steps.velocityIterations = content.velocityIterations;
         m_steps.positionIterations = content.positionIterations;
-        BuildRubeScene(content, m_world, leftOut);
+        NameJoints(content, BuildRubeScene(content, m_world, leftOut));
         NameBodies(content);
     }
 
@@ -38,6 +38,17 @@ private:
             if (!content.bodies[i].name.empty())
             {
                 m_names.emplace(static_cast<std::uint32_t>(i), content.bodies[i].name);
+            }
+        }
+    }
+
+    void NameJoints(const RubeScene& content, const std::vector<const b2Joint*>& joints)
+    {
+        for (std::size_t i = 0; i < joints.size(); ++i)
+        {
+            if (joints[i] != nullptr && !content.joints[i].name.empty())
+            {
+                m_jointNames.emplace(joints[i], content.joints[i].name);
             }
         }
     }

@@ -106,6 +106,68 @@ struct RubePrismatic
     float32 maxMotorForce = 0.0f; ///< [N]
 };
 
+struct RubePulley
+{
+    b2Vec2 groundAnchorA = b2Vec2(0.0f, 0.0f); ///< in the world, as that of B [m]
+    b2Vec2 groundAnchorB = b2Vec2(0.0f, 0.0f);
+    float32 lengthA = 0.0f; ///< [m]
+    float32 lengthB = 0.0f; ///< [m]
+    float32 ratio = 1.0f;
+};
+
+/// Pulls body B at the point of the world that the joint gives as its anchor B.
+struct RubeMouse
+{
+    b2Vec2 target = b2Vec2(0.0f, 0.0f); ///< in the world [m]
+    float32 maxForce = 0.0f;            ///< [N]
+    float32 frequency = 0.0f;           ///< [Hz]
+    float32 dampingRatio = 0.0f;
+};
+
+struct RubeGear
+{
+    std::size_t joint1 = 0; ///< index into RubeScene::joints, which may not have so many
+    std::size_t joint2 = 0;
+    float32 ratio = 1.0f;
+};
+
+struct RubeWheel
+{
+    b2Vec2 axis = b2Vec2(1.0f, 0.0f); ///< in body A's frame, of any length
+    bool enableMotor = false;
+    float32 motorSpeed = 0.0f;     ///< [rad/s]
+    float32 maxMotorTorque = 0.0f; ///< [N m]
+    float32 frequency = 0.0f;      ///< of the spring [Hz], 0: none
+    float32 dampingRatio = 0.0f;
+};
+
+struct RubeMotor
+{
+    b2Vec2 linearOffset = b2Vec2(0.0f, 0.0f); ///< body B's origin in body A's frame [m]
+    float32 angularOffset = 0.0f;             ///< [rad]
+    float32 maxForce = 0.0f;                  ///< [N]
+    float32 maxTorque = 0.0f;                 ///< [N m]
+    float32 correctionFactor = 0.3f;          ///< 0 to 1
+};
+
+struct RubeWeld
+{
+    float32 referenceAngle = 0.0f; ///< [rad]
+    float32 frequency = 0.0f;      ///< against turning [Hz], 0 is rigid
+    float32 dampingRatio = 0.0f;
+};
+
+struct RubeFriction
+{
+    float32 maxForce = 0.0f;  ///< [N]
+    float32 maxTorque = 0.0f; ///< [N m]
+};
+
+struct RubeRope
+{
+    float32 maxLength = 0.0f; ///< [m]
+};
+
 struct RubeJoint
 {
     std::string type; ///< as the file spells it
@@ -116,7 +178,9 @@ struct RubeJoint
     b2Vec2 anchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 anchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     /// Nothing for other kinds.
-    std::variant<std::monostate, RubeRevolute, RubeDistance, RubePrismatic> details;
+    std::variant<std::monostate, RubeRevolute, RubeDistance, RubePrismatic, RubePulley, RubeMouse,
+                 RubeGear, RubeWheel, RubeMotor, RubeWeld, RubeFriction, RubeRope>
+        details;
 };
 
 struct RubeScene

@@ -183,12 +183,17 @@ RubeDistance ReadDistance(const JsonValue& value)
     return joint;
 }
 
+// Old files call it localAxis1.
+b2Vec2 ReadAxis(const JsonValue& value)
+{
+    const JsonValue axis = value.Member("localAxisA");
+    return ReadVector(axis.Exists() ? axis : value.Member("localAxis1"));
+}
+
 RubePrismatic ReadPrismatic(const JsonValue& value)
 {
     RubePrismatic joint;
-    // Old files call the axis localAxis1.
-    const JsonValue axis = value.Member("localAxisA");
-    joint.axis = ReadVector(axis.Exists() ? axis : value.Member("localAxis1"));
+    joint.axis = ReadAxis(value);
     joint.referenceAngle = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
     joint.enableLimit = value.Member("enableLimit").Bool(false);
     joint.lowerLimit = value.Member("lowerLimit").Number(0.0f, -kFarthest, kFarthest);
@@ -197,6 +202,111 @@ RubePrismatic ReadPrismatic(const JsonValue& value)
     joint.motorSpeed = value.Member("motorSpeed").Number(0.0f, -kFastest, kFastest);
     joint.maxMotorForce = value.Member("maxMotorForce").Number(0.0f, 0.0f, kStrongest);
     return joint;
+}
+
+RubePulley ReadPulley(const JsonValue& value)
+{
+    RubePulley joint;
+    joint.groundAnchorA = ReadVector(value.Member("groundAnchorA"));
+    joint.groundAnchorB = ReadVector(value.Member("groundAnchorB"));
+    joint.lengthA = value.Member("lengthA").Number(0.0f, 0.0f, kFarthest);
+    joint.lengthB = value.Member("lengthB").Number(0.0f, 0.0f, kFarthest);
+    joint.ratio = value.Member("ratio").Number(1.0f, 0.0f, kLargest);
+    return joint;
+}
+
+RubeMouse ReadMouse(const JsonValue& value)
+{
+    RubeMouse joint;
+    joint.target = ReadVector(value.Member("target"));
+    joint.maxForce = value.Member("maxForce").Number(0.0f, 0.0f, kStrongest);
+    joint.frequency = value.Member("frequency").Number(0.0f, 0.0f, kLargest);
+    joint.dampingRatio = value.Member("dampingRatio").Number(0.0f, 0.0f, kLargest);
+    return joint;
+}
+
+RubeGear ReadGear(const JsonValue& value)
+{
+    constexpr std::int64_t kMost = 1'000'000'000; // whether there is such a joint is asked later
+    RubeGear joint;
+    joint.joint1 = static_cast<std::size_t>(value.Required("joint1").Integer(0, 0, kMost));
+    joint.joint2 = static_cast<std::size_t>(value.Required("joint2").Integer(0, 0, kMost));
+    joint.ratio = value.Member("ratio").Number(1.0f, -kLargest, kLargest);
+    return joint;
+}
+
+RubeWheel ReadWheel(const JsonValue& value)
+{
+    RubeWheel joint;
+    joint.axis = ReadAxis(value);
+    joint.enableMotor = value.Member("enableMotor").Bool(false);
+    joint.motorSpeed = value.Member("motorSpeed").Number(0.0f, -kFastest, kFastest);
+    joint.maxMotorTorque = value.Member("maxMotorTorque").Number(0.0f, 0.0f, kStrongest);
+    joint.frequency = value.Member("springFrequency").Number(0.0f, 0.0f, kLargest);
+    joint.dampingRatio = value.Member("springDampingRatio").Number(0.0f, 0.0f, kLargest);
+    return joint;
+}
+
+RubeMotor ReadMotor(const JsonValue& value)
+{
+    RubeMotor joint;
+    // Old files have it where other joints have their anchor.
+    const JsonValue offset = value.Member("linearOffset");
+    joint.linearOffset = ReadVector(offset.Exists() ? offset : value.Member("anchorA"));
+    joint.angularOffset = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
+    joint.maxForce = value.Member("maxForce").Number(0.0f, 0.0f, kStrongest);
+    joint.maxTorque = value.Member("maxTorque").Number(0.0f, 0.0f, kStrongest);
+    joint.correctionFactor = value.Member("correctionFactor").Number(0.3f, 0.0f, 1.0f);
+    return joint;
+}
+
+RubeWeld ReadWeld(const JsonValue& value)
+{
+    RubeWeld joint;
+    joint.referenceAngle = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
+    joint.frequency = value.Member("frequency").Number(0.0f, 0.0f, kLargest);
+    joint.dampingRatio = value.Member("dampingRatio").Number(0.0f, 0.0f, kLargest);
+    return joint;
+}
+
+RubeFriction ReadFriction(const JsonValue& value)
+{
+    RubeFriction joint;
+    joint.maxForce = value.Member("maxForce").Number(0.0f, 0.0f, kStrongest);
+    joint.maxTorque = value.Member("maxTorque").Number(0.0f, 0.0f, kStrongest);
+    return joint;
+}
+
+RubeRope ReadRope(const JsonValue& value)
+{
+    return RubeRope{value.Member("maxLength").Number(0.0f, 0.0f, kFarthest)};
+}
+
+/// Of a kind that is not known: nothing.
+decltype(RubeJoint::details) ReadDetails(const std::string& type, const JsonValue& value)
+{
+    using Details = decltype(RubeJoint::details);
+    using Reader = Details (*)(const JsonValue&);
+    static const std::pair<std::string_view, Reader> kReaders[] = {
+        {"revolute", [](const JsonValue& v) { return Details(ReadRevolute(v)); }},
+        {"distance", [](const JsonValue& v) { return Details(ReadDistance(v)); }},
+        {"prismatic", [](const JsonValue& v) { return Details(ReadPrismatic(v)); }},
+        {"pulley", [](const JsonValue& v) { return Details(ReadPulley(v)); }},
+        {"mouse", [](const JsonValue& v) { return Details(ReadMouse(v)); }},
+        {"gear", [](const JsonValue& v) { return Details(ReadGear(v)); }},
+        {"wheel", [](const JsonValue& v) { return Details(ReadWheel(v)); }},
+        {"motor", [](const JsonValue& v) { return Details(ReadMotor(v)); }},
+        {"weld", [](const JsonValue& v) { return Details(ReadWeld(v)); }},
+        {"friction", [](const JsonValue& v) { return Details(ReadFriction(v)); }},
+        {"rope", [](const JsonValue& v) { return Details(ReadRope(v)); }}};
+    for (const auto& [name, read] : kReaders)
+    {
+        if (name == type)
+        {
+            return read(value);
+        }
+    }
+    return {};
 }
 
 std::size_t ReadBodyIndex(const JsonValue& joint, const char* name, std::size_t bodyCount)
@@ -220,18 +330,7 @@ RubeJoint ReadJoint(const JsonValue& value, std::size_t bodyCount)
     joint.collideConnected = value.Member("collideConnected").Bool(false);
     joint.anchorA = ReadVector(value.Member("anchorA"));
     joint.anchorB = ReadVector(value.Member("anchorB"));
-    if (joint.type == "revolute")
-    {
-        joint.details = ReadRevolute(value);
-    }
-    else if (joint.type == "distance")
-    {
-        joint.details = ReadDistance(value);
-    }
-    else if (joint.type == "prismatic")
-    {
-        joint.details = ReadPrismatic(value);
-    }
+    joint.details = ReadDetails(joint.type, value);
     return joint;
 }
 

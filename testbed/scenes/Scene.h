@@ -42,9 +42,16 @@ public:
     /// own.
     virtual StepSettings PreferredSteps() const { return {}; }
 
+    /// Does it make bodies after it was created? When not, what is asked of a body that is not
+    /// there can be refused before anything is simulated.
+    virtual bool MakesBodiesLater() const { return false; }
+
     /// What it calls its bodies, by their number in the order of creation; those it leaves out have
     /// no name.
     const std::map<std::uint32_t, std::string>& Names() const { return m_names; }
+
+    /// What it calls its joints; those it leaves out have no name.
+    const std::map<const b2Joint*, std::string>& JointNames() const { return m_jointNames; }
 
     /// One step of the world; a scene that steers overrides it and calls this one.
     virtual void Step(const StepSettings& settings)
@@ -56,6 +63,7 @@ protected:
     SceneSettings m_settings;
     b2World m_world;
     std::map<std::uint32_t, std::string> m_names;
+    std::map<const b2Joint*, std::string> m_jointNames; ///< only to look up: addresses
 };
 
 /// One line of the table of scenes.

@@ -39,6 +39,8 @@ public:
         drum->SetAngularVelocity(kTurningSpeed);
     }
 
+    bool MakesBodiesLater() const override { return true; }
+
     void Step(const StepSettings& settings) override
     {
         // Due by now, however long a step is, so that the film at any rate shows the same pour.

@@ -3,6 +3,7 @@
 #include "Commands.h"
 
 #include <bench/RenderBench.h>
+#include <render/FigureFrame.h>
 
 #include <algorithm>
 
@@ -171,7 +172,13 @@ Result<int> RunBenchRender(const BenchOptions& options)
         return PrintNames(*all);
     }
     const Result<std::vector<RenderCase>> cases = Choose(*all, options);
-    return cases ? RunCases(options, *programs, *cases) : Result<int>(cases.GetError());
+    if (!cases)
+    {
+        return cases.GetError();
+    }
+    // The programs draw with what the environment says; what they lack is better said by us.
+    const Result<void> draws = PrepareFrames(Backend::Auto);
+    return draws ? RunCases(options, *programs, *cases) : Result<int>(draws.GetError());
 }
 
 } // namespace boxreel

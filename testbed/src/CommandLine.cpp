@@ -425,7 +425,9 @@ Result<Request> ParseCommandLine(const std::vector<std::string>& arguments)
     }
     catch (const CLI::CallForHelp&)
     {
-        return Request(TextRequest{HelpOf(program)});
+        CLI::App& command = CommandOf(program);
+        return command.remaining().empty() ? Request(TextRequest{HelpOf(program)})
+                                           : Result<Request>(UnexpectedWord(command));
     }
     catch (const CLI::CallForVersion& version)
     {

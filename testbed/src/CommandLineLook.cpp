@@ -110,9 +110,12 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
     AddValue(command, "--force-scale", "M", look.arrows.metersPerNewton,
              NumberBetween(1e-12, 1e12, "give metres a newton above zero, such as 0.01"),
              "Metres a newton, of forces, friction and impulses, each a mean of a\n"
-             "step (the mean weight: an eighth of the mean size)")
+             "step (the mean weight: 1/8 of the mean size, of contacts 1/3)")
         ->group("Picture");
-    command.add_flag("--labels", look.labels, "The number of each body")->group("Picture");
+    command
+        .add_flag("--labels", look.labels,
+                  "The number of each body, before its name if --draw names")
+        ->group("Picture");
     command.add_flag("--hud", look.hud, "A panel with time, step, bodies, contacts")
         ->group("Picture");
     command

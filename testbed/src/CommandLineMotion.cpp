@@ -52,8 +52,8 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
         "Of the grid (3 for three moments, 2 for four, 3 for six, 4 for ten)")
         ->group("Time");
     AddValue(command, "--trail", "BODIES", look.trail, ParseBodyChoice,
-             "The way their centres of mass have gone: 3,17, or moving for\n"
-             "all that can move")
+             "The way their centres of mass have gone: 3,17, or names that a\n"
+             "scene file gives, or moving for all that can move")
         ->group("Motion");
     AddValue(command, "--trail-seconds", "TIME", look.trailTime, ParseDuration,
              "Only the last of it (all since the start)")

@@ -384,6 +384,11 @@ Result<int> FilmRun::Finished()
         WriteMessage("boxreel: What the film waited for did not come within " +
                      std::to_string(m_filmed) + " frames.");
     }
+    // A film in which what the camera waits for has never come is a film all the same.
+    if (const Result<void> met = m_session->CheckView(); !met)
+    {
+        WriteMessage("boxreel: " + met.GetError().message);
+    }
     if (m_options.stats)
     {
         WriteMessage(DescribeDrawing(m_renderer->Totals()));

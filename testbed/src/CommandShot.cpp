@@ -87,15 +87,18 @@ Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
     picture.title = count > 1 ? "0 s" : "";
     const Figure figure =
         MakeFigure(options, options.look.theme, std::vector<SheetPicture>(count, picture), "");
+    const bool isPixels = format == PictureFormat::Png;
     const Camera size = Scaled(Camera{.width = figure.width, .height = figure.height},
-                               format == PictureFormat::Png ? options.look.scale : 1.0);
-    if (std::max(size.width, size.height) > 8192)
+                               isPixels ? options.look.scale : 1.0);
+    const int most = isPixels ? 8192 : kLargestFigure;
+    if (std::max(size.width, size.height) > most)
     {
         return Error{ErrorKind::Unusable,
                      "All of it together is " + std::to_string(size.width) + "x" +
-                         std::to_string(size.height) +
-                         " pixels, and 8192 is the most each way; lower --size or --scale, or give "
-                         "fewer moments or other --columns."};
+                         std::to_string(size.height) + " pixels, and " + std::to_string(most) +
+                         " is the most each way; lower --size" + (isPixels ? " or --scale" : "") +
+                         ", give fewer moments or other --columns" +
+                         (isPixels ? ", or write an .svg or a .pdf." : ".")};
     }
     return {};
 }
@@ -105,6 +108,23 @@ void Describe(const ShotOptions& options, const RenderTotals& totals)
     if (options.stats)
     {
         WriteMessage(DescribeDrawing(totals));
+    }
+}
+
+void TellMissingLetters(const Figure& figure)
+{
+    constexpr std::size_t kMost = 20; // that are named
+    const std::vector<std::string> letters = LettersWithoutPixels(figure);
+    std::string named;
+    for (std::size_t i = 0; i < std::min(letters.size(), kMost); ++i)
+    {
+        named += letters[i];
+    }
+    if (!letters.empty())
+    {
+        WriteMessage("boxreel: The font of pictures has no " + named +
+                     (letters.size() > kMost ? "..." : "") +
+                     ", and shows ? instead; an .svg or a .pdf shows more letters.");
     }
 }
 
@@ -190,6 +210,17 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
         session->Fill(content);
         parts.push_back({motion->Picture(*session, content.list), session->CurrentCamera(),
                          moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
+    }
+    for (const Result<void>& came : {motion->CheckBodiesCame(), session->CheckView()})
+    {
+        if (!came)
+        {
+            return came;
+        }
+    }
+    if (PictureFormatOf(pictures.front().path) == PictureFormat::Png)
+    {
+        TellMissingLetters(MakeFigure(options, options.look.theme, parts, ""));
     }
     for (const Picture& picture : pictures)
     {

@@ -8,7 +8,6 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMostBodies = 1'000'000'000;
 constexpr std::int64_t kMostSteps = 1'000'000'000;
 constexpr std::int64_t kMostPoses = 100; // of an onion skin: more could not be told apart
 constexpr std::size_t kMostMoments = 64; // smaller pictures would show nothing
@@ -19,29 +18,14 @@ Error Refusal(const std::string& option, const std::string& text, const std::str
     return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
 }
 
-std::optional<int> ReadBody(std::string_view text)
-{
-    const Result<std::int64_t> number = ParseWhole("", text, 0, kMostBodies);
-    return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
-}
-
 std::optional<BodyChoice> ReadBodies(std::string_view text)
 {
-    BodyChoice choice;
-    choice.moving = text == "moving";
-    for (const std::string& part : SplitAt(',', choice.moving ? "" : text))
+    if (text == "moving")
     {
-        const std::optional<int> number = ReadBody(part);
-        if (!number && !choice.moving)
-        {
-            return std::nullopt;
-        }
-        if (number)
-        {
-            choice.bodies.push_back(*number);
-        }
+        return BodyChoice{true, {}};
     }
-    return choice;
+    const std::optional<std::vector<BodyRef>> bodies = ReadBodyRefs(text);
+    return bodies ? std::optional(BodyChoice{false, *bodies}) : std::nullopt;
 }
 
 /// Above 0.
@@ -62,10 +46,10 @@ std::optional<Interval> ReadInterval(std::string_view text)
 
 std::optional<MeasuredEnd> ReadEnd(std::string_view text)
 {
-    const std::vector<std::string> parts = SplitAt(',', text);
+    const std::vector<std::string> parts = SplitOutsideQuotes(',', text);
     if (parts.size() == 1)
     {
-        const std::optional<int> body = ReadBody(parts[0]);
+        const std::optional<BodyRef> body = ReadBodyRef(parts[0]);
         return body ? std::optional(MeasuredEnd(*body)) : std::nullopt;
     }
     const Result<double> x = ParseNumber("", parts[0]);
@@ -100,14 +84,15 @@ Result<std::vector<Value>> Growing(const std::string& option, const std::string&
 Result<BodyChoice> ParseBodyChoice(const std::string& option, const std::string& text)
 {
     const std::optional<BodyChoice> bodies = ReadBodies(text);
-    return bodies ? Result<BodyChoice>(*bodies)
-                  : Refusal(option, text,
-                            "give the numbers of bodies, such as 3,17, or the word moving");
+    return bodies
+               ? Result<BodyChoice>(*bodies)
+               : Refusal(option, text,
+                         "give the numbers or names of bodies, such as 3,17, or the word moving");
 }
 
 Result<StrobeChoice> ParseStrobe(const std::string& option, const std::string& text)
 {
-    const std::vector<std::string> parts = SplitAt(':', text);
+    const std::vector<std::string> parts = SplitOutsideQuotes(':', text);
     const std::optional<Interval> every = ReadInterval(parts[0]);
     const std::optional<BodyChoice> bodies = ReadBodies(parts.size() > 1 ? parts[1] : "moving");
     if (!every || !bodies || parts.size() > 2)
@@ -121,7 +106,7 @@ Result<StrobeChoice> ParseStrobe(const std::string& option, const std::string& t
 
 Result<OnionChoice> ParseOnion(const std::string& option, const std::string& text)
 {
-    const std::vector<std::string> parts = SplitAt(':', text);
+    const std::vector<std::string> parts = SplitOutsideQuotes(':', text);
     OnionChoice onion;
     const Result<std::int64_t> count = ParseWhole("", parts[0], 1, kMostPoses);
     const std::optional<Interval> every =
@@ -141,11 +126,11 @@ Result<DimensionChoice> ParseDimension(const std::string& option, const std::str
     constexpr std::string_view kTo = " to ";
     const std::size_t to = text.find(kTo);
     const std::vector<std::string> ends =
-        to == std::string::npos ? SplitAt(',', text) // of bodies, like elsewhere
+        to == std::string::npos ? SplitOutsideQuotes(',', text) // of bodies, like elsewhere
                                 : std::vector{text.substr(0, to), text.substr(to + kTo.size())};
     const std::optional<MeasuredEnd> from = ReadEnd(ends.front());
     const std::optional<MeasuredEnd> end = ReadEnd(ends.back());
-    if (ends.size() == 2 && from && end && *from != *end)
+    if (ends.size() == 2 && from && end && *from != *end && !text.ends_with(" to"))
     {
         return DimensionChoice{*from, *end};
     }

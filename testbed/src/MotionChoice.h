@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "BodyRef.h"
 #include "Values.h"
 
 #include <debugdraw/DrawList.h>
@@ -11,14 +12,14 @@
 #include <vector>
 
 /// What a still shows beside its moment: where bodies have been, and what is written on it.
-/// Bodies are meant by their number, as `--labels` shows them.
+/// Bodies are meant by their number or name.
 namespace boxreel
 {
 
 struct BodyChoice
 {
-    bool moving = true;      ///< all that can move …
-    std::vector<int> bodies; ///< … or these
+    bool moving = true;          ///< all that can move …
+    std::vector<BodyRef> bodies; ///< … or these
     friend bool operator==(const BodyChoice&, const BodyChoice&) = default;
 };
 
@@ -48,7 +49,7 @@ struct OnionChoice
 };
 
 /// A body's centre of mass, or a point of the world [m].
-using MeasuredEnd = std::variant<int, Vec2>;
+using MeasuredEnd = std::variant<BodyRef, Vec2>;
 
 struct DimensionChoice
 {
@@ -71,7 +72,7 @@ struct MotionLook
 
 // A failure is Unusable, one sentence that names `option`.
 
-/// "moving", "3,17".
+/// "moving", "3,17", "left wheel,17".
 Result<BodyChoice> ParseBodyChoice(const std::string& option, const std::string& text);
 
 /// "250ms", "15steps", "250ms:3,17".

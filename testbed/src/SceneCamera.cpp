@@ -2,7 +2,6 @@
 #include "SceneCamera.h"
 
 #include "SceneBounds.h"
-#include "SceneLabels.h"
 
 #include <algorithm>
 
@@ -33,21 +32,23 @@ double HeightForFollowing(const Rect& bodies, int width, int height)
     return std::max(kLeastFollowHeight, height / fitting.pixelsPerMeter);
 }
 
-std::vector<int> BodiesOf(const ViewChoice& choice)
+std::vector<int> NumbersOf(ViewChoice choice)
 {
-    if (const auto* fit = std::get_if<FitBodiesView>(&choice))
+    std::vector<int> numbers;
+    for (const BodyRef* const body : BodiesOf(choice))
     {
-        return fit->bodies;
+        numbers.push_back(body->number);
     }
-    const auto* follow = std::get_if<FollowView>(&choice);
-    return follow != nullptr ? follow->bodies : std::vector<int>();
+    return numbers;
 }
 
 } // namespace
 
 SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, int height)
-    : m_bodies(BodiesOf(choice))
+    : m_bodies(NumbersOf(choice)), m_made(CountMade(world))
 {
+    m_view.width = width;
+    m_view.height = height;
     if (const auto* fixed = std::get_if<FixedView>(&choice))
     {
         m_view = FixedCamera(*fixed, width, height);
@@ -56,33 +57,44 @@ SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, in
     {
         m_view = m_mover.emplace<CameraPath>(width, height, path->keys).At(0.0);
     }
-    else if (const auto* follow = std::get_if<FollowView>(&choice))
+    else if (const auto* fit = std::get_if<FitView>(&choice))
     {
-        const double viewHeight =
-            follow->height.value_or(HeightForFollowing(Subject(world), width, height));
-        m_seesCentersOnly = true;
-        m_view = m_mover.emplace<FollowCamera>(width, height, Subject(world), viewHeight).View();
-    }
-    else if (std::holds_alternative<FitBodiesView>(choice))
-    {
-        m_view = m_mover.emplace<FollowCamera>(width, height, Subject(world)).View();
+        LookAtAll(world, fit->wholeWorld);
     }
     else
     {
-        const bool whole = std::get<FitView>(choice).wholeWorld;
-        const Rect bounds = whole ? BoundsOfEverything(world) : BoundsAtStart(world);
-        m_view = m_mover.emplace<FitCamera>(width, height, bounds).View();
+        const auto* follow = std::get_if<FollowView>(&choice);
+        m_seesCentersOnly = follow != nullptr;
+        m_followHeight = follow != nullptr ? follow->height : std::nullopt;
+        m_waits = BoundsOfBodies(FindBodies(world, m_bodies)).IsEmpty();
+        m_waits ? LookAtAll(world, false) : LookAtBodies(world);
     }
 }
 
-Result<SceneCamera> SceneCamera::Create(const ViewChoice& choice, b2World& world, int width,
-                                        int height)
+void SceneCamera::LookAtAll(b2World& world, bool whole)
 {
-    if (const Result<void> found = CheckBodies("--camera", world, BodiesOf(choice)); !found)
+    const Rect bounds = whole ? BoundsOfEverything(world) : BoundsAtStart(world);
+    m_view = m_mover.emplace<FitCamera>(m_view.width, m_view.height, bounds).View();
+}
+
+void SceneCamera::LookAtBodies(b2World& world)
+{
+    std::optional<double> height = m_followHeight;
+    if (m_seesCentersOnly && !height)
     {
-        return found.GetError();
+        height = HeightForFollowing(BoundsOfBodies(FindBodies(world, m_bodies)), m_view.width,
+                                    m_view.height);
     }
-    return SceneCamera(choice, world, width, height);
+    m_view =
+        m_mover.emplace<FollowCamera>(m_view.width, m_view.height, Subject(world), height).View();
+}
+
+Result<SceneCamera> SceneCamera::Create(const ViewChoice& choice, b2World& world, int width,
+                                        int height, bool bodiesMayCome)
+{
+    const SceneCamera camera(choice, world, width, height);
+    const Result<void> came = bodiesMayCome ? Result<void>() : camera.CheckBodiesCame();
+    return came ? Result<SceneCamera>(camera) : came.GetError();
 }
 
 Rect SceneCamera::Subject(b2World& world) const
@@ -93,7 +105,13 @@ Rect SceneCamera::Subject(b2World& world) const
 
 void SceneCamera::Update(b2World& world, double time, double dt)
 {
-    if (auto* fit = std::get_if<FitCamera>(&m_mover))
+    m_made = std::max(m_made, CountMade(world));
+    if (m_waits && !Subject(world).IsEmpty())
+    {
+        m_waits = false;
+        LookAtBodies(world);
+    }
+    else if (auto* fit = std::get_if<FitCamera>(&m_mover))
     {
         fit->Update(BoundsOfMovers(world), dt);
         m_view = fit->View();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "SceneLabels.h"
 #include "ViewChoice.h"
 
 #include <Box2D/Box2D.h>
@@ -15,23 +16,32 @@ class SceneCamera
 {
 public:
     /// Of a picture of `width` x `height` pixels. Unusable when the world has no body of a number
-    /// that the view names.
+    /// that the view names, unless bodies may come later: until the first of those that are named
+    /// does, the view keeps in sight what moves.
     static Result<SceneCamera> Create(const ViewChoice& choice, b2World& world, int width,
-                                      int height);
+                                      int height, bool bodiesMayCome = false);
 
     /// Once after every step of `dt` seconds; `time`: simulated since the start [s].
     void Update(b2World& world, double time, double dt);
 
     const Camera& View() const { return m_view; }
 
+    /// Unusable while a body that the view names has never been there.
+    Result<void> CheckBodiesCame() const { return CheckBodies("--camera", m_made, m_bodies); }
+
 private:
     using Mover = std::variant<std::monostate, FitCamera, FollowCamera, CameraPath>;
     SceneCamera(const ViewChoice& choice, b2World& world, int width, int height);
     Rect Subject(b2World& world) const;
+    void LookAtBodies(b2World& world);
+    void LookAtAll(b2World& world, bool whole);
 
     std::vector<int> m_bodies;
-    bool m_seesCentersOnly = false; // of the bodies, for how large they look does not matter
-    Mover m_mover;                  // none: the view stays
+    bool m_seesCentersOnly = false;       // of the bodies, for how large they look does not matter
+    std::optional<double> m_followHeight; // [m]
+    bool m_waits = false;                 // for the first of the bodies, and shows all until then
+    int m_made = 0;                       // bodies so far
+    Mover m_mover;                        // none: the view stays
     Camera m_view;
 };
 

@@ -30,22 +30,24 @@ std::vector<const b2Body*> FindBodies(const b2World& world, const std::vector<in
     return found;
 }
 
-Result<void> CheckBodies(const std::string& option, const b2World& world,
-                         const std::vector<int>& numbers)
+int CountMade(const b2World& world)
 {
-    const std::vector<const b2Body*> bodies = FindBodies(world, numbers);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
+    const b2Body* const newest = world.GetBodyList();
+    return newest != nullptr ? newest->GetNumber() + 1 : 0;
+}
+
+Result<void> CheckBodies(const std::string& option, int made, const std::vector<int>& numbers)
+{
+    for (const int number : numbers)
     {
-        if (bodies[i] == nullptr)
+        if (number >= made)
         {
-            const int count = world.GetBodyCount();
-            const std::string has =
-                count == 0 ? "no bodies"
-                : count == 1
-                    ? "one body, number 0"
-                    : std::to_string(count) + " bodies, numbers 0 to " + std::to_string(count - 1);
+            const std::string has = made == 0   ? "no bodies"
+                                    : made == 1 ? "one body, number 0"
+                                                : std::to_string(made) + " bodies, numbers 0 to " +
+                                                      std::to_string(made - 1);
             return Error{ErrorKind::Unusable, option + ": there is no body " +
-                                                  std::to_string(numbers[i]) + "; the scene has " +
+                                                  std::to_string(number) + "; the scene has " +
                                                   has + ", and `--labels` shows which is which."};
         }
     }

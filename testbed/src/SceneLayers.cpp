@@ -106,8 +106,9 @@ LayerCollector::LayerCollector(const SceneLayers& layers, const ArrowScales& sca
     const bool hasForces = layers.forces || layers.impulses || layers.friction;
     if (scales.metersPerNewton || hasForces)
     {
+        m_metersPerNewton = scales.metersPerNewton.value_or(MetersPerNewtonFor(world, kForceShare));
         m_contactLook.metersPerNewton =
-            scales.metersPerNewton ? *scales.metersPerNewton : MetersPerNewtonFor(world);
+            scales.metersPerNewton.value_or(MetersPerNewtonFor(world, kImpulseShare));
     }
 }
 
@@ -120,7 +121,7 @@ void LayerCollector::BeforeStep(const b2World& world)
 }
 
 void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& names,
-                             DrawList& list) const
+                             const JointNames& jointNames, DrawList& list) const
 {
     DrawCollector collector(list);
     collector.SetFlags(EngineFlags(m_layers));
@@ -138,7 +139,7 @@ void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& 
     }
     if (m_layers.forces)
     {
-        AddJointForces(world, view, m_contactLook.metersPerNewton, list);
+        AddJointForces(world, view, m_metersPerNewton, list);
     }
     if (m_layers.velocities)
     {
@@ -151,6 +152,7 @@ void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& 
     if (m_layers.names)
     {
         AddBodyNames(world, view, names, list);
+        AddJointNames(world, view, jointNames, list);
     }
 }
 

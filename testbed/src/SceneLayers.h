@@ -30,7 +30,7 @@ struct SceneLayers
     bool friction = false; ///< of contacts
     bool velocities = false;
     bool forces = false; ///< of joints
-    bool names = false;  ///< of bodies, their numbers where they have none
+    bool names = false;  ///< of bodies, their numbers where they have none, and of joints
     bool glyphs = false; ///< signs of the joints
     friend bool operator==(const SceneLayers&, const SceneLayers&) = default;
 };
@@ -47,7 +47,8 @@ View PictureView(const Camera& camera, const Theme& theme, double scale);
 struct ArrowScales
 {
     double velocitySeconds = 0.2;          ///< a velocity is as long as the way of so many seconds
-    std::optional<double> metersPerNewton; ///< none: what suits the world at the start
+    std::optional<double> metersPerNewton; ///< none: what suits the world at the start, of joints
+                                           ///< kForceShare and of contacts kImpulseShare
 };
 
 /// Collects the layers of one world from step to step.
@@ -62,11 +63,13 @@ public:
 
     /// Into a list that may have something already. The world's debug drawing is borrowed for it
     /// and none is registered afterwards.
-    void Collect(b2World& world, const View& view, const BodyNames& names, DrawList& list) const;
+    void Collect(b2World& world, const View& view, const BodyNames& names,
+                 const JointNames& jointNames, DrawList& list) const;
 
 private:
     SceneLayers m_layers;
     double m_velocitySeconds;
+    double m_metersPerNewton = 0.0; // of joints
     ContactLook m_contactLook;
     ContactCollector m_contacts;
 };

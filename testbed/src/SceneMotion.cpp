@@ -32,7 +32,7 @@ bool IsMeant(const BodyChoice& choice, const b2Body& body)
 {
     return choice.moving ? body.GetType() != b2_staticBody
                          : std::find(choice.bodies.begin(), choice.bodies.end(),
-                                     body.GetNumber()) != choice.bodies.end();
+                                     BodyRef(body.GetNumber())) != choice.bodies.end();
 }
 
 DrawList ShapesOf(b2World& world)
@@ -55,9 +55,9 @@ std::int64_t StepsIn(const Interval& interval, std::int64_t count, const Rationa
 
 std::optional<Vec2> PlaceOf(const MeasuredEnd& end, b2World& world)
 {
-    if (const int* const number = std::get_if<int>(&end))
+    if (const BodyRef* const measured = std::get_if<BodyRef>(&end))
     {
-        const b2Body* const body = FindBodies(world, {*number}).front();
+        const b2Body* const body = FindBodies(world, {measured->number}).front();
         return body != nullptr
                    ? std::optional(Vec2{body->GetWorldCenter().x, body->GetWorldCenter().y})
                    : std::nullopt;
@@ -65,30 +65,34 @@ std::optional<Vec2> PlaceOf(const MeasuredEnd& end, b2World& world)
     return std::get<Vec2>(end);
 }
 
-void AddBodyOf(const MeasuredEnd& end, std::vector<int>& bodies)
+/// The bodies between which is measured.
+std::vector<int> MeasuredBodies(const MotionLook& look)
 {
-    if (const int* const number = std::get_if<int>(&end))
-    {
-        bodies.push_back(*number);
-    }
-}
-
-Result<void> CheckAllBodies(const MotionLook& look, b2World& world)
-{
-    std::vector<int> measured;
+    std::vector<int> bodies;
     for (const DimensionChoice& dimension : look.dimensions)
     {
-        AddBodyOf(dimension.from, measured);
-        AddBodyOf(dimension.to, measured);
+        for (const MeasuredEnd& end : {dimension.from, dimension.to})
+        {
+            if (const BodyRef* const body = std::get_if<BodyRef>(&end))
+            {
+                bodies.push_back(body->number);
+            }
+        }
     }
+    return bodies;
+}
+
+/// Of the first `made` bodies are all that the look names.
+Result<void> CheckAllBodies(const MotionLook& look, int made)
+{
     const std::pair<const char*, std::vector<int>> named[] = {
-        {"--trail", look.trail ? look.trail->bodies : std::vector<int>()},
-        {"--strobe", look.strobe ? look.strobe->of.bodies : std::vector<int>()},
-        {"--onion", look.onion ? look.onion->of.bodies : std::vector<int>()},
-        {"--dimension", measured}};
+        {"--trail", look.trail ? NumbersOf(look.trail->bodies) : std::vector<int>()},
+        {"--strobe", look.strobe ? NumbersOf(look.strobe->of.bodies) : std::vector<int>()},
+        {"--onion", look.onion ? NumbersOf(look.onion->of.bodies) : std::vector<int>()},
+        {"--dimension", MeasuredBodies(look)}};
     for (const auto& [option, numbers] : named)
     {
-        if (const Result<void> found = CheckBodies(option, world, numbers); !found)
+        if (const Result<void> found = CheckBodies(option, made, numbers); !found)
         {
             return found;
         }
@@ -96,16 +100,65 @@ Result<void> CheckAllBodies(const MotionLook& look, b2World& world)
     return {};
 }
 
+std::vector<BodyRef*> Pointers(std::vector<BodyRef>& bodies)
+{
+    std::vector<BodyRef*> pointers;
+    for (BodyRef& body : bodies)
+    {
+        pointers.push_back(&body);
+    }
+    return pointers;
+}
+
+/// The look with numbers instead of names.
+Result<MotionLook> WithNumbers(MotionLook look, const BodyNames& names)
+{
+    std::vector<BodyRef> none;
+    std::vector<BodyRef*> measured;
+    for (DimensionChoice& dimension : look.dimensions)
+    {
+        for (MeasuredEnd* const end : {&dimension.from, &dimension.to})
+        {
+            if (BodyRef* const body = std::get_if<BodyRef>(end))
+            {
+                measured.push_back(body);
+            }
+        }
+    }
+    const std::pair<const char*, std::vector<BodyRef*>> named[] = {
+        {"--trail", Pointers(look.trail ? look.trail->bodies : none)},
+        {"--strobe", Pointers(look.strobe ? look.strobe->of.bodies : none)},
+        {"--onion", Pointers(look.onion ? look.onion->of.bodies : none)},
+        {"--dimension", measured}};
+    for (const auto& [option, bodies] : named)
+    {
+        if (const Result<void> found = FindNames(option, bodies, names); !found)
+        {
+            return found.GetError();
+        }
+    }
+    return look;
+}
+
 } // namespace
 
-Result<SceneMotion> SceneMotion::Create(const MotionLook& look, SceneSession& session,
+Result<SceneMotion> SceneMotion::Create(const MotionLook& asked, SceneSession& session,
                                         const std::vector<std::int64_t>& moments)
 {
-    if (const Result<void> found = CheckAllBodies(look, session.World()); !found)
+    const Result<MotionLook> numbered = WithNumbers(asked, session.Names());
+    if (!numbered)
+    {
+        return numbered.GetError();
+    }
+    const MotionLook& look = *numbered;
+    const int made = CountMade(session.World());
+    if (const Result<void> found = CheckAllBodies(look, made);
+        !found && !session.MakesBodiesLater())
     {
         return found.GetError();
     }
     SceneMotion motion(look);
+    motion.m_made = made;
     for (const std::int64_t moment : moments)
     {
         for (const std::int64_t step : motion.PosesFor(moment, session.StepsPerSecond()))
@@ -166,6 +219,7 @@ void SceneMotion::AdvanceTo(SceneSession& session, std::int64_t step)
 
 void SceneMotion::Observe(SceneSession& session)
 {
+    m_made = std::max(m_made, CountMade(session.World()));
     const auto pose = m_poses.find(session.Step());
     if (pose == m_poses.end() && !m_look.trail)
     {
@@ -247,7 +301,7 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
     }
 }
 
-DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) const
+DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene)
 {
     DrawList list;
     AddPoses(session, list);
@@ -266,7 +320,32 @@ DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) cons
             AddDimension(list, session.CurrentCamera(), *from, *to);
         }
     }
+    for (const int body : MeasuredBodies(m_look))
+    {
+        if (FindBodies(session.World(), {body}).front() != nullptr)
+        {
+            m_measured.insert(body);
+        }
+    }
     return list;
+}
+
+Result<void> SceneMotion::CheckBodiesCame() const
+{
+    if (const Result<void> came = CheckAllBodies(m_look, m_made); !came)
+    {
+        return came;
+    }
+    for (const int body : MeasuredBodies(m_look))
+    {
+        if (!m_measured.contains(body))
+        {
+            return Error{ErrorKind::Unusable, "--dimension: body " + std::to_string(body) +
+                                                  " is there no more; give an earlier moment, or "
+                                                  "another body."};
+        }
+    }
+    return {};
 }
 
 } // namespace boxreel

@@ -17,7 +17,7 @@ class SceneMotion
 {
 public:
     /// For pictures at these steps, before the first step. Unusable when a body that the look names
-    /// is not there, or when there are too many poses.
+    /// is not there and cannot come, or when there are too many poses.
     static Result<SceneMotion> Create(const MotionLook& look, SceneSession& session,
                                       const std::vector<std::int64_t>& moments);
 
@@ -26,7 +26,11 @@ public:
 
     /// What the picture of the session's step shows: `scene`, which is drawn at scale 1, with
     /// trails and earlier poses beneath it and dimensions on top. The step is one of the moments.
-    DrawList Picture(SceneSession& session, const DrawList& scene) const;
+    DrawList Picture(SceneSession& session, const DrawList& scene);
+
+    /// After the last picture: Unusable when a body that the look names has never been there, or,
+    /// of those between which it measures, in none of the pictures.
+    Result<void> CheckBodiesCame() const;
 
 private:
     /// How bodies stood at a step.
@@ -51,6 +55,8 @@ private:
     MotionLook m_look;
     std::map<std::int64_t, Pose> m_poses; // by the steps that pictures need
     std::map<int, Way> m_ways;            // by the bodies' numbers
+    int m_made = 0;                       // bodies so far
+    std::set<int> m_measured;             // bodies that were there when they were to be measured
 };
 
 } // namespace boxreel

@@ -42,12 +42,23 @@ Rational RateOf(float32 timeStep)
     return Rational{thousandths / common, 1000 / common};
 }
 
-/// Numbers are names of bodies that have none; who asks for both gets names.
+/// Numbers are names of bodies that have none.
 SceneLayers LayersOf(const SceneLook& look)
 {
     SceneLayers layers = look.layers;
     layers.names = layers.names || look.labels;
     return layers;
+}
+
+/// What stands at bodies: names, numbers, or "3 ball" when both are asked for.
+BodyNames ShownNames(const SceneLook& look, const BodyNames& names)
+{
+    BodyNames shown = look.layers.names ? names : BodyNames();
+    for (auto& [number, name] : shown)
+    {
+        name = look.labels && !name.empty() ? std::to_string(number) + " " + name : name;
+    }
+    return shown;
 }
 
 } // namespace
@@ -57,7 +68,8 @@ SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, cons
     : m_scene(std::move(scene)), m_title(std::move(title)), m_look(look),
       m_stepsPerSecond(look.stepsPerSecond.value_or(RateOf(m_scene->PreferredSteps().timeStep))),
       m_stepSettings(m_scene->PreferredSteps()), m_camera(camera),
-      m_layers(LayersOf(look), look.arrows, m_stepsPerSecond.ToDouble(), m_scene->World())
+      m_layers(LayersOf(look), look.arrows, m_stepsPerSecond.ToDouble(), m_scene->World()),
+      m_shownNames(ShownNames(look, m_scene->Names()))
 {
     m_stepSettings.timeStep = static_cast<float32>(StepSeconds(m_stepsPerSecond));
     m_stepSettings.velocityIterations =
@@ -72,8 +84,14 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
     {
         source.scene = source.entry->create(SceneSettings{look.seed});
     }
-    const Result<SceneCamera> camera =
-        SceneCamera::Create(look.view, source.scene->World(), look.width, look.height);
+    ViewChoice view = look.view;
+    if (const Result<void> found = FindNames("--camera", BodiesOf(view), source.scene->Names());
+        !found)
+    {
+        return found.GetError();
+    }
+    const Result<SceneCamera> camera = SceneCamera::Create(
+        view, source.scene->World(), look.width, look.height, source.scene->MakesBodiesLater());
     if (!camera)
     {
         return camera.GetError();
@@ -124,9 +142,9 @@ double SceneSession::Time() const
 
 void SceneSession::Fill(FrameContent& content)
 {
-    static const BodyNames kNumbersOnly;
-    m_layers.Collect(m_scene->World(), CollectedView(),
-                     m_look.layers.names ? Names() : kNumbersOnly, content.list);
+    static const JointNames kNone;
+    m_layers.Collect(m_scene->World(), CollectedView(), m_shownNames,
+                     m_look.layers.names ? m_scene->JointNames() : kNone, content.list);
     content.camera = Scaled(m_camera.View(), m_look.scale);
     if (m_hud)
     {

@@ -63,6 +63,10 @@ public:
     b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
     const Camera& CurrentCamera() const { return m_camera.View(); } ///< at scale 1
     double Time() const; ///< simulated since the start [s]
+    /// Bodies may come that are not there yet.
+    bool MakesBodiesLater() const { return m_scene->MakesBodiesLater(); }
+    /// Unusable while a body that the camera should show has never been there.
+    Result<void> CheckView() const { return m_camera.CheckBodiesCame(); }
 
 private:
     SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
@@ -78,6 +82,7 @@ private:
     StepSettings m_stepSettings;
     SceneCamera m_camera;
     LayerCollector m_layers;
+    BodyNames m_shownNames;
     std::optional<Hud> m_hud;
     std::int64_t m_step = 0;
     double m_stepMilliseconds = 0.0; // of the last step, smoothed

@@ -10,8 +10,6 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMostBodies = 1'000'000'000;
-
 // Single precision has 24 bits: farther out, or seen closer, neighbouring pixels are the same
 // point.
 constexpr double kFarthest = 1e6;        // [m]
@@ -39,25 +37,10 @@ std::optional<FixedView> ReadFixed(std::string_view text)
     return x && y && height ? std::optional(FixedView{*x, *y, *height}) : std::nullopt;
 }
 
-std::optional<std::vector<int>> ReadBodies(std::string_view text)
-{
-    std::vector<int> bodies;
-    for (const std::string& part : SplitAt(',', text))
-    {
-        const Result<std::int64_t> number = ParseWhole("", part, 0, kMostBodies);
-        if (!number)
-        {
-            return std::nullopt;
-        }
-        bodies.push_back(static_cast<int>(*number));
-    }
-    return bodies;
-}
-
 std::optional<FollowView> ReadFollow(std::string_view text)
 {
-    const std::vector<std::string> parts = SplitAt(':', text);
-    const std::optional<std::vector<int>> bodies = ReadBodies(parts.front());
+    const std::vector<std::string> parts = SplitOutsideQuotes(':', text);
+    const std::optional<std::vector<BodyRef>> bodies = ReadBodyRefs(parts.front());
     if (!bodies || parts.size() > 2)
     {
         return std::nullopt;
@@ -108,6 +91,25 @@ Result<ViewChoice> ParsePath(std::string_view keys, const std::string& named)
 
 } // namespace
 
+std::vector<BodyRef*> BodiesOf(ViewChoice& view)
+{
+    std::vector<BodyRef>* bodies = nullptr;
+    if (auto* fit = std::get_if<FitBodiesView>(&view))
+    {
+        bodies = &fit->bodies;
+    }
+    else if (auto* follow = std::get_if<FollowView>(&view))
+    {
+        bodies = &follow->bodies;
+    }
+    std::vector<BodyRef*> all;
+    for (std::size_t i = 0; bodies != nullptr && i < bodies->size(); ++i)
+    {
+        all.push_back(&(*bodies)[i]);
+    }
+    return all;
+}
+
 Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
 {
     const std::string named = option + " '" + text + "': ";
@@ -124,19 +126,21 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
     }
     if (kind == "fit")
     {
-        const std::optional<std::vector<int>> bodies = ReadBodies(rest);
+        const std::optional<std::vector<BodyRef>> bodies = ReadBodyRefs(rest);
         return bodies ? Result<ViewChoice>(FitBodiesView{*bodies})
                       : Error{ErrorKind::Unusable,
-                              named + "give fit:world, or the numbers of bodies, such as "
-                                      "fit:3,17."};
+                              named + "give fit:world, or the numbers or names of bodies, such "
+                                      "as fit:3,17."};
     }
     if (kind == "follow")
     {
         const std::optional<FollowView> follow = ReadFollow(rest);
-        return follow ? Result<ViewChoice>(*follow)
-                      : Error{ErrorKind::Unusable,
-                              named + "give the numbers of bodies, and the height of the view in "
-                                      "metres if you like, such as follow:3,17:12."};
+        return follow
+                   ? Result<ViewChoice>(*follow)
+                   : Error{ErrorKind::Unusable,
+                           named +
+                               "give the numbers or names of bodies, and the height of the view in "
+                               "metres if you like, such as follow:3,17:12."};
     }
     const std::optional<FixedView> fixed = ReadFixed(text);
     return fixed ? Result<ViewChoice>(*fixed)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "BodyRef.h"
+
 #include <debugdraw/CameraPath.h>
 #include <debugdraw/Result.h>
 
@@ -10,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-/// What a picture of a scene looks at, as `--camera` names it. Bodies are meant by their number in
-/// the order of creation, as `--labels` shows them.
+/// What a picture of a scene looks at, as `--camera` names it. Bodies are meant by their number or
+/// name.
 namespace boxreel
 {
 
@@ -25,7 +27,7 @@ struct FitView
 /// These bodies, as large as fits.
 struct FitBodiesView
 {
-    std::vector<int> bodies;
+    std::vector<BodyRef> bodies;
     friend bool operator==(const FitBodiesView&, const FitBodiesView&) = default;
 };
 
@@ -41,7 +43,7 @@ struct FixedView
 /// These bodies in the middle.
 struct FollowView
 {
-    std::vector<int> bodies;
+    std::vector<BodyRef> bodies;
     std::optional<double> height; ///< of the visible area [m]; none: what suits their size
     friend bool operator==(const FollowView&, const FollowView&) = default;
 };
@@ -54,6 +56,9 @@ struct PathView
 };
 
 using ViewChoice = std::variant<FitView, FitBodiesView, FixedView, FollowView, PathView>;
+
+/// The bodies that a view names.
+std::vector<BodyRef*> BodiesOf(ViewChoice& view);
 
 /// "fit", "fit:world", "fit:3,17", "0,20,50", "follow:17", "follow:3,17:12",
 /// "path:0s=0,20,50;3s=10,5,12". A failure is Unusable, one sentence that names `option`.

@@ -133,6 +133,16 @@ TEST(OriginMark, LiesAtTheOrigin)
     EXPECT_NEAR(list.points[list.items[2].first].y, 0.0, 1e-5);
 }
 
+TEST(ScaleBar, IsLeftOutWhereItsLengthCannotBeSaid)
+{
+    const Camera tiny = PaperCamera(31, 60); // a bar of 10 px and 7 px of room for "2 m"
+    DrawList list;
+    AddScaleBar(list, tiny, 5.0, {12, 50}, 20.0);
+    EXPECT_TRUE(list.items.empty());
+    AddScaleBar(list, PaperCamera(80, 60), 5.0, {12, 50}, 20.0);
+    EXPECT_THAT(list.texts, ElementsAre("2 m"));
+}
+
 TEST(ScaleBar, IsAsLongAsItSays)
 {
     for (const auto& [zoom, text] :

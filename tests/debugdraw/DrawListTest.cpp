@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ExampleList.h"
 
 using namespace boxreel;
@@ -79,4 +81,27 @@ TEST(Rect, IncludesPointsAndRectsAndIgnoresEmptyOnes)
     EXPECT_EQ(rect, (Rect{{-1.0f, -3.0f}, {2.0f, 4.0f}}));
     rect.Include(Rect{});
     EXPECT_EQ(rect, (Rect{{-1.0f, -3.0f}, {2.0f, 4.0f}}));
+}
+
+TEST(DrawList, FillsWhatEveryRendererCanFill)
+{
+    const auto kindOf = [](const std::vector<Vec2>& corners) {
+        DrawList list;
+        list.AddSolidPolygon(corners.data(), corners.size(), Color());
+        return list.items.at(0).kind;
+    };
+    std::vector<Vec2> round;
+    for (int i = 0; i < 9; ++i)
+    {
+        round.push_back({std::cos(0.7f * float(i)), std::sin(0.7f * float(i))});
+    }
+    EXPECT_EQ(kindOf(round), DrawKind::Polygon);
+    round.pop_back();
+    EXPECT_EQ(kindOf(round), DrawKind::SolidPolygon);
+    const std::vector<Vec2> dented{{0, 0}, {4, 0}, {2, 1}, {4, 4}, {0, 4}};
+    EXPECT_EQ(kindOf(dented), DrawKind::Polygon);
+    EXPECT_EQ(kindOf({{0, 0}, {2, -1e-5f}, {4, 0}, {2, 3}}), DrawKind::SolidPolygon);
+    EXPECT_EQ(kindOf({{0, 0}, {2, 1e-5f}, {4, 0}, {2, 3}}), DrawKind::SolidPolygon)
+        << "rounding is no dent";
+    EXPECT_EQ(kindOf({{2, 3}, {4, 0}, {0, 0}}), DrawKind::SolidPolygon) << "clockwise";
 }

@@ -207,3 +207,15 @@ TEST(Theme, OkabeItoIsToldApartByEveryKindOfSight)
     }
     EXPECT_LT(LeastDistance(kClassicPalette, Vision::Protanopia), 0.01) << "the measure can fail";
 }
+
+TEST(Theme, JointsAndPairsAreToldApartAsThinLines)
+{
+    for (const Theme& theme : {Theme::Print(), Theme::Dark()})
+    {
+        const Color joint = theme.palette[std::size_t(ColorRole::Joint)];
+        const Color pair = theme.palette[std::size_t(ColorRole::Pair)];
+        EXPECT_GT(std::abs(joint.r - pair.r) + std::abs(joint.g - pair.g) +
+                      std::abs(joint.b - pair.b),
+                  120);
+    }
+}

@@ -92,3 +92,32 @@ TEST_F(WorldArrows, TheScaleOfForcesSuitsTheWorld)
     scene.world.SetGravity(b2Vec2(0.0f, 0.0f));
     EXPECT_NEAR(MetersPerNewtonFor(scene.world) * 50.0, 2.02 / 8.0, 1e-4);
 }
+
+TEST_F(WorldArrows, VelocitiesAreOldestFirstHoweverBodiesSleptAndWoke)
+{
+    for (int i = 0; i < 6; ++i)
+    {
+        scene.Box(float(i), 0.0f);
+    }
+    std::vector<b2Body*> bodies;
+    for (b2Body* body = scene.world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        bodies.push_back(body);
+    }
+    for (const int sleeper : {5, 1, 3})
+    {
+        bodies[std::size_t(sleeper)]->SetAwake(false);
+    }
+    for (b2Body* const body : bodies)
+    {
+        body->SetLinearVelocity(b2Vec2(0.0f, 3.0f)); // wakes it
+    }
+    bodies[2]->SetAwake(false);
+    AddVelocities(scene.world, Everything(), 1.0, list);
+    std::vector<std::uint32_t> owners;
+    for (const DrawItem& item : list.items)
+    {
+        owners.push_back(item.owner);
+    }
+    EXPECT_EQ(owners, (std::vector<std::uint32_t>{0, 0, 1, 1, 2, 2, 4, 4, 5, 5}));
+}

@@ -127,6 +127,45 @@ TEST_F(WorldGlyphs, ARopeSagsUntilItIsTautAndSaysHowLongItIs)
     EXPECT_NEAR(BoundsOf(Glyphs()).lower.y, -2.5f, 0.1f) << "both ends in one place";
 }
 
+TEST_F(WorldGlyphs, ASlackRopeBetweenEndsAboveEachOtherHasAWidth)
+{
+    b2RopeJointDef rope;
+    rope.localAnchorA.SetZero();
+    rope.localAnchorB.SetZero();
+    rope.maxLength = 5.0f;
+    Join(rope);
+    for (const float y : {-3.0f, 3.0f, 0.0f})
+    {
+        b->SetTransform(b2Vec2(0.0f, y), 0.0f);
+        const Rect bounds = BoundsOf(Glyphs());
+        EXPECT_GT(bounds.upper.x - bounds.lower.x, 0.8f) << y;
+    }
+    b->SetTransform(b2Vec2(0.0f, -5.0f), 0.0f);
+    const Rect taut = BoundsOf(Glyphs());
+    EXPECT_NEAR(taut.upper.x - taut.lower.x, 0.0f, 1e-4f);
+}
+
+TEST_F(WorldGlyphs, AGearLiesAroundTheHingesThatItIsOn)
+{
+    b2RevoluteJointDef hinge;
+    hinge.Initialize(a, b, b2Vec2(3.0f, 0.0f));
+    hinge.enableMotor = true;
+    Join(hinge);
+    const double hingeReach = (BoundsOf(Glyphs()).upper.x - 3.0) * camera.pixelsPerMeter;
+    b2GearJointDef gear;
+    gear.joint1 = scene.world.GetJointList();
+    gear.bodyA = b;
+    gear.bodyB = scene.Box(0.0f, 3.0f);
+    hinge.Initialize(a, gear.bodyB, b2Vec2(0.0f, 3.0f));
+    gear.joint2 = scene.world.CreateJoint(&hinge);
+    const std::size_t hinges = Glyphs().items.size();
+    scene.world.CreateJoint(&gear);
+    const DrawList list = Glyphs();
+    ASSERT_GT(list.items.size(), hinges);
+    EXPECT_EQ(list.items[hinges].kind, DrawKind::Circle);
+    EXPECT_GT(list.items[hinges].size * camera.pixelsPerMeter, hingeReach) << "and its motor";
+}
+
 TEST_F(WorldGlyphs, EachKindHasASignOfItsOwn)
 {
     b2RevoluteJointDef revolute;

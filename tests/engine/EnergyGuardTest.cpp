@@ -229,6 +229,33 @@ TEST(EnergyGuard, LooksOnlyAtWhatIsAtRisk)
     EXPECT_TRUE(IsGuarded(far));
 }
 
+/// A pull along a line turns the body straight in a moment.
+TEST(EnergyGuard, LooksAtShorterLeversWhereALineHoldsThem)
+{
+    const auto isGuarded = [](float32 lever, b2JointType type) {
+        Pair pair(b2Vec2_zero, 0.0f);
+        b2DistanceJointDef rod;
+        rod.Initialize(pair.a, pair.b, b2Vec2(0.0f, 0.0f), b2Vec2(2.0f, lever));
+        b2RopeJointDef rope;
+        rope.bodyA = pair.a;
+        rope.bodyB = pair.b;
+        rope.localAnchorB.Set(0.0f, lever);
+        rope.maxLength = 3.0f;
+        b2PulleyJointDef pulley;
+        pulley.Initialize(pair.a, pair.b, b2Vec2(0.0f, 5.0f), b2Vec2(2.0f, 5.0f),
+                          b2Vec2(0.0f, 0.0f), b2Vec2(2.0f, lever), 1.0f);
+        const b2JointDef* defs[] = {&rod, &rope, &pulley};
+        const auto isOne = [type](const b2JointDef* def) { return def->type == type; };
+        pair.scene.world.CreateJoint(*std::find_if(defs, defs + 3, isOne));
+        return IsGuarded(pair);
+    };
+    for (const b2JointType type : {e_distanceJoint, e_ropeJoint, e_pulleyJoint})
+    {
+        EXPECT_FALSE(isGuarded(0.7f, type)) << type; // 1.7 radii of gyration
+        EXPECT_TRUE(isGuarded(1.0f, type)) << type;  // 2.4
+    }
+}
+
 TEST(EnergyGuard, NoticesThatMassesHaveBecomeUnequal)
 {
     Pair pair(b2Vec2_zero, 0.0f);
@@ -443,6 +470,41 @@ TEST(EnergyGuard, TakesCorrectionsBackThatWindUpASpring)
     EXPECT_NEAR(pair.At(pair.b).d.x, kStep * 1.0f, 1e-5f);
 }
 
+/// All that moves would not pay for the spring: it must not have gone anywhere.
+TEST(EnergyGuard, StandsStillWhereSpeedsThatAreLostWouldWindUpASpring)
+{
+    Pair pair;
+    b2WeldJointDef def;
+    def.Initialize(pair.scene.Ground(), pair.b, b2Vec2(2.0f, 0.0f));
+    def.frequencyHz = 5.0f;
+    pair.scene.world.CreateJoint(&def);
+    pair.Begin();
+    const double start = pair.Energy();
+    pair.At(pair.b).angle = 30.0f;
+    pair.At(pair.b).w = 30.0f / kStep;
+    pair.Balance();
+    EXPECT_EQ(pair.At(pair.b).angle, 0.0f);
+    EXPECT_EQ(pair.At(pair.b).d, b2Vec2_zero);
+    EXPECT_LT(pair.Energy(), 1.02 * start);
+}
+
+TEST(EnergyGuard, LetsAFallThatIsTakenBackGiveNothing)
+{
+    Pair pair(b2Vec2(0.0f, -10.0f));
+    b2WeldJointDef def;
+    def.Initialize(pair.scene.Ground(), pair.b, b2Vec2(2.0f, 0.0f));
+    def.frequencyHz = 5.0f;
+    pair.scene.world.CreateJoint(&def);
+    pair.Begin();
+    const double start = pair.Energy();
+    pair.At(pair.b).angle = 30.0f;
+    pair.At(pair.b).d.Set(0.0f, -5.0f); // 50 J
+    pair.At(pair.b).v.Set(10.0f, 0.0f); // the same
+    pair.Balance();
+    EXPECT_EQ(pair.At(pair.b).d.y, 0.0f);
+    EXPECT_LT(pair.Energy(), 1.2 * start);
+}
+
 TEST(EnergyGuard, RemembersWhatIsWonLittleByLittle)
 {
     Pair pair;
@@ -507,6 +569,29 @@ TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasPutIntoASpring)
     pair.guard.ChargeImpacts();
     const float32 omega = 2.0f * b2_pi * 5.0f;
     EXPECT_NEAR(data.energyOwed, 0.5f * data.inertia * omega * omega * 0.01f, 1e-3f);
+}
+
+/// The stiffness of a spring follows the pose. At the end of a way that an impact has taken back
+/// nobody has been.
+TEST(EnergyGuard, GivesNoCreditForAWayThatAnImpactHasTakenBack)
+{
+    Pair pair;
+    b2DistanceJointDef def;
+    def.Initialize(pair.scene.Ground(), pair.b, b2Vec2(2.4f, 3.0f), b2Vec2(2.4f, 0.0f));
+    def.length = 2.5f;
+    def.frequencyHz = 0.5f;
+    pair.scene.world.CreateJoint(&def);
+    pair.Begin();
+    box2d::SolverBody& turned = pair.At(pair.b);
+    turned.angle = 0.5f * b2_pi; // which slackens it, and makes it twice as stiff
+    turned.q.Set(turned.angle);
+    pair.Balance();
+    const auto owed = [&] {
+        return box2d::Data(*pair.a).energyOwed + box2d::Data(*pair.b).energyOwed;
+    };
+    EXPECT_LT(owed(), -1.0f);
+    pair.guard.ChargeImpacts();
+    EXPECT_NEAR(owed(), 0.0f, 0.01f);
 }
 
 TEST(EnergyGuard, StopsWhatIsNoNumberAndJudgesTheRest)

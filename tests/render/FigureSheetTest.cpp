@@ -94,6 +94,20 @@ TEST(FigureSheet, CaptionsAreWrappedInABandOfTheirOwn)
     }
 }
 
+TEST(FigureSheet, HasOneScaleBarForPicturesOfOneScale)
+{
+    std::vector<SheetPicture> pictures(4, {DrawList(), PixelCamera(200, 100), "0 s"});
+    const auto barsOf = [&pictures] {
+        const Figure figure = SheetOf(pictures, {.scaleBar = true});
+        const auto& texts = figure.panels.front().list.texts;
+        return std::count_if(texts.begin(), texts.end(),
+                             [](const std::string& text) { return text.ends_with(" m"); });
+    };
+    EXPECT_EQ(barsOf(), 1);
+    pictures[2].camera.pixelsPerMeter *= 2.0;
+    EXPECT_EQ(barsOf(), 4);
+}
+
 TEST(FigureSheet, IsTheSameSvgEachTime)
 {
     const auto svg = [] {

@@ -344,7 +344,7 @@ TEST(Figure, OfWrongSizeOrViewIsRefused)
                svg.GetError().message == pdf.GetError().message;
     };
     EXPECT_TRUE(refused([](Figure& f) { f.width = 0; }));
-    EXPECT_TRUE(refused([](Figure& f) { f.height = 8193; }));
+    EXPECT_TRUE(refused([](Figure& f) { f.height = kLargestFigure + 1; }));
     EXPECT_TRUE(refused([](Figure& f) { f.scale = std::nan(""); }));
     EXPECT_TRUE(refused([](Figure& f) { f.scale = 16.5; }));
     EXPECT_TRUE(refused([](Figure& f) { f.panels[0].camera.pixelsPerMeter = 0.0; }));

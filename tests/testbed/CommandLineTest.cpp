@@ -180,6 +180,13 @@ TEST(CommandLine, WhatIsLikeNothingSuggestsTheHelp)
               "Unknown option '--xylophone'; `boxreel list --help` shows what there is.");
     EXPECT_EQ(Refusal("list -x"),
               "Unknown option '-x'; `boxreel list --help` shows what there is.");
+    for (const char* line : {"nonsense --help", "help nonsense"})
+    {
+        EXPECT_EQ(Refusal(line),
+                  "Unknown command 'nonsense'; `boxreel --help` shows what there is.");
+    }
+    EXPECT_EQ(Refusal("golden nonsense --help"),
+              "Unknown command 'nonsense'; `boxreel golden --help` shows what there is.");
     EXPECT_EQ(Refusal("shot a b --at 1s -o x.png"),
               "'b' is one word too many; `boxreel shot --help` shows what there is.");
 }

@@ -92,6 +92,68 @@ TEST_F(FigureCommand, GroupsCarryTheNamesThatASceneFileGives)
     EXPECT_THAT(named, HasSubstr("class=\"centers-of-mass\""));
 }
 
+TEST_F(FigureCommand, BodiesAndJointsAreShownAndMeantByTheirNames)
+{
+    std::ofstream(folder / "named.json")
+        << R"({"gravity":{"x":0,"y":-10},"body":[{"name":"wall"},{"name":"left ball","type":2,"awake":true,"fixture":)"
+        << R"([{"density":1,"circle":{"center":0,"radius":1}}]},{"name":"twin","type":2},)"
+        << R"({"name":"twin","type":2}],"joint":[{"type":"rope","name":"long rope","bodyA":0,)"
+        << R"("bodyB":1,"anchorA":{"x":-5,"y":5},"anchorB":0,"maxLength":9}]})";
+    const auto shot = [&](const std::vector<std::string>& extra) {
+        std::vector<std::string> all{"shot",    "named.json", "--step", "30",
+                                     "--force", "-o",         "a.svg"};
+        all.insert(all.end(), extra.begin(), extra.end());
+        return RunBoxreel(all, folder.Path());
+    };
+    EXPECT_EQ(shot({"--draw", "shapes,glyphs,names", "--labels"}).code, 0);
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(">1 left ball</text>"));
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(">long rope</text>"));
+    EXPECT_EQ(shot({"--draw", "shapes", "--labels"}).code, 0);
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(">1</text>"));
+    EXPECT_THAT(ReadFile(folder / "a.svg"), Not(HasSubstr(">long rope</text>")));
+    EXPECT_EQ(shot({"--trail", "left ball"}).code, 0);
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr("class=\"trails\""));
+    EXPECT_EQ(shot({"--dimension", "wall to left ball", "--camera", "fit:wall,left ball"}).code, 0);
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(" m</text>"));
+    for (const std::string option : {"--trail", "--camera"})
+    {
+        const std::string before = option == "--camera" ? "follow:" : "";
+        const Outcome twins = shot({option, before + "twin"});
+        EXPECT_EQ(twins.code, 1);
+        EXPECT_EQ(twins.errors, "boxreel: " + option +
+                                    ": 'twin' is what bodies 2, 3 are called; give the number of "
+                                    "one.\n");
+        EXPECT_THAT(shot({option, before + "left bal"}).errors, HasSubstr("mean 'left ball'?"));
+    }
+}
+
+TEST_F(FigureCommand, LettersThatPixelsCannotShowAreNamedOnce)
+{
+    const std::string caption = "Fig. \u6f22\u5b57\u6f22, \u00b5m";
+    const Outcome png = Shot("a.png", {"--caption", caption, "--theme", "both"});
+    EXPECT_EQ(png.code, 0);
+    EXPECT_EQ(png.errors,
+              "boxreel: The font of pictures has no \u6f22\u5b57, and shows ? instead; an "
+              ".svg or a .pdf shows more letters.\n");
+    EXPECT_THAT(Written("a.svg", {"--caption", caption}), HasSubstr("\u6f22\u5b57"));
+}
+
+TEST_F(FigureCommand, SheetsOfManyPixelsAreForSvgAndPdf)
+{
+    const auto sheet = [&](const char* output) {
+        return RunBoxreel(
+            {"shot", "newtons-cradle", "--step", "1,2,3", "--size", "8192x8192", "-o", output},
+            folder.Path());
+    };
+    for (const char* output : {"a.svg", "a.pdf"})
+    {
+        EXPECT_EQ(sheet(output).errors, "");
+    }
+    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr("width=\"24632\""));
+    EXPECT_EQ(sheet("a.png").code, 1);
+    EXPECT_THAT(sheet("a.png").errors, HasSubstr("8192 is the most each way"));
+}
+
 TEST_F(FigureCommand, TheSameCommandGivesTheSameBytes)
 {
     for (const char* extension : {".svg", ".pdf", ".png"})

@@ -64,6 +64,23 @@ protected:
     TemporaryFolder folder;
 };
 
+TEST_F(Film, ACameraThatWaitsInVainIsSaidAndTheFilmKept)
+{
+    for (const char* const camera : {"follow:3", "fit:3,500"})
+    {
+        const Outcome outcome =
+            Run({"record", "tumbler", "-o", "film.mkv", "--frames", "4", "--size", "64x36",
+                 "--progress", "none", "--force", "--camera", camera});
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        EXPECT_EQ(Decode("film.mkv").size(), 4u);
+        EXPECT_EQ(outcome.errors, camera == std::string("follow:3")
+                                      ? ""
+                                      : "boxreel: --camera: there is no body 500; the scene has 13 "
+                                        "bodies, numbers 0 to 12, and `--labels` shows which is "
+                                        "which.\n");
+    }
+}
+
 TEST_F(Film, AShotHasTheVeryPixelsOfTheFilmAtThatTime)
 {
     const std::vector<std::string> look{"--size", "320x180", "--hud"};

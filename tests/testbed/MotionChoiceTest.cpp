@@ -23,7 +23,11 @@ TEST(MotionChoice, BodiesAreNumbersOrWhatMoves)
 {
     EXPECT_EQ(*ParseBodyChoice("--trail", "moving"), BodyChoice());
     EXPECT_EQ(*ParseBodyChoice("--trail", "3,17"), kThese);
-    for (const char* bad : {"", "3,", "-1", "3;17", "all", "moving,3", "1.5", "9999999999"})
+    EXPECT_EQ(*ParseBodyChoice("--trail", "left wheel,3"),
+              (BodyChoice{false, {BodyRef("left wheel"), 3}}));
+    EXPECT_EQ(*ParseBodyChoice("--trail", "\"3, or: so\",\"moving\""),
+              (BodyChoice{false, {BodyRef("3, or: so"), BodyRef("moving")}}));
+    for (const char* bad : {"", "3,", "-1", "3;17", "a:b", "1.5", "9999999999", "\"a", " a"})
     {
         EXPECT_THAT(Refusal(ParseBodyChoice("--trail", bad)),
                     StartsWith("--trail '" + std::string(bad) + "': give"));
@@ -60,6 +64,8 @@ TEST(MotionChoice, ADimensionGoesFromABodyOrAPointToAnother)
     EXPECT_EQ(*ParseDimension("--dimension", "0,-1 to 4.5,2"),
               (DimensionChoice{Vec2{0, -1}, Vec2{4.5f, 2}}));
     EXPECT_EQ(*ParseDimension("--dimension", "3 to 4.5,2"), (DimensionChoice{3, Vec2{4.5f, 2}}));
+    EXPECT_EQ(*ParseDimension("--dimension", "ball to left wheel"),
+              (DimensionChoice{BodyRef("ball"), BodyRef("left wheel")}));
     for (const char* bad : {"", "3", "3,3", "3,17,4", "1,2 to", "1,2 to 1,2", "1,2 to 3,4,5",
                             "0,nan to 1,1", "1e7,0 to 1,1", "1.5,2", " to "})
     {

@@ -168,5 +168,55 @@ TEST_F(MotionCommand, RefusesWhatCannotBeBeforeAnythingIsSimulated)
     ExpectRefusal({"--at", "1s", "--step", "3"}, "--at and --step");
 }
 
+/// In the tumbler the drum is body 0, and all others come later.
+class MotionOfWhatComesLater : public MotionCommand
+{
+protected:
+    Outcome Shot(const std::vector<std::string>& extra) const
+    {
+        std::vector<std::string> arguments{"shot",   "tumbler", "-o",     "t.svg",
+                                           "--size", "320x180", "--force"};
+        arguments.insert(arguments.end(), extra.begin(), extra.end());
+        return RunBoxreel(arguments, folder.Path());
+    }
+};
+
+TEST_F(MotionOfWhatComesLater, IsShown)
+{
+    const std::pair<std::vector<std::string>, const char*> looks[] = {
+        {{"--trail", "3"}, "body-3-trails"},        {{"--strobe", "250ms:3"}, "body-3-poses"},
+        {{"--onion", "3:100ms:3"}, "body-3-poses"}, {{"--dimension", "3,5"}, "annotations"},
+        {{"--camera", "follow:3:4"}, "body-3"},     {{"--camera", "fit:3,5"}, "body-5"}};
+    for (const auto& [look, group] : looks)
+    {
+        std::vector<std::string> arguments = look;
+        arguments.insert(arguments.end(), {"--at", "2s"});
+        const Outcome outcome = Shot(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        EXPECT_THAT(ReadFile(folder / "t.svg"), HasSubstr(std::string("id=\"") + group));
+    }
+    EXPECT_EQ(Shot({"--at", "0s,1s", "--dimension", "3,5", "--trail", "5"}).code, 0)
+        << "there in one of the pictures";
+}
+
+TEST_F(MotionOfWhatComesLater, IsRefusedWhenItHasNotCome)
+{
+    for (const std::vector<std::string>& look : {std::vector<std::string>{"--trail", "399"},
+                                                 {"--strobe", "250ms:399"},
+                                                 {"--onion", "3:100ms:399"},
+                                                 {"--dimension", "0,399"},
+                                                 {"--camera", "follow:399"}})
+    {
+        std::vector<std::string> arguments = look;
+        arguments.insert(arguments.end(), {"--at", "300ms"});
+        const Outcome outcome = Shot(arguments);
+        EXPECT_EQ(outcome.code, 1) << look.front();
+        EXPECT_THAT(outcome.errors,
+                    HasSubstr(look.front() + ": there is no body 399; the scene has "
+                                             "25 bodies, numbers 0 to 24"));
+        EXPECT_TRUE(folder.Files().empty());
+    }
+}
+
 } // namespace
 } // namespace boxreel

@@ -229,6 +229,19 @@ TEST(RenderBench, ChartsACurveARendererAndKindOfChangeThroughTheNumbersOfShapes)
     EXPECT_EQ(chart->lines[1].points[0].label, "") << "as long as a full redraw, at its place";
 }
 
+TEST(RenderBench, TellsTheDotsOfASinglePictureApart)
+{
+    const auto chart = RenderChart({Two()});
+    ASSERT_TRUE(chart);
+    EXPECT_EQ(chart->lines[0].points[0].label, "all shapes changed");
+    EXPECT_EQ(chart->lines[1].points[0].label, "5 % changed, together");
+    for (const auto& entry : chart->legend)
+    {
+        EXPECT_NE(entry.key, LegendKey::Stroke) << "dots have none";
+    }
+    EXPECT_THAT(chart->frame.subtitle, HasSubstr("1,500 shapes"));
+}
+
 TEST(RenderBench, ChartsTheGoalsOnce)
 {
     const auto chart = RenderChart({Two()});

@@ -172,6 +172,27 @@ TEST_F(SceneCameraTest, ABodyThatTheWorldHasNotIsRefused)
                                               "is which.");
 }
 
+TEST_F(SceneCameraTest, ABodyThatComesLaterIsShownFromThenOn)
+{
+    Add(0.0f, 0.0f, 1.0f);
+    const SceneCamera all = Camera(FitView{});
+    for (const ViewChoice& choice :
+         {ViewChoice(FollowView{{1}, 12.0}), ViewChoice(FitBodiesView{{1}})})
+    {
+        Result<SceneCamera> camera = SceneCamera::Create(choice, world, 1280, 720, true);
+        ASSERT_TRUE(camera);
+        EXPECT_EQ(camera->View(), all.View()) << "what there is, until then";
+        EXPECT_FALSE(camera->CheckBodiesCame());
+    }
+    Result<SceneCamera> camera = SceneCamera::Create(FollowView{{1}, 12.0}, world, 1280, 720, true);
+    ASSERT_TRUE(camera);
+    Add(30.0f, 5.0f, 1.0f);
+    camera->Update(world, kStep, kStep);
+    EXPECT_TRUE(camera->CheckBodiesCame());
+    EXPECT_EQ(camera->View().centerX, 30.0);
+    EXPECT_EQ(camera->View().pixelsPerMeter, 60.0);
+}
+
 TEST_F(SceneCameraTest, ABodyThatIsDestroyedLeavesTheViewToTheOthers)
 {
     b2Body* gone = Add(0.0f, 0.0f, 1.0f);

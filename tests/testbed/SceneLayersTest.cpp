@@ -29,7 +29,7 @@ DrawList Collected(b2World& world, const LayerCollector& collector, const View& 
 {
     const BodyNames names{{3, "a long name of a body"}, {5, "two\nlines"}};
     DrawList list;
-    collector.Collect(world, view, names, list);
+    collector.Collect(world, view, names, {}, list);
     return list;
 }
 
@@ -103,6 +103,48 @@ TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
         }
     }
     EXPECT_TRUE(hasNew && hasOld);
+}
+
+/// What a box weighs is a third as long as it is large when it rests, and an eighth when it hangs.
+TEST(SceneLayers, ImpulsesHaveALongerScaleThanForcesUnlessOneIsGiven)
+{
+    b2World world(b2Vec2(0.0f, -10.0f));
+    b2BodyDef def;
+    b2Body* const ground = world.CreateBody(&def);
+    b2EdgeShape edge;
+    edge.Set(b2Vec2(-9.0f, 0.0f), b2Vec2(9.0f, 0.0f));
+    ground->CreateFixture(&edge, 0.0f);
+    def.type = b2_dynamicBody;
+    b2CircleShape ball;
+    ball.m_radius = 1.0f;
+    def.position.Set(-5.0f, 1.0f);
+    world.CreateBody(&def)->CreateFixture(&ball, 1.0f);
+    def.position.Set(5.0f, 5.0f);
+    b2Body* const hanging = world.CreateBody(&def);
+    hanging->CreateFixture(&ball, 1.0f);
+    b2DistanceJointDef rod;
+    rod.Initialize(ground, hanging, b2Vec2(5.0f, 8.0f), b2Vec2(5.0f, 5.0f));
+    world.CreateJoint(&rod);
+    for (int i = 0; i < 100; ++i)
+    {
+        world.Step(1.0f / 60.0f, 8, 3);
+    }
+    const auto longest = [&world](const char* layer, const ArrowScales& scales) {
+        const LayerCollector collector(Layers(layer), scales, 60.0, world);
+        float length = 0.0f;
+        const Camera close{.pixelsPerMeter = 200.0}; // heads are shorter than arrows
+        const DrawList list = Collected(world, collector, ViewOfEverything(close));
+        for (std::size_t i = 1; i < list.points.size(); ++i)
+        {
+            length = std::max(length, list.points[i].y - list.points.front().y);
+        }
+        return length;
+    };
+    EXPECT_NEAR(longest("impulses", {}), 2.0f / 3.0f, 0.05f);
+    EXPECT_NEAR(longest("forces", {}), 2.0f / 8.0f, 0.02f);
+    const ArrowScales given{0.2, 0.01};
+    EXPECT_NEAR(longest("impulses", given), 0.314f, 0.02f) << "pi kg";
+    EXPECT_NEAR(longest("forces", given), 0.314f, 0.02f);
 }
 
 /// Whatever is seen: the pixels, the items that are drawn, the figure are those of the whole list.

@@ -342,5 +342,17 @@ TEST(NewtonsCradleScene, PassesTheMomentumToTheLastBall)
     EXPECT_LT(WidestJointGap(*scene), 8.0f + kOneCentimetre) << "strings do not stretch";
 }
 
+TEST(AllScenes, OnlyThoseThatSaySoMakeBodiesLater)
+{
+    for (const SceneEntry& entry : AllScenes())
+    {
+        const std::unique_ptr<Scene> scene = entry.create(SceneSettings{});
+        const int32 atStart = scene->World().GetBodyList()->GetNumber();
+        Play(*scene, 5.0f);
+        EXPECT_EQ(scene->World().GetBodyList()->GetNumber() > atStart, scene->MakesBodiesLater())
+            << entry.name;
+    }
+}
+
 } // namespace
 } // namespace boxreel

@@ -35,6 +35,8 @@ TEST(ViewChoice, EachFormIsRead)
     EXPECT_EQ(Parsed("fit:world"), ViewChoice(FitView{true}));
     EXPECT_EQ(Parsed("fit:3,17"), ViewChoice(FitBodiesView{{3, 17}}));
     EXPECT_EQ(Parsed("0,-20.5,50"), ViewChoice(FixedView{0.0, -20.5, 50.0}));
+    EXPECT_EQ(Parsed("fit:left wheel,3"), ViewChoice(FitBodiesView{{BodyRef("left wheel"), 3}}));
+    EXPECT_EQ(Parsed("follow:\"a:b\":5"), ViewChoice(FollowView{{BodyRef("a:b")}, 5.0}));
     EXPECT_EQ(Parsed("follow:17"), ViewChoice(FollowView{{17}, std::nullopt}));
     EXPECT_EQ(Parsed("follow:3,17:12.5"), ViewChoice(FollowView{{3, 17}, 12.5}));
     EXPECT_EQ(Parsed("path:0s=0,20,50;1500ms=10,5,12;6=0,-20,50"),
@@ -52,16 +54,16 @@ TEST(ViewChoice, WhatIsNoneIsRefusedWithTheFormsThatThereAre)
     }
 }
 
-TEST(ViewChoice, BodiesAreWholeNumbers)
+TEST(ViewChoice, BodiesAreWholeNumbersOrNames)
 {
-    for (const char* text : {"fit:", "fit:a", "fit:-1", "fit:1,,2", "fit:1.5", "fit:3:17",
-                             "fit:99999999999", "fit: 3"})
+    for (const char* text :
+         {"fit:", "fit:-1", "fit:1,,2", "fit:1.5", "fit:3:17", "fit:99999999999", "fit: 3"})
     {
         EXPECT_THAT(Refusal(text), HasSubstr("fit:3,17")) << text;
     }
     for (const char* text :
-         {"follow", "follow:", "follow:x", "follow:-1", "follow:1,", "follow:1:", "follow:1:0",
-          "follow:1:-3", "follow:1:nan", "follow:1:inf", "follow:1:12:5", "follow:1:1e9"})
+         {"follow", "follow:", "follow:-1", "follow:1,", "follow:1:", "follow:1:0", "follow:1:-3",
+          "follow:1:nan", "follow:1:inf", "follow:1:12:5", "follow:1:1e9"})
     {
         EXPECT_THAT(Refusal(text), HasSubstr("follow:3,17:12")) << text;
     }

@@ -104,6 +104,8 @@ public:
     std::uint32_t owner = kNoOwner;
 
     void AddPolygon(const Vec2* vertices, std::size_t count, Color color);
+    /// An outline (DrawKind::Polygon) when there are more corners than 8, or it is not convex: all
+    /// renderers and formats fill the same shapes then.
     void AddSolidPolygon(const Vec2* vertices, std::size_t count, Color color);
     void AddCircle(Vec2 center, float radius, Color color);
     void AddSolidCircle(Vec2 center, float radius, Vec2 axis, Color color);

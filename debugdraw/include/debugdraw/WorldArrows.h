@@ -20,9 +20,14 @@ void AddVelocities(const b2World& world, const View& view, double seconds, DrawL
 /// mean of the last step. Torques are not shown.
 void AddJointForces(const b2World& world, const View& view, double metersPerNewton, DrawList& list);
 
+/// How long a mean weight is, in mean sizes: joints of a bridge carry ten times the weight of its
+/// parts, of which a contact point in a pile carries about one.
+inline constexpr double kForceShare = 1.0 / 8.0;
+inline constexpr double kImpulseShare = 1.0 / 3.0;
+
 /// A scale for arrows of forces that suits a world: the mean weight of the bodies that can move,
-/// where there is no gravity their mean mass times 10 m/s^2, is an eighth as long as they are
+/// where there is no gravity their mean mass times 10 m/s^2, is `share` times as long as they are
 /// large in the mean. Above 0.
-double MetersPerNewtonFor(const b2World& world);
+double MetersPerNewtonFor(const b2World& world, double share = kForceShare);
 
 } // namespace boxreel

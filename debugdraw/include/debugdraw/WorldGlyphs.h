@@ -18,7 +18,8 @@ namespace boxreel
 /// |           | an arrow beside it that says how a motor drives                    |
 /// | distance  | a bar with two pins, or a spring when it is soft                   |
 /// | pulley    | two wheels and the rope                                            |
-/// | gear      | two toothed wheels and a dashed line between them                  |
+/// | gear      | two toothed wheels, around the hinges or carriages, and a dashed   |
+/// |           | line between them                                                  |
 /// | wheel     | an axle, and the spring above it; an arrow as with revolute         |
 /// | weld      | a filled square with a cross                                       |
 /// | rope      | a dashed line that sags until it is taut, with its greatest length |

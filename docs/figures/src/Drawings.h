@@ -27,6 +27,7 @@ boxreel::Figure DrawTunnelling();
 boxreel::Figure DrawContinuousCollision();
 boxreel::Figure DrawTimeOfImpact();
 boxreel::Figure DrawTimeOfImpactTurning();
+boxreel::Figure DrawMissedImpact();
 // Queries.cpp
 boxreel::Figure DrawRayCast();
 boxreel::Figure DrawRegionQuery();

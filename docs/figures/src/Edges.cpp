@@ -229,6 +229,7 @@ Figure DrawSelfIntersection()
     b2ChainShape chain;
     chain.CreateChain(vertices, 6);
     AddGround(world, chain);
+    Run(world);
     sketch.Draw(world);
     for (const b2Vec2& vertex : vertices)
     {

@@ -25,7 +25,9 @@ const std::vector<FigureEntry>& FigureTable()
          "Around each polygon lies a skin as thick as its radius; what is drawn is the polygon "
          "within.",
          DrawPolygonSkin},
-        {"skin-gap", "A box of a few centimetres that lies on another, a gap between them",
+        {"skin-gap",
+         "A box of a few centimetres that lies on another, a gap between them, where their skins "
+         "overlap a little",
          "Skins rest on each other, so between the polygons a gap stays open; from it impacts can "
          "be told in time.",
          DrawSkinGap},
@@ -67,6 +69,12 @@ const std::vector<FigureEntry>& FigureTable()
          "A rod that turns is free at both ends of its step; that it meets the post in between is "
          "found here, where the manual lets it be missed.",
          DrawTimeOfImpactTurning},
+        {"time-of-impact-missed",
+         "The rod before the post in one step and past it in the next: it has gone through",
+         "Such an impact missed: a world that looks at its bodies step by step only, "
+         "SetContinuousPhysics(false). With continuous collision this engine misses none, so this "
+         "is the only way to see it.",
+         DrawMissedImpact},
         {"ray-cast", "A ray among seven shapes hits three of them; the nearest hit is marked",
          "A ray cast reports where shapes are hit, the normal there, and which fraction of the "
          "ray lies before.",
@@ -76,8 +84,8 @@ const std::vector<FigureEntry>& FigureTable()
          "shapes do.",
          DrawRegionQuery},
         {"body-origin",
-         "A body shaped like an L: its origin is at the corner, its centre of mass is "
-         "not",
+         "A body shaped like an L: its origin is where the arms meet, its centre of mass between "
+         "them",
          "A body's position is its origin, to which shapes and joints are attached; it moves and "
          "turns about its centre of mass.",
          DrawBodyOrigin},

@@ -159,4 +159,25 @@ Figure DrawTimeOfImpactTurning()
     return sketch.Finished();
 }
 
+Figure DrawMissedImpact()
+{
+    Sketch sketch(640, 340, b2Vec2(0.9f, -0.1f), 80.0);
+    b2World world(b2Vec2(0.0f, 0.0f), false);
+    world.SetContinuousPhysics(false);
+    const b2Vec2 middle(1.3f, 0.0f);
+    AddGround(world, Box(0.22f, 0.22f));
+    b2Body* const rod = AddBody(world, b2_dynamicBody, Box(0.09f, 1.6f), middle, Degrees(50.0f));
+    rod->SetAngularVelocity(Degrees(80.0f) * 60.0f);
+    sketch.DrawFaint(world, 0.5);
+    const b2Vec2 tip(0.0f, 1.6f);
+    sketch.Label(rod->GetWorldPoint(tip), Side::Above, "step 0", kInk, 10.0);
+    Run(world);
+    sketch.Draw(world);
+    sketch.Label(rod->GetWorldPoint(tip), Side::Below, "step 1", kInk, 10.0);
+    sketch.Dot(middle);
+    sketch.ArcArrow(middle, 90.0, Degrees(-38.0f), Degrees(35.0f), kBad);
+    sketch.Caption(24.0, 170.0, Side::Right, "never seen to touch", kBad);
+    return sketch.Finished();
+}
+
 } // namespace figures

@@ -82,7 +82,7 @@ Figure DrawDebugLayers()
                    kBox);
     AddRow(sketch, 6.4, "e_aabbBit");
     const b2Vec2 pair = SignAt(sketch, 7.4);
-    sketch.Line(sketch.Shifted(pair, -11, 0), sketch.Shifted(pair, 11, 0), kHelp);
+    sketch.Line(sketch.Shifted(pair, -11, 0), sketch.Shifted(pair, 11, 0), kPair);
     AddRow(sketch, 7.4, "e_pairBit");
     const b2Vec2 center = sketch.Shifted(SignAt(sketch, 8.6), -8.0, -8.0);
     sketch.List().layer = DrawLayer::CentersOfMass;

@@ -75,6 +75,7 @@ Figure DrawDistance()
     const b2Body* const a = AddBody(world, b2_staticBody, shapeA, b2Vec2(-2.0f, -0.1f));
     const b2Body* const b =
         AddBody(world, b2_dynamicBody, shapeB, b2Vec2(2.1f, 0.2f), Degrees(28.0f));
+    Run(world);
     sketch.Draw(world);
 
     b2DistanceInput input;

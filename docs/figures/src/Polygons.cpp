@@ -73,20 +73,21 @@ Figure DrawConvexAndConcave()
     b2ChainShape concave;
     concave.CreateLoop(dent, 6);
     AddBody(world, b2_dynamicBody, concave, b2Vec2(0.0f, 0.0f));
+    Run(world);
     sketch.Draw(world);
 
     const b2Vec2 a(-3.7f, 0.0f);
     const b2Vec2 b(-1.5f, 0.8f);
-    sketch.Line(a, b, kGood);
+    sketch.Bar(a, b, kGood);
     sketch.Dot(a, kGood);
     sketch.Dot(b, kGood);
     const b2Vec2 c(1.5f, 0.7f);
     const b2Vec2 d(3.8f, 0.9f);
     const b2Vec2 out = FirstHit(world, c, d);
     const b2Vec2 in = FirstHit(world, d, c);
-    sketch.Line(c, out, kGood);
-    sketch.Line(out, in, kBad);
-    sketch.Line(in, d, kGood);
+    sketch.Bar(c, out, kGood);
+    sketch.Bar(out, in, kBad);
+    sketch.Bar(in, d, kGood);
     sketch.Dot(c, kGood);
     sketch.Dot(d, kGood);
     sketch.Caption(164.0, 282.0, Side::Above, "convex: a line between two\npoints stays inside");
@@ -106,6 +107,7 @@ Figure DrawWinding()
     const b2Vec2 right(2.6f, 0.35f);
     AddBody(world, b2_dynamicBody, shape, left);
     AddBody(world, b2_dynamicBody, shape, right);
+    Run(world);
     sketch.Draw(world);
 
     std::vector<b2Vec2> counterClockwise;
@@ -138,6 +140,7 @@ Figure DrawPolygonSkin()
     b2PolygonShape shape;
     shape.Set(corners, 4);
     const b2Body* const body = AddBody(world, b2_dynamicBody, shape, b2Vec2(-0.012f, 0.0f));
+    Run(world);
     sketch.Draw(world);
     sketch.Outline(SkinOf(shape, body->GetTransform()), kHelp);
 
@@ -169,7 +172,9 @@ Figure DrawSkinGap()
     sketch.Arrow(middle, b2Vec2(middle.x, 0.0f));
     sketch.Arrow(middle, b2Vec2(middle.x, gap));
     sketch.Label(b2Vec2(middle.x, 0.78f * gap), Side::Right, Text(100.0 * gap, 1) + " cm");
-    sketch.Note(b2Vec2(0.03f, middle.y), 150.0, 0.0, "the skins touch", kHelp);
+    const double overlap = 2.0 * b2_polygonRadius - gap;
+    sketch.Note(b2Vec2(0.033f, middle.y), 92.0, 46.0,
+                "the skins overlap\nby " + Text(1000.0 * overlap, 0) + " mm", kHelp);
     return sketch.Finished();
 }
 

@@ -72,6 +72,7 @@ Figure DrawRayCast()
     AddBody(world, b2_dynamicBody, Disc(0.35f), b2Vec2(-0.3f, 1.2f));
     AddBody(world, b2_dynamicBody, Box(0.4f, 0.4f), b2Vec2(1.6f, -0.95f), Degrees(30.0f));
     AddBody(world, b2_dynamicBody, Triangle(), b2Vec2(-0.3f, -1.2f));
+    Run(world);
     sketch.Draw(world);
 
     const b2Vec2 from(-3.4f, -0.7f);
@@ -115,6 +116,7 @@ Figure DrawRegionQuery()
     region.upperBound.Set(1.6f, 1.1f);
     AllFixtures all;
     world.QueryAABB(&all, region);
+    Run(world);
     sketch.Draw(world);
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
     {

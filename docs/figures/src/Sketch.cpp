@@ -135,6 +135,18 @@ void Sketch::Dashes(const b2Vec2& from, const b2Vec2& to, Color color)
     pen.Dashes({}, {pen.Of(From(to)).x, 0.0});
 }
 
+void Sketch::Bar(const b2Vec2& from, const b2Vec2& to, Color color)
+{
+    const b2Vec2 way = to - from;
+    b2Vec2 across(-way.y, way.x);
+    across.Normalize();
+    across *= float32(1.0 / m_camera.pixelsPerMeter); // an outline adds half a pixel each side
+    const Vec2 corners[4] = {From(from - across), From(to - across), From(to + across),
+                             From(from + across)};
+    Annotate();
+    m_list.AddSolidPolygon(corners, 4, color);
+}
+
 void Sketch::Arrow(const b2Vec2& from, const b2Vec2& to, Color color)
 {
     const Paper paper = OnPaper();

@@ -22,7 +22,8 @@ inline constexpr boxreel::Color kQuiet{153, 153, 153};  ///< what was, or helps 
 inline constexpr boxreel::Color kFixed{128, 230, 128};  ///< of static bodies
 inline constexpr boxreel::Color kDriven{128, 128, 230}; ///< of kinematic bodies
 inline constexpr boxreel::Color kMoving{230, 179, 179}; ///< of dynamic bodies
-inline constexpr boxreel::Color kHelp{77, 230, 230};    ///< skins, rays, axes
+inline constexpr boxreel::Color kHelp{77, 77, 242};     ///< skins, rays, axes
+inline constexpr boxreel::Color kPair{77, 230, 230};    ///< of fixtures whose boxes overlap
 inline constexpr boxreel::Color kGood{77, 242, 77};     ///< found, right
 inline constexpr boxreel::Color kBox{230, 77, 230};     ///< bounding boxes
 inline constexpr boxreel::Color kPush{230, 230, 77};    ///< forces and normals
@@ -61,6 +62,8 @@ public:
 
     // What explains it, in metres; gaps and sizes in pixels.
     void Line(const b2Vec2& from, const b2Vec2& to, boxreel::Color color = kInk);
+    /// A line of three pixels, for what is right or wrong in a figure.
+    void Bar(const b2Vec2& from, const b2Vec2& to, boxreel::Color color);
     void Dashes(const b2Vec2& from, const b2Vec2& to, boxreel::Color color = kQuiet);
     void Arrow(const b2Vec2& from, const b2Vec2& to, boxreel::Color color = kInk);
     /// From a point so many pixels along a direction of any length.

@@ -276,9 +276,13 @@ void EnergyGuard::Collect(const World& world, SolverArrays& arrays, Account& acc
     }
     const double free = kTolerance * account.past; // what it moves with now is not its own
     const IslandMotion found(first, arrays.bodies.data());
-    if (m_subSteps == 1 && account.owed > free + found.Energy() + kMostFromRest * found.Mass())
+    const double payable = free + found.Energy() + kMostFromRest * found.Mass();
+    for (const float32 time : {m_timeStep, 0.0f}) // without corrections, then not at all
     {
-        TakeCorrectionsBack(first, arrays, account);
+        if (m_subSteps == 1 && account.owed > payable)
+        {
+            MoveAgain(first, arrays, account, time);
+        }
     }
     if (account.owed > free)
     {
@@ -289,8 +293,11 @@ void EnergyGuard::Collect(const World& world, SolverArrays& arrays, Account& acc
     }
 }
 
-/// When they have wound up springs. Joints that they should have closed stay open.
-void EnergyGuard::TakeCorrectionsBack(const b2Body& first, SolverArrays& arrays, Account& account)
+/// When springs have been wound up: as far as velocities alone bring the island in that time [s].
+/// Joints that corrections should have closed stay open. In no time at all where it is velocities
+/// that wind springs up, for those velocities are then lost.
+void EnergyGuard::MoveAgain(const b2Body& first, SolverArrays& arrays, Account& account,
+                            float32 time)
 {
     const auto isOurs = [&](const Spring& spring) {
         return m_accounts[std::size_t(spring.account)].island == account.island;
@@ -309,9 +316,11 @@ void EnergyGuard::TakeCorrectionsBack(const b2Body& first, SolverArrays& arrays,
         if (Data(*body).awakeIndex != -1)
         {
             SolverBody& s = arrays.bodies[std::size_t(Data(*body).SolverIndex())];
-            s.d = m_timeStep * s.v;
-            s.angle = m_timeStep * s.w;
+            saved += Won(Data(*body), s);
+            s.d = time * s.v;
+            s.angle = time * s.w;
             s.q.Set(s.angle);
+            saved -= Won(Data(*body), s);
         }
     }
     for (Spring& spring : m_springs)
@@ -369,7 +378,9 @@ void EnergyGuard::ChargeImpacts()
     {
         BodyData& b = Data(*spring.joint->GetBodyB());
         BodyData& body = b.IsDynamic() ? b : Data(*spring.joint->GetBodyA());
-        body.energyOwed += float32(StoredBetween(spring.after, SpringOf(*spring.joint, nullptr)));
+        const SpringState end = SpringOf(*spring.joint, nullptr);
+        body.energyOwed +=
+            float32(StoredBetween(spring.before, end) - StoredBetween(spring.before, spring.after));
     }
     m_springs.clear(); // a joint may be gone before the next step begins
 }

@@ -11,11 +11,11 @@
 /// An account is kept island by island: kinetic energy, the work of gravity and forces along the
 /// ways that bodies really went, what springs store; motors may give what they can at most. All
 /// else only takes. What an island wins it owes. A little of that is truncation, and goes up and
-/// down. More is taken away: corrections of poses when they have wound up springs, then velocity,
-/// at first what there is of it within the island, which leaves the momentum as it is. What was
-/// lost counts as credit for a while, for a loaded chain of joints that sweeps do not hold rigidly
-/// gives back what stopping it took. Bodies carry their island's account in shares, so that islands
-/// may merge and come apart.
+/// down. More is taken away: corrections of poses when they have wound up springs, all of the way
+/// when velocities that cannot be paid for have; then velocity, at first what there is of it within
+/// the island, which leaves the momentum as it is. What was lost counts as credit for a while, for
+/// a loaded chain of joints that sweeps do not hold rigidly gives back what stopping it took.
+/// Bodies carry their island's account in shares, so that islands may merge and come apart.
 ///
 /// Where everything is as it should be nothing is changed, not a bit. Only islands with joints that
 /// are at risk (IsAtRisk) have accounts; what a platform, a conveyor belt or a restitution above 1
@@ -81,7 +81,7 @@ private:
     void AddBodies(const World& world, SolverArrays& arrays);
     void AddJoints(const World& world, const SolverArrays& arrays);
     void Collect(const World& world, SolverArrays& arrays, Account& account);
-    void TakeCorrectionsBack(const b2Body& first, SolverArrays& arrays, Account& account);
+    void MoveAgain(const b2Body& first, SolverArrays& arrays, Account& account, float32 time);
     void ShareOut(const World& world, const SolverArrays& arrays);
 
     Array<const b2Joint*> m_risky;   // whose islands have accounts

@@ -136,6 +136,12 @@ double MostPower(const b2MotorJoint& joint, const Pair& pair, double smallStep)
            double(joint.GetMaxTorque()) * std::min(spin, rate * turn);
 }
 
+bool HoldsAlongALine(const b2Joint& joint)
+{
+    const b2JointType type = joint.GetType();
+    return type == e_distanceJoint || type == e_ropeJoint || type == e_pulleyJoint;
+}
+
 template <class Joint>
 const Joint& As(const b2Joint& joint)
 {
@@ -161,6 +167,8 @@ bool IsAtRisk(const b2Joint& joint)
 {
     constexpr float32 kMostRatio = 10.0f; // of masses
     constexpr float32 kLongLever = 4.0f;  // in radii of gyration
+    // A pull along a line turns a body straight within a small step, and is not foreseen.
+    constexpr float32 kLongLeverOfLine = 2.0f;
     const BodyData& a = Data(*joint.GetBodyA());
     const BodyData& b = Data(*joint.GetBodyB());
     const float32 mA = a.SolverInvMass();
@@ -169,10 +177,10 @@ bool IsAtRisk(const b2Joint& joint)
     {
         return true;
     }
-    const auto isLong = [](const BodyData& body, const b2Vec2& point) {
+    const float32 most = HoldsAlongALine(joint) ? kLongLeverOfLine : kLongLever;
+    const auto isLong = [most](const BodyData& body, const b2Vec2& point) {
         const b2Vec2 lever = point - body.worldCenter;
-        return body.SolverInvInertia() * lever.LengthSquared() >
-               kLongLever * kLongLever * body.SolverInvMass();
+        return body.SolverInvInertia() * lever.LengthSquared() > most * most * body.SolverInvMass();
     };
     // Where B is held is where the forces on A act; they may be far apart.
     const b2Vec2 onB = joint.GetAnchorB();

@@ -32,7 +32,8 @@ struct SpringState
 double StoredBetween(const SpringState& before, const SpringState& after);
 
 /// Whether sweeps may win energy over the joint without end: beyond what the manual advises, masses
-/// of 10:1 and bodies on levers much longer than they are.
+/// of 10:1 and bodies on levers much longer than they are, half as long where a rod or a rope
+/// pulls.
 bool IsAtRisk(const b2Joint& joint);
 /// Whether that depends on the pose too.
 bool HasChangingLevers(const b2Joint& joint);

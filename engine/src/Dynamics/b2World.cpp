@@ -149,6 +149,21 @@ const b2Contact* b2World::GetContactList() const
     return m_world->contactList;
 }
 
+const b2Body* const* b2World::GetAwakeBodies() const
+{
+    return m_world->awakeBodies.data();
+}
+
+int32 b2World::GetAwakeBodyCount() const
+{
+    return static_cast<int32>(m_world->awakeBodies.size());
+}
+
+int32 b2World::GetInactiveBodyCount() const
+{
+    return m_world->inactiveCount;
+}
+
 void b2World::SetSubStepCount(int32 count)
 {
     if (!B2_REQUIRE(!IsLocked(),

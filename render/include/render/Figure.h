@@ -18,6 +18,10 @@
 namespace boxreel
 {
 
+/// The most pixels each way of a figure before the scale; of pixels there can be fewer. PDF's
+/// numbers (Cairo's, of 24 bits before the point) hold it times the largest scale.
+inline constexpr int kLargestFigure = 131072;
+
 /// One view of one list, in a rectangle of the figure. What lies outside is cut off.
 struct FigurePanel
 {

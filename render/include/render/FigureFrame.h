@@ -6,6 +6,9 @@
 #include <render/Frame.h>
 #include <render/Renderer.h>
 
+#include <string>
+#include <vector>
+
 /// A figure of any number of panels as pixels: the picture that its SVG and PDF show.
 namespace boxreel
 {
@@ -16,6 +19,10 @@ namespace boxreel
 /// cannot be. `totals`, when given, is what was drawn for it, summed over the panels.
 Result<Frame> ToFrame(const Figure& figure, Backend backend = Backend::Auto,
                       RenderTotals* totals = nullptr);
+
+/// The letters of the figure's texts that pixels cannot show, for the font of pictures has none of
+/// them: each once, as they come. SVG and PDF show more.
+std::vector<std::string> LettersWithoutPixels(const Figure& figure);
 
 /// Whether this machine can draw: asked before long work is done for a picture.
 Result<void> PrepareFrames(Backend backend = Backend::Auto);

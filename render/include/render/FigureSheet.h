@@ -24,7 +24,7 @@ struct SheetSettings
     int columns = 0;       ///< of pictures; 0: as many as make a sheet about as wide as it is high,
                            ///< up to three in one row
     bool axes = false;     ///< below and left of each picture, in metres
-    bool scaleBar = false; ///< below each picture
+    bool scaleBar = false; ///< below all, when pictures have the same scale, else below each
     std::string caption = {}; ///< below all of it, in lines as wide as the sheet; empty: none
     Theme theme = Theme::Classic();
     double scale = 1.0;     ///< as of a Figure

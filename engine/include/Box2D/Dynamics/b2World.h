@@ -64,6 +64,14 @@ public:
     const b2Joint* GetJointList() const;
     b2Contact* GetContactList();
     const b2Contact* GetContactList() const;
+    /// The active kinematic and dynamic bodies that do not sleep, GetAwakeBodyCount() of them, in
+    /// no particular order: what can move, without a look at what rests. Valid until the world is
+    /// changed or stepped. An addition to the manual's interface.
+    const b2Body* const* GetAwakeBodies() const;
+    int32 GetAwakeBodyCount() const;
+    /// Bodies that are not active, and so in no tree and no list of what is awake. An addition to
+    /// the manual's interface.
+    int32 GetInactiveBodyCount() const;
 
     void SetAllowSleeping(bool flag);
     bool GetAllowSleeping() const;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "RubeScene.h"
+
+#include <string>
+
+/// How sentences about a scene file call its parts.
+namespace boxreel
+{
+
+/// In quotes, at most 60 bytes long, and without control characters.
+std::string Quoted(const std::string& name);
+
+/// body 3 "wheel"
+std::string NameOfBody(const RubeScene& scene, std::size_t index);
+
+} // namespace boxreel
