@@ -178,8 +178,23 @@ Result<FFmpegOwner<AVFrame>> FFmpegCodec::MakePicture() const
     return picture;
 }
 
+FFmpegCodec::~FFmpegCodec()
+{
+    // SVT-AV1 waits for ever for its end unless it has seen it.
+    if (m_context && !m_isEnded && std::string(m_context->codec->name) == "libsvtav1")
+    {
+        const FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
+        int status = Send(nullptr);
+        while (status >= 0)
+        {
+            status = Receive(*packet);
+        }
+    }
+}
+
 int FFmpegCodec::Send(const AVFrame* picture)
 {
+    m_isEnded = m_isEnded || picture == nullptr;
     return FFmpeg().avcodec_send_frame(m_context.get(), picture);
 }
 

@@ -4,10 +4,38 @@
 #include <debugdraw/AtomicFile.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace boxreel
 {
+
+namespace
+{
+
+/// Containers put the length before each unit of H.264, where encoders put a start code of as many
+/// bytes (H.264, annex B), and a film must have one kind.
+void PutStartCodes(AVPacket& packet)
+{
+    constexpr std::array<std::uint8_t, 4> kStartCode{0, 0, 0, 1};
+    FFmpeg().av_packet_make_writable(&packet);
+    std::span<std::uint8_t> rest(packet.data, std::size_t(packet.size));
+    while (rest.size() >= kStartCode.size())
+    {
+        const std::size_t length = std::size_t(rest[0]) << 24 | std::size_t(rest[1]) << 16 |
+                                   std::size_t(rest[2]) << 8 | std::size_t(rest[3]);
+        std::copy(kStartCode.begin(), kStartCode.end(), rest.begin());
+        rest = rest.subspan(std::min(kStartCode.size() + length, rest.size()));
+    }
+}
+
+bool HasLengths(const AVCodecParameters& codec)
+{
+    return codec.codec_id == AV_CODEC_ID_H264 && codec.extradata_size > 0 &&
+           codec.extradata[0] == 1;
+}
+
+} // namespace
 
 Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part)
 {
@@ -27,35 +55,28 @@ Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part)
     return times;
 }
 
-Result<std::int64_t> LastDelay(const CopiedPart& part)
+namespace
 {
-    Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
-    if (!packets)
-    {
-        return packets.GetError();
-    }
-    std::int64_t delay = 1;
-    while (const FFmpegOwner<AVPacket> packet = packets->Next())
-    {
-        delay = std::max<std::int64_t>(1, packet->duration);
-    }
-    return delay;
-}
 
-Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
-                         FFmpegMuxer& muxer)
+Result<void> Copy(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
+                  bool isUnwrapped, FFmpegMuxer& muxer)
 {
     Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
     if (!packets)
     {
         return packets.GetError();
     }
+    const bool needsStartCodes = isUnwrapped && HasLengths(packets->Codec());
     std::size_t copied = 0;
     while (const FFmpegOwner<AVPacket> packet = packets->Next())
     {
         if (packet->pts >= part.before || copied >= decodingTimes.size())
         {
             continue;
+        }
+        if (needsStartCodes)
+        {
+            PutStartCodes(*packet);
         }
         packet->pts += part.offset;
         packet->dts = decodingTimes[copied++];
@@ -66,6 +87,14 @@ Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> d
         }
     }
     return {};
+}
+
+} // namespace
+
+Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
+                         FFmpegMuxer& muxer)
+{
+    return Copy(part, decodingTimes, false, muxer);
 }
 
 Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer, DecodingTimes& decodingTimes)
@@ -85,7 +114,7 @@ Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer, DecodingT
     {
         time = decodingTimes.Next();
     }
-    return CopyPackets(part, times, muxer);
+    return Copy(part, times, true, muxer);
 }
 
 std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTimes& times,

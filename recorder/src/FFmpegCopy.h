@@ -28,14 +28,11 @@ struct CopiedPart
 /// When the part's frames are shown, in the order of its packets.
 Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part);
 
-/// How long the part's last packet is shown [ticks], as far as its container says.
-Result<std::int64_t> LastDelay(const CopiedPart& part);
-
 /// `decodingTimes`: of each of its packets.
 Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
                          FFmpegMuxer& muxer);
 
-/// The part as the beginning of a film that goes on.
+/// The part as the beginning of a film that goes on with packets as the encoder gives them.
 Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer,
                            DecodingTimes& decodingTimes);
 

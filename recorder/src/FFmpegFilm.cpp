@@ -277,8 +277,8 @@ bool FFmpegFilm::MustShow(std::int64_t index) const
     const bool isFirst = group != m_group;
     const bool isLast = group != m_frameTimes.GroupOf(index + 1);
     const bool isSecond = m_shown == 0 && m_frameTimes.NumberOf(0) == 0;
-    return m_plan.isConstantRate || m_settings.constantRate || isFirst || isSecond ||
-           (isLast && m_plan.needsGroups);
+    return m_plan.isConstantRate || m_settings.constantRate || isSecond ||
+           (m_plan.needsGroups && (isFirst || isLast));
 }
 
 /// Encodes the picture as this frame.

@@ -93,7 +93,7 @@ Result<void> CheckAlike(const std::vector<FilmPart>& films, AVRational tick)
     return {};
 }
 
-Result<void> Write(const std::vector<Part>& parts, const EncoderPlan& plan, FFmpegMuxer& muxer)
+Result<void> Write(const std::vector<Part>& parts, FFmpegMuxer& muxer)
 {
     for (const Part& part : parts)
     {
@@ -101,15 +101,6 @@ Result<void> Write(const std::vector<Part>& parts, const EncoderPlan& plan, FFmp
         {
             return copied;
         }
-    }
-    if (plan.muxer == "gif" || plan.muxer == "apng")
-    {
-        const Result<std::int64_t> delay = LastDelay(parts.back().copied);
-        if (!delay)
-        {
-            return delay.GetError();
-        }
-        muxer.SetFinalDelay(*delay);
     }
     return muxer.Finish();
 }
@@ -157,7 +148,7 @@ Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     {
         return muxer.GetError();
     }
-    if (Result<void> written = Write(*parts, *plan, *muxer); !written)
+    if (Result<void> written = Write(*parts, *muxer); !written)
     {
         return written;
     }

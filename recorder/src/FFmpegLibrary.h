@@ -58,6 +58,7 @@ namespace boxreel
 #define BOXREEL_AVCODEC_FUNCTIONS(X)                                                               \
     X(av_packet_alloc)                                                                             \
     X(av_packet_free)                                                                              \
+    X(av_packet_make_writable)                                                                     \
     X(av_packet_rescale_ts)                                                                        \
     X(av_packet_unref)                                                                             \
     X(avcodec_alloc_context3)                                                                      \

@@ -33,7 +33,10 @@ Result<FFmpegMuxer> FFmpegMuxer::Open(FFmpegOutput& output, const std::string& m
     opened.m_tick = stream.tick;
     opened.m_stream = FFmpeg().avformat_new_stream(context, nullptr);
     FFmpeg().avcodec_parameters_copy(opened.m_stream->codecpar, stream.codec);
-    opened.m_stream->codecpar->codec_tag = 0; // each container has its own
+    if (stream.codec->codec_id != AV_CODEC_ID_RAWVIDEO)
+    {
+        opened.m_stream->codecpar->codec_tag = 0; // each container has its own
+    }
     opened.m_stream->time_base = stream.tick;
     opened.m_stream->avg_frame_rate = stream.framesPerSecond;
     opened.m_stream->sample_aspect_ratio = stream.codec->sample_aspect_ratio;

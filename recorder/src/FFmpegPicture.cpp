@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegPicture.h"
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <utility>
@@ -197,8 +198,33 @@ void PictureToFrame::OpenContext(const AVFrame& picture)
     SetColours(m_context.get(), m_space, m_range != 0, SWS_CS_ITU709, true);
 }
 
+namespace
+{
+
+/// Which swscale would send through YUV.
+void CopyRgb(const AVFrame& picture, Frame& frame)
+{
+    for (int y = 0; y < picture.height; ++y)
+    {
+        const std::uint8_t* rgb = picture.data[0] + std::ptrdiff_t(y) * picture.linesize[0];
+        for (int x = 0; x < picture.width; ++x)
+        {
+            std::copy_n(rgb + std::ptrdiff_t(x) * 3, 3, frame.Pixel(x, y));
+            frame.Pixel(x, y)[3] = 255;
+        }
+    }
+}
+
+} // namespace
+
 Result<void> PictureToFrame::Convert(const AVFrame& picture, Frame& frame)
 {
+    if (picture.format == AV_PIX_FMT_RGB24)
+    {
+        frame = Frame(picture.width, picture.height);
+        CopyRgb(picture, frame);
+        return {};
+    }
     if (!Prepare(picture))
     {
         return Error{ErrorKind::Unusable, std::string("pictures of the kind ") +

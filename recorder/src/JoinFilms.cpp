@@ -31,7 +31,7 @@ Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem
     {
         return Error{ErrorKind::Unusable, path.string() +
                                               " is of a kind that cannot be joined; make parts as "
-                                              ".mp4, .mkv, .webm, .gif or .apng. Parts of "
+                                              ".mp4, .mkv or .webm. Parts of "
                                               "frames-####.png need no joining: put them into one "
                                               "folder."};
     }

@@ -76,6 +76,7 @@ Result<RecordingEnd> Recorder::Stop()
     {
         return finished.GetError();
     }
+    Report(m_encoder.FramesDone()); // its answer is known
     return RecordingEnd::Stopped;
 }
 

@@ -180,7 +180,7 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
     {
         return Error{ErrorKind::Unusable, "A film written to " + path.string() +
                                               " cannot be continued; leave --resume out, or write "
-                                              ".mp4, .mkv, .webm, .gif or frames-####.png."};
+                                              ".mp4, .mkv, .webm or frames-####.png."};
     }
     if (format == VideoFormat::PngSequence || format == VideoFormat::WebP)
     {
@@ -231,7 +231,9 @@ std::optional<VideoFormat> FormatOf(const std::filesystem::path& path,
 
 bool HasParts(VideoFormat format)
 {
-    return format != VideoFormat::WebP && format != VideoFormat::Y4m && format != VideoFormat::Nut;
+    // libav's muxers of animations do not take packets of two encoders.
+    return format == VideoFormat::Mp4 || format == VideoFormat::Matroska ||
+           format == VideoFormat::WebM || format == VideoFormat::PngSequence;
 }
 
 std::int64_t GifFrameStep(const Rational& framesPerSecond)
@@ -280,8 +282,7 @@ std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& 
     {
         return 0;
     }
-    const bool isGif = *format == VideoFormat::Gif;
-    return settings.groupFrames * (isGif ? GifFrameStep(settings.framesPerSecond) : 1);
+    return settings.groupFrames;
 }
 
 Rational StoredFrameRate(const std::filesystem::path& path, const Rational& framesPerSecond)

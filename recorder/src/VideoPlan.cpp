@@ -182,7 +182,7 @@ void PlanApng(EncoderPlan& plan, const VideoSettings& settings)
 
 Result<void> PlanRaw(EncoderPlan& plan, VideoFormat format, const VideoSettings& settings)
 {
-    plan.encoder = "rawvideo";
+    plan.encoder = format == VideoFormat::Y4m ? "wrapped_avframe" : "rawvideo";
     plan.isConstantRate = true;
     plan.pixelFormat = format == VideoFormat::Nut ? "rgb24" : YuvOf(settings.chroma);
     if (format == VideoFormat::Y4m && settings.quality == Quality::Lossless)

@@ -86,7 +86,8 @@ Result<VideoReader> VideoReader::Open(const std::filesystem::path& path, Frames 
     }
     auto impl = std::make_unique<Impl>();
     impl->source = std::move(*source);
-    impl->frames = frames;
+    // The rate of an animated WebP is not known: its frames come once each.
+    impl->frames = format == VideoFormat::WebP ? Frames::Stored : frames;
     return VideoReader(std::move(impl));
 }
 

@@ -193,8 +193,6 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed)
         ->type_name("");
     AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind");
     AddForce(*command, merge.force);
-    AddValue(*command, "--loop", "N", merge.plays, WholeBetween(0, 65535),
-             "How often a gif or apng plays; 0: for ever (0)");
     command->footer("The parts must be of the same command, follow each other without a gap, and "
                     "the world must be\nin the same state where one ends and the next begins.\n\n"
                     "Examples:\n"

@@ -105,7 +105,6 @@ Result<int> RunMerge(const MergeOptions& options)
     const FilmPapers& first = parts->front().papers;
     VideoSettings settings;
     settings.framesPerSecond = first.framesPerSecond;
-    settings.plays = options.plays;
     settings.overwrite = options.force;
     if (Result<void> joined = JoinFilms(films, options.output, settings); !joined)
     {

@@ -51,7 +51,6 @@ struct MergeOptions
 {
     std::vector<std::filesystem::path> parts;
     std::filesystem::path output;
-    int plays = 0; ///< how often a gif or apng plays; 0: for ever
     bool force = false;
 };
 

@@ -69,6 +69,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"GLES", {"render/src/Context", "render/src/Gl"}},
         {"libav", {"recorder/src/FFmpeg"}},
         {"libsw", {"recorder/src/FFmpeg"}},
+        {"webp/", {"recorder/src/WebP"}},
         {"imgui", {"render/src/Overlay", "render/src/FontAtlas", "testbed/ui/"}},
         {"stb", {"render/src/FontAtlas"}},
         {"CLI/", {"testbed/src/CommandLine"}},

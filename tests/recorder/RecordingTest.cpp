@@ -79,7 +79,8 @@ TEST_F(RecordFixture, TheFilmHoldsTheFramesThatDrawingOneByOneGives)
 {
     constexpr int kCount = 40;
     VideoWriter writer = OpenWriter(m_folder / "film.mkv");
-    const Result<boxreel::RecordingEnd> recorded = Record(Settings(kCount, 25), *m_renderer, writer);
+    const Result<boxreel::RecordingEnd> recorded =
+        Record(Settings(kCount, 25), *m_renderer, writer);
     ASSERT_TRUE(recorded) << recorded.GetError().message;
     const Film film = ReadFilm(m_folder / "film.mkv");
     ASSERT_EQ(film.frames.size(), std::size_t(kCount));

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 namespace boxreel
@@ -233,20 +234,47 @@ void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
     kill(process, signal);
 }
 
-TEST_F(Film, ASignalStopsItAndLeavesNothingBehind)
+/// The same once a whole group of frames is in the file: its papers name the second one, and a film
+/// that is further on.
+void StopAfterGroups(int process, int signal, const std::filesystem::path& folder)
 {
-    for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE})
+    for (int i = 0; i < 6000; ++i)
+    {
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+        {
+            const bool isPapers = entry.path().string().ends_with(".part.mkv.json") ||
+                                  entry.path().string().ends_with(".part.mp4.json");
+            if (isPapers && ReadFile(entry.path()).find("\"200\"") != std::string::npos)
+            {
+                kill(process, signal);
+                return;
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    kill(process, SIGKILL);
+}
+
+TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
+{
+    for (const int signal : {SIGINT, SIGTERM, SIGQUIT})
     {
         const Outcome outcome = RunBoxreel(
-            {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
-            folder.Path(), [&](int process) { StopWhenBegun(process, signal, folder.Path()); });
-        EXPECT_EQ(outcome.code, 128 + signal) << outcome.errors;
-        EXPECT_THAT(outcome.errors, HasSubstr("Stopped"));
-        EXPECT_THAT(folder.Files(), IsEmpty());
+            {"record", "pyramid", "--frames", "10000000", "-o", "film.mkv", "--size", "160x90"},
+            folder.Path(), [&](int process) { StopAfterGroups(process, signal, folder.Path()); });
+        EXPECT_EQ(outcome.code, 75) << outcome.errors;
+        EXPECT_THAT(outcome.errors, HasSubstr("Stopped after"));
+        EXPECT_THAT(outcome.errors, HasSubstr("--resume"));
+        EXPECT_THAT(folder.Files(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
+        EXPECT_GE(Decode("film.part.mkv").size(), 100u);
+        for (const std::string& name : folder.Files())
+        {
+            std::filesystem::remove(folder / name);
+        }
     }
 }
 
-TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesNothingBehind)
+TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesThePart)
 {
     const Outcome outcome = RunBoxreel(
         {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
@@ -259,6 +287,116 @@ TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesNothingBehind)
         });
     EXPECT_TRUE(outcome.code == 128 + SIGINT || outcome.code == 128 + SIGTERM) << outcome.code;
     EXPECT_THAT(outcome.errors, Not(HasSubstr("Stopped")));
+    EXPECT_THAT(folder.Files(), Not(testing::Contains("film.mp4")));
+}
+
+TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
+{
+    const std::vector<std::string> record{"record", "tumbler",  "--frames", "260", "--size",
+                                          "160x90", "--camera", "follow:3", "-o"};
+    std::vector<std::string> whole = record;
+    whole.emplace_back("whole.mp4");
+    ASSERT_EQ(Run(whole).code, 0);
+    std::vector<std::string> command = record;
+    command.emplace_back("film.mp4");
+    const Outcome killed = RunBoxreel(command, folder.Path(), [&](int process) {
+        StopAfterGroups(process, SIGKILL, folder.Path());
+    });
+    ASSERT_EQ(killed.code, 128 + SIGKILL) << "it was over before it could be killed";
+    const Outcome refused = Run(command);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_THAT(refused.errors, HasSubstr("--resume"));
+    std::vector<std::string> other{"record", "bridge",   "--frames", "260",
+                                   "-o",     "film.mp4", "--resume"};
+    EXPECT_THAT(Run(other).errors, HasSubstr("left of another film"));
+    command.emplace_back("--resume");
+    const Outcome resumed = Run(command);
+    ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    EXPECT_EQ(Decode("film.mp4"), Decode("whole.mp4"));
+    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "whole.mp4"));
+}
+
+TEST_F(Film, PartsAreJoinedToTheFramesOfTheWhole)
+{
+    const std::vector<std::string> record{"record", "dominos", "--frames", "250", "--size",
+                                          "160x90", "--group", "50",       "-o"};
+    const auto make = [&](const char* name, std::vector<std::string> more) {
+        std::vector<std::string> command = record;
+        command.emplace_back(name);
+        command.insert(command.end(), more.begin(), more.end());
+        const Outcome outcome = Run(command);
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    };
+    make("whole.mkv", {});
+    make("a.mkv", {"--frame-range", "0-99"});
+    make("b.mkv", {"--frame-range", "100-149"});
+    make("c.mkv", {"--frame-range", "150-249"});
+    const Outcome merged = Run({"merge", "c.mkv", "a.mkv", "b.mkv", "-o", "film.mkv"});
+    ASSERT_EQ(merged.code, 0) << merged.errors;
+    EXPECT_EQ(Decode("film.mkv"), Decode("whole.mkv"));
+    const Outcome gap = Run({"merge", "a.mkv", "c.mkv", "-o", "gap.mkv"});
+    EXPECT_EQ(gap.code, 1);
+    EXPECT_THAT(gap.errors, HasSubstr("frames 100 to 149 are missing"));
+    make("within.mkv", {"--frame-range", "100-120"});
+    make("rest.mkv", {"--frame-range", "121-149"});
+    EXPECT_THAT(Run({"merge", "within.mkv", "rest.mkv", "-o", "gap.mkv"}).errors,
+                HasSubstr("within a group"));
+    std::string papers = ReadFile(folder / "b.mkv.json");
+    const std::size_t state = papers.find("\"100\": \"") + 8;
+    papers[state] = papers[state] == '0' ? '1' : '0';
+    std::ofstream(folder / "b.mkv.json") << papers;
+    EXPECT_THAT(Run({"merge", "a.mkv", "b.mkv", "-o", "gap.mkv"}).errors,
+                HasSubstr("another state at frame 100"));
+    std::filesystem::remove(folder / "b.mkv.json");
+    EXPECT_THAT(Run({"merge", "a.mkv", "b.mkv", "-o", "gap.mkv"}).errors, HasSubstr("b.mkv.json"));
+}
+
+TEST_F(Film, MayBeginLaterAndEndWhenSomethingHolds)
+{
+    const std::vector<std::string> look{"--size", "160x90", "--camera", "0,5,30"};
+    std::vector<std::string> record{"record", "newtons-cradle", "-o", "film.mkv",  "--from",
+                                    "0.5",    "--frames",       "3",  "--quality", "lossless"};
+    record.insert(record.end(), look.begin(), look.end());
+    ASSERT_EQ(Run(record).code, 0);
+    EXPECT_EQ(Decode("film.mkv")[2], Shot("newtons-cradle", 32, look));
+    const Outcome until = Run({"record", "pyramid", "-o", "until.mkv", "--until", "time >= 0.5",
+                               "--size", "160x90", "--thumbnail", "until.png"});
+    EXPECT_EQ(until.code, 0) << until.errors;
+    EXPECT_EQ(Decode("until.mkv").size(), 31u);
+    EXPECT_TRUE(ReadPng(folder / "until.png"));
+    const Outcome never = Run({"record", "pyramid", "-o", "never.mkv", "--until", "0.y > 100",
+                               "--frames", "5", "--size", "160x90"});
+    EXPECT_EQ(never.code, 0);
+    EXPECT_THAT(never.errors, HasSubstr("did not come within 5 frames"));
+}
+
+TEST_F(Film, GoesThroughAPipe)
+{
+    const Outcome outcome = Run(
+        {"record", "pyramid", "-o", "-", "--format", "y4m", "--frames", "3", "--size", "32x18"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, testing::StartsWith("YUV4MPEG2 W32 H18 F60:1"));
+    std::ofstream(folder / "film.y4m", std::ios::binary) << outcome.output;
+    EXPECT_EQ(Decode("film.y4m").size(), 3u);
+    EXPECT_THAT(folder.Files(), ElementsAre("film.y4m"));
+}
+
+TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
+{
+    const Outcome outcome = Run({"record", "pyramid", "-o", "a.mkv", "--frames", "5", "--size",
+                                 "160x90", "--progress", "openjd"});
+    EXPECT_THAT(outcome.output, HasSubstr("openjd_progress: 100.0\nopenjd_status: 5/5 frames"));
+    const Outcome failed = Run({"record", "pyramid", "-o", "a.mkv", "--progress", "openjd"});
+    EXPECT_EQ(failed.code, 1);
+    EXPECT_THAT(failed.output, HasSubstr("openjd_fail: Cannot write a.mkv"));
+}
+
+TEST_F(Film, SaysWhichCodecOptionIsUnknownBeforeAnythingIsWritten)
+{
+    const Outcome outcome =
+        Run({"record", "pyramid", "-o", "a.mkv", "--codec-option", "colour=blue"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.errors, HasSubstr("libx264 knows no option 'colour'"));
     EXPECT_THAT(folder.Files(), IsEmpty());
 }
 

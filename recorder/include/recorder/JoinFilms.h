@@ -18,7 +18,7 @@ struct FilmPart
 };
 
 /// `parts`: in their order, each beginning where the one before ends, made with the same settings
-/// and with groups of frames that end where a part does. Of `settings` count framesPerSecond, plays
+/// and with groups of frames that end where a part does. Of `settings` count framesPerSecond
 /// and overwrite. An Error (Unusable) when `path` is of a kind that cannot be joined, or the parts
 /// are not coded alike.
 Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,

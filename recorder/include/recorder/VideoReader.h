@@ -34,7 +34,7 @@ enum class Frames
 {
     Shown,  ///< one for each period of framesPerSecond: one that is held for long comes several
             ///< times
-    Stored, ///< each once
+    Stored, ///< each once; of a .webp always so, for it does not say its rate
 };
 
 class VideoReader

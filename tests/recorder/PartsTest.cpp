@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Films in parts: interrupted and continued, made by several and joined, frames held.
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestFilm.h"
+
+#include <recorder/JoinFilms.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace
+{
+
+using namespace testfilm;
+using boxreel::Chroma;
+using boxreel::FilmPart;
+using boxreel::Frame;
+using boxreel::FrameRange;
+using boxreel::FrameRun;
+using boxreel::Frames;
+using boxreel::Quality;
+using boxreel::Result;
+using boxreel::VideoReader;
+using boxreel::VideoSettings;
+using boxreel::VideoWriter;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 64;
+constexpr int kGroup = 10;
+constexpr int kCount = 47;
+
+/// What frame k of the film shows: it moves, and rests from frame 12 to 33.
+Frame Content(std::int64_t k)
+{
+    return Drawing(kWidth, kHeight, int(k < 12 ? k : k < 34 ? 12 : k - 21));
+}
+
+struct Kind
+{
+    const char* extension;
+    const char* codec;
+};
+
+void PrintTo(const Kind& kind, std::ostream* out)
+{
+    *out << kind.extension << " " << kind.codec;
+}
+
+class Parts : public testing::TestWithParam<Kind>
+{
+protected:
+    std::filesystem::path Path(const std::string& stem) const
+    {
+        return m_folder / (stem + GetParam().extension);
+    }
+
+    VideoSettings Settings() const
+    {
+        VideoSettings settings;
+        settings.width = kWidth;
+        settings.height = kHeight;
+        settings.framesPerSecond = {25, 1};
+        settings.codec = GetParam().codec;
+        settings.quality = settings.codec == "ffv1" ? Quality::Lossless : Quality::Standard;
+        settings.groupFrames = kGroup;
+        return settings;
+    }
+
+    /// Appends frames up to number `end`, as they follow those that the writer has.
+    static void Continue(VideoWriter& writer, std::int64_t first, std::int64_t end)
+    {
+        for (std::int64_t k = first; k < end; ++k)
+        {
+            const bool isRepeat = k > first && Content(k) == Content(k - 1);
+            const Result<void> done = isRepeat ? writer.Repeat() : writer.Append(Content(k));
+            ASSERT_TRUE(done) << done.GetError().message;
+        }
+    }
+
+    void MakePart(const std::filesystem::path& path, std::int64_t first, std::int64_t end) const
+    {
+        VideoSettings settings = Settings();
+        settings.frames = FrameRange(FrameRun{first, end - 1, 1});
+        Result<VideoWriter> writer = VideoWriter::Open(path, settings);
+        ASSERT_TRUE(writer) << writer.GetError().message;
+        Continue(*writer, first, end);
+        const Result<void> closed = writer->Close();
+        ASSERT_TRUE(closed) << closed.GetError().message;
+    }
+
+    void ExpectSame(const std::string& stem) const
+    {
+        const Film made = ReadFilm(Path(stem));
+        const Film whole = ReadFilm(Path("whole"));
+        ASSERT_EQ(whole.frames.size(), std::size_t(kCount));
+        ASSERT_EQ(made.frames.size(), whole.frames.size());
+        for (std::size_t k = 0; k < made.frames.size(); ++k)
+        {
+            EXPECT_EQ(made.frames[k], whole.frames[k]) << "frame " << k;
+            EXPECT_NEAR(made.times[k], whole.times[k], 1e-9) << "frame " << k;
+        }
+    }
+
+    TemporaryFolder m_folder;
+};
+
+TEST_P(Parts, JoinedAreTheFilmMadeInOneGo)
+{
+    MakePart(Path("whole"), 0, kCount);
+    MakePart(Path("a"), 0, 20);
+    MakePart(Path("b"), 20, 30); // all of it rests
+    MakePart(Path("c"), 30, kCount);
+    const Result<void> joined =
+        JoinFilms({{Path("a"), 0}, {Path("b"), 20}, {Path("c"), 30}}, Path("film"), Settings());
+    ASSERT_TRUE(joined) << joined.GetError().message;
+    ExpectSame("film");
+}
+
+TEST_P(Parts, ASuspendedFilmIsContinuedToTheSameFrames)
+{
+    MakePart(Path("whole"), 0, kCount);
+    for (const std::int64_t end : {5, 10, 11, 29, 45})
+    {
+        SCOPED_TRACE(end);
+        VideoSettings settings = Settings();
+        settings.overwrite = true;
+        {
+            VideoWriter writer = *VideoWriter::Open(Path("film"), settings);
+            Continue(writer, 0, end);
+            const Result<void> suspended = writer.Suspend();
+            ASSERT_TRUE(suspended) << suspended.GetError().message;
+        }
+        const Film left = ReadFilm(Path("film.part"));
+        EXPECT_EQ(left.frames.size(), std::size_t(end)) << "it can be played";
+        settings.resume = true;
+        VideoWriter writer = *VideoWriter::Open(Path("film"), settings);
+        EXPECT_EQ(writer.ResumedFrames(), (end - 1) / kGroup * kGroup);
+        Continue(writer, writer.ResumedFrames(), kCount);
+        const Result<void> closed = writer.Close();
+        ASSERT_TRUE(closed) << closed.GetError().message;
+        ExpectSame("film");
+        EXPECT_FALSE(std::filesystem::exists(Path("film.part")));
+    }
+}
+
+TEST_P(Parts, AKilledFilmIsContinuedToTheSameFrames)
+{
+    MakePart(Path("whole"), 0, kCount);
+    {
+        VideoWriter writer = *VideoWriter::Open(Path("killed"), Settings());
+        Continue(writer, 0, 45);
+        // What a process that is killed leaves: neither trailer nor what the encoder still holds.
+        std::filesystem::copy_file(Path("killed.part"), Path("film.part"));
+    }
+    VideoSettings settings = Settings();
+    settings.resume = true;
+    VideoWriter writer = *VideoWriter::Open(Path("film"), settings);
+    EXPECT_EQ(writer.ResumedFrames() % kGroup, 0);
+    Continue(writer, writer.ResumedFrames(), kCount);
+    ASSERT_TRUE(writer.Close());
+    ExpectSame("film");
+}
+
+TEST_P(Parts, AreNotBegunAnewUnlessAllowed)
+{
+    {
+        VideoWriter writer = *VideoWriter::Open(Path("film"), Settings());
+        Continue(writer, 0, 15);
+        ASSERT_TRUE(writer.Suspend());
+    }
+    const Result<VideoWriter> refused = VideoWriter::Open(Path("film"), Settings());
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.GetError().message, HasSubstr("--resume"));
+    EXPECT_THAT(refused.GetError().message, HasSubstr("--force"));
+    EXPECT_EQ(ReadFilm(Path("film.part")).frames.size(), 15u) << "it is still there";
+}
+
+TEST_P(Parts, AFrameThatIsHeldIsStoredFewTimes)
+{
+    MakePart(Path("whole"), 0, kCount);
+    const auto countStored = [&] {
+        int stored = 0;
+        VideoReader reader = *VideoReader::Open(Path("whole"), Frames::Stored);
+        Frame frame;
+        while (*reader.Next(frame))
+        {
+            ++stored;
+        }
+        return stored;
+    };
+    EXPECT_LE(countStored(), kCount - 22 + 5) << "it rests for 22 frames, in three groups";
+    VideoSettings settings = Settings();
+    settings.constantRate = true;
+    settings.overwrite = true;
+    VideoWriter writer = *VideoWriter::Open(Path("whole"), settings);
+    Continue(writer, 0, kCount);
+    ASSERT_TRUE(writer.Close());
+    EXPECT_EQ(countStored(), kCount);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryKind, Parts,
+                         testing::Values(Kind{".mp4", "h264"}, Kind{".mkv", "h264"},
+                                         Kind{".mkv", "vp9"}, Kind{".mkv", "ffv1"},
+                                         Kind{".webm", "vp9"}, Kind{".webm", "av1"},
+                                         Kind{".mp4", "av1"}),
+                         [](const testing::TestParamInfo<Kind>& test) {
+                             return std::string(test.param.extension).substr(1) + "_" +
+                                    test.param.codec;
+                         });
+
+class JoinErrors : public testing::Test
+{
+protected:
+    void Make(const std::string& name, VideoSettings settings) const
+    {
+        settings.framesPerSecond = {25, 1};
+        WriteFilm(m_folder / name, settings, Drawings(kWidth, kHeight, 4));
+    }
+
+    std::string Refusal(const std::vector<std::string>& names, const std::string& whole) const
+    {
+        std::vector<FilmPart> parts;
+        for (const std::string& name : names)
+        {
+            parts.push_back({m_folder / name, std::int64_t(parts.size()) * 4});
+        }
+        const Result<void> joined = JoinFilms(parts, m_folder / whole, {});
+        EXPECT_FALSE(joined);
+        EXPECT_FALSE(std::filesystem::exists(m_folder / whole));
+        return joined ? "" : joined.GetError().message;
+    }
+
+    TemporaryFolder m_folder;
+};
+
+TEST_F(JoinErrors, DifferentKindsAreNamed)
+{
+    Make("a.mkv", {});
+    Make("b.mp4", {});
+    EXPECT_THAT(Refusal({"a.mkv", "b.mp4"}, "c.mkv"), HasSubstr("different kinds"));
+}
+
+TEST_F(JoinErrors, PartsThatAreCodedInOtherWaysAreNamed)
+{
+    Make("a.mkv", {});
+    Make("b.mkv", {.quality = Quality::High});
+    EXPECT_THAT(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), HasSubstr("b.mkv is not coded as"));
+}
+
+TEST_F(JoinErrors, WhatIsNoFilmIsNamed)
+{
+    Make("a.mkv", {});
+    WriteBytes(m_folder / "b.mkv", "no film");
+    EXPECT_THAT(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), HasSubstr("b.mkv holds no film"));
+}
+
+TEST_F(JoinErrors, KindsThatCannotBeJoinedAreNamed)
+{
+    Make("a.gif", {});
+    EXPECT_THAT(Refusal({"a.gif"}, "c.gif"), HasSubstr("cannot be joined"));
+}
+
+TEST_F(JoinErrors, PicturesNeedNoJoining)
+{
+    EXPECT_THAT(Refusal({"a-##.png"}, "c-##.png"), HasSubstr("put them into one folder"));
+}
+
+} // namespace
