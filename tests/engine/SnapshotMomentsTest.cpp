@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsScene.h"
+#include "SnapshotSupport.h"
+
+#include <functional>
+
+/// Snapshots at moments in which a world is in the middle of something.
+namespace
+{
+
+using namespace snapshots;
+using dynamics::Scene;
+
+/// Saves the scene, restores it elsewhere, and compares; by each number of small steps.
+void ExpectGoesOn(const std::function<void(Scene&)>& build, const Steps& steps = {})
+{
+    for (const int subSteps : {1, 2, 4})
+    {
+        SCOPED_TRACE(subSteps);
+        Scene scene;
+        scene.world.SetSubStepCount(subSteps);
+        build(scene);
+        b2World restored(b2Vec2(0.0f, 0.0f));
+        ExpectRestored(restored, b2SaveSnapshot(scene.world));
+        ExpectSameWay(scene.world, restored, steps);
+    }
+}
+
+void BuildPiles(Scene& scene)
+{
+    scene.Ground();
+    for (int i = 0; i < 6; ++i)
+    {
+        dynamics::Stack(scene, 3.0f * float32(i), 2 + i);
+    }
+}
+
+TEST(SnapshotMoments, BeforeTheFirstStep)
+{
+    ExpectGoesOn(BuildPiles);
+}
+
+TEST(SnapshotMoments, AsleepAndStruckLater)
+{
+    ExpectGoesOn([](Scene& scene) {
+        BuildPiles(scene);
+        scene.Step(240);
+        EXPECT_FALSE(BodyAt(scene.world, 0)->IsAwake());
+        b2Body* const ball = scene.Ball(-20.0f, 1.0f, 0.8f);
+        ball->SetLinearVelocity(b2Vec2(25.0f, 4.0f));
+    });
+}
+
+TEST(SnapshotMoments, WhileSomethingIsWokenAndTheRestSleeps)
+{
+    ExpectGoesOn([](Scene& scene) {
+        BuildPiles(scene);
+        scene.Step(240);
+        BodyAt(scene.world, 3)->SetAwake(true);
+        BodyAt(scene.world, 9)->ApplyLinearImpulse(b2Vec2(3.0f, 1.0f), b2Vec2(0.0f, 0.0f));
+    });
+}
+
+TEST(SnapshotMoments, WithOneOfTwoJoinedBodiesPutToSleepByHand)
+{
+    ExpectGoesOn([](Scene& scene) {
+        b2Body* const post = scene.Wall(0.0f);
+        b2Body* above = post;
+        for (int i = 0; i < 5; ++i)
+        {
+            b2Body* const link = scene.Box(1.0f + float32(i), 10.0f, 0.5f, 0.1f);
+            b2RevoluteJointDef hinge;
+            hinge.Initialize(above, link, b2Vec2(0.5f + float32(i), 10.0f));
+            hinge.enableMotor = i % 2 == 0;
+            hinge.maxMotorTorque = 20.0f;
+            scene.world.CreateJoint(&hinge);
+            above = link;
+        }
+        scene.Step(30);
+        above->SetAwake(false);
+    });
+}
+
+TEST(SnapshotMoments, AsBulletsFly)
+{
+    ExpectGoesOn([](Scene& scene) {
+        scene.world.SetGravity(b2Vec2(0.0f, 0.0f));
+        for (const float32 x : {-12.0f, 12.0f})
+        {
+            scene.Wall(x, 0.02f);
+        }
+        for (int i = 0; i < 60; ++i)
+        {
+            b2Body* const ball =
+                scene.Ball(0.3f * float32(i) - 9.0f, float32(i * 7 % 19) * 0.5f - 4.5f, 0.08f);
+            ball->SetBullet(true);
+            ball->SetLinearVelocity(b2Vec2(float32(i * 37 % 200) - 100.0f, float32(i % 9) - 4.0f));
+            ball->GetFixtureList()->SetRestitution(0.9f);
+        }
+        scene.Step(17);
+    });
+}
+
+TEST(SnapshotMoments, BetweenTheImpactsOfAStep)
+{
+    ExpectGoesOn([](Scene& scene) {
+        scene.world.SetSubStepping(true);
+        scene.Wall(-5.0f);
+        scene.Wall(5.0f);
+        for (int i = 0; i < 8; ++i)
+        {
+            scene.Ball(float32(i) - 4.0f, float32(i), 0.2f)
+                ->SetLinearVelocity(b2Vec2(60.0f - 20.0f * float32(i), 3.0f));
+        }
+        scene.Step(13);
+    });
+}
+
+/// Enough static shapes for their tree to be built anew at some time after the snapshot.
+TEST(SnapshotMoments, WhileTheGroundGrows)
+{
+    const auto grow = [](b2World& world, int step) {
+        b2BodyDef definition;
+        definition.position.Set(float32(step % 40) - 20.0f, -3.0f - 0.1f * float32(step));
+        b2Body* const body = world.CreateBody(&definition);
+        b2CircleShape shape;
+        shape.m_radius = 0.3f;
+        for (int i = 0; i < 12; ++i)
+        {
+            shape.m_p.Set(float32(i), 0.0f);
+            body->CreateFixture(&shape, 0.0f);
+        }
+    };
+    Scene scene;
+    for (int i = 0; i < 30; ++i)
+    {
+        scene.Ball(float32(i) - 15.0f, 2.0f, 0.3f);
+        grow(scene.world, i);
+    }
+    scene.Step(10);
+    b2World restored(b2Vec2(0.0f, 0.0f));
+    ExpectRestored(restored, b2SaveSnapshot(scene.world));
+    ExpectSameWay(scene.world, restored, Steps(), grow);
+}
+
+/// A gear's two joints, its frame and a motor against a limit.
+void BuildGears(Scene& scene)
+{
+    b2Body* const frame = scene.Ground();
+    b2Joint* parts[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        b2Body* const wheel = scene.Ball(3.0f * float32(i), 5.0f, 1.0f);
+        b2RevoluteJointDef axle;
+        axle.Initialize(frame, wheel, wheel->GetPosition());
+        axle.enableMotor = i == 0;
+        axle.motorSpeed = 3.0f;
+        axle.maxMotorTorque = 100.0f;
+        axle.enableLimit = i == 1;
+        axle.lowerAngle = -4.0f;
+        axle.upperAngle = 4.0f;
+        parts[i] = scene.world.CreateJoint(&axle);
+    }
+    b2GearJointDef gear;
+    gear.bodyA = parts[0]->GetBodyB();
+    gear.bodyB = parts[1]->GetBodyB();
+    gear.joint1 = parts[0];
+    gear.joint2 = parts[1];
+    gear.ratio = -0.7f;
+    scene.world.CreateJoint(&gear);
+}
+
+TEST(SnapshotMoments, AsGearsTurnIntoTheirLimits)
+{
+    ExpectGoesOn([](Scene& scene) {
+        BuildGears(scene);
+        scene.Step(40);
+    });
+}
+
+TEST(SnapshotMoments, WithAGearWhoseBodiesHaveChangedTheirKind)
+{
+    ExpectGoesOn([](Scene& scene) {
+        BuildGears(scene);
+        BodyAt(scene.world, 0)->SetType(b2_kinematicBody);
+        scene.Step(5);
+    });
+}
+
+TEST(SnapshotMoments, WhenTheNumberOfSmallStepsChangesNext)
+{
+    for (const int before : {1, 4})
+    {
+        SCOPED_TRACE(before);
+        Scene scene;
+        scene.world.SetSubStepCount(before);
+        BuildPiles(scene);
+        BuildGears(scene);
+        scene.Step(20);
+        b2World restored(b2Vec2(0.0f, 0.0f));
+        ExpectRestored(restored, b2SaveSnapshot(scene.world));
+        ExpectSameWay(scene.world, restored, Steps(), [&](b2World& world, int step) {
+            world.SetSubStepCount(step % 20 < 10 ? 5 - before : before);
+        });
+    }
+}
+
+TEST(SnapshotMoments, OfAnEmptyWorld)
+{
+    const b2World empty(b2Vec2(1.0f, 2.0f), false);
+    Scene scene;
+    BuildPiles(scene);
+    scene.Step(3);
+    ExpectRestored(scene.world, b2SaveSnapshot(empty));
+    EXPECT_EQ(scene.world.GetBodyCount(), 0);
+    EXPECT_EQ(scene.world.GetContactCount(), 0);
+    EXPECT_EQ(scene.world.GetProxyCount(), 0);
+    EXPECT_EQ(scene.world.GetGravity(), b2Vec2(1.0f, 2.0f));
+    EXPECT_FALSE(scene.world.GetAllowSleeping());
+    scene.Step();
+}
+
+/// By way of a world that holds something else already.
+TEST(SnapshotMoments, GoneBackToAgainAndAgain)
+{
+    Scene scene;
+    BuildPiles(scene);
+    scene.Step(50);
+    const Bytes bytes = b2SaveSnapshot(scene.world);
+    std::uint64_t hashes[3];
+    for (std::uint64_t& hash : hashes)
+    {
+        ExpectRestored(scene.world, bytes);
+        scene.Step(77);
+        hash = boxreel::StateHash(scene.world);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+} // namespace
