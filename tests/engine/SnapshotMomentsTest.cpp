@@ -227,15 +227,15 @@ TEST(SnapshotMoments, GoneBackToAgainAndAgain)
     BuildPiles(scene);
     scene.Step(50);
     const Bytes bytes = b2SaveSnapshot(scene.world);
-    std::uint64_t hashes[3];
-    for (std::uint64_t& hash : hashes)
+    Bytes ends[3];
+    for (Bytes& end : ends)
     {
         ExpectRestored(scene.world, bytes);
         scene.Step(77);
-        hash = boxreel::StateHash(scene.world);
+        end = b2SaveSnapshot(scene.world);
     }
-    EXPECT_EQ(hashes[0], hashes[1]);
-    EXPECT_EQ(hashes[0], hashes[2]);
+    EXPECT_TRUE(ends[0] == ends[1]);
+    EXPECT_TRUE(ends[0] == ends[2]);
 }
 
 } // namespace

@@ -66,7 +66,7 @@ public:
         snapshot::Order<Number>(bytes);
         if (m_bytes.size() - m_size < sizeof(Number))
         {
-            m_bytes.resize(2 * m_bytes.size() + 1024);
+            Grow();
         }
         std::memcpy(m_bytes.data() + m_size, bytes, sizeof(Number));
         m_size += sizeof(Number);
@@ -95,6 +95,8 @@ public:
     SnapshotLists lists;
 
 private:
+    void Grow() { m_bytes.resize(2 * m_bytes.size() + 1024); }
+
     std::vector<uint8> m_bytes;
     std::size_t m_size = 0;
 };
@@ -260,9 +262,13 @@ template <class Archive>
 void Visit(Archive& archive, b2Manifold& manifold)
 {
     auto& [points, normal, place, type, count] = manifold;
-    archive(points, normal, place);
+    archive(normal, place);
     archive.Within(type, b2Manifold::e_circles, b2Manifold::e_faceB);
     archive.Within(count, 0, int32(b2_maxManifoldPoints));
+    for (int32 i = 0; i < count; ++i) // nobody reads what is left of others
+    {
+        archive(points[i]);
+    }
 }
 
 /// A pointer to user data, as what the program makes of it.

@@ -50,11 +50,15 @@ void VisitContact(Archive& archive, World& world, b2Contact*& contact)
 template <class Archive>
 void VisitContacts(Archive& archive, World& world)
 {
-    constexpr std::size_t leastBytes = sizeof(b2Manifold);
+    constexpr std::size_t leastBytes = 64;
     Array<b2Contact*>& contacts = archive.lists.contacts;
     auto count = int32(contacts.size());
     archive.Count(count, leastBytes);
     contacts.resize(std::size_t(count));
+    if constexpr (Archive::kReads)
+    {
+        world.pairs.Reserve(contacts.size());
+    }
     for (int32 i = 0; i < count && archive.IsSound(); ++i)
     {
         VisitContact(archive, world, contacts[std::size_t(i)]);

@@ -42,15 +42,19 @@ void Visit(Archive& archive, Header& header)
 std::uint64_t ChecksumOf(std::span<const uint8> bytes)
 {
     constexpr std::uint64_t odd = 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio
+    const auto mixed = [](std::uint64_t sum, const uint8* from, std::size_t count) {
+        uint8 word[sizeof(std::uint64_t)] = {};
+        std::memcpy(word, from, count);
+        snapshot::Order<std::uint64_t>(word);
+        return std::rotl((sum ^ std::bit_cast<std::uint64_t>(word)) * odd, 29);
+    };
     std::uint64_t sum = bytes.size();
-    for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t))
+    const std::size_t whole = bytes.size() / sizeof sum * sizeof sum;
+    for (std::size_t i = 0; i < whole; i += sizeof sum)
     {
-        uint8 ordered[sizeof(std::uint64_t)] = {};
-        std::memcpy(ordered, bytes.data() + i, std::min(sizeof ordered, bytes.size() - i));
-        snapshot::Order<std::uint64_t>(ordered);
-        sum = std::rotl((sum ^ std::bit_cast<std::uint64_t>(ordered)) * odd, 29);
+        sum = mixed(sum, bytes.data() + i, sizeof sum);
     }
-    return sum;
+    return whole < bytes.size() ? mixed(sum, bytes.data() + whole, bytes.size() - whole) : sum;
 }
 
 template <class Archive>
@@ -159,19 +163,19 @@ std::vector<uint8> b2SaveSnapshot(const b2World& world, b2SnapshotUserData* user
         return {};
     }
     box2d::World& inner = box2d::SnapshotAccess::Of(world);
-    box2d::SnapshotWriter content;
-    content.lists = box2d::ListsOf(inner);
-    content.lists.userData = userData;
-    box2d::VisitWorld(content, inner);
-    const std::vector<uint8> bytes = content.Take();
     box2d::Header header;
-    header.bytes = bytes.size();
-    header.checksum = box2d::ChecksumOf(bytes);
     box2d::SnapshotWriter writer;
-    writer(header);
-    std::vector<uint8> all = writer.Take();
-    all.insert(all.end(), bytes.begin(), bytes.end());
-    return all;
+    writer.lists = box2d::ListsOf(inner);
+    writer.lists.userData = userData;
+    writer(header); // to be written again when the content is known
+    box2d::VisitWorld(writer, inner);
+    std::vector<uint8> bytes = writer.Take();
+    header.bytes = bytes.size() - box2d::Header::kBytes;
+    header.checksum = box2d::ChecksumOf(std::span(bytes).subspan(box2d::Header::kBytes));
+    box2d::SnapshotWriter front;
+    front(header);
+    std::ranges::copy(front.Take(), bytes.begin());
+    return bytes;
 }
 
 const char* b2RestoreSnapshot(b2World& world, std::span<const uint8> bytes,
