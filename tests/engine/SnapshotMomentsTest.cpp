@@ -81,6 +81,27 @@ TEST(SnapshotMoments, WithOneOfTwoJoinedBodiesPutToSleepByHand)
     });
 }
 
+/// Slow and askew, so that manifolds are kept from earlier poses.
+TEST(SnapshotMoments, AsAHeapSettles)
+{
+    for (const int before : {40, 90, 150})
+    {
+        SCOPED_TRACE(before);
+        ExpectGoesOn([&](Scene& scene) {
+            scene.Ground();
+            scene.Wall(-4.0f);
+            scene.Wall(4.0f);
+            for (int i = 0; i < 50; ++i)
+            {
+                b2Body* const body = scene.Body(b2_dynamicBody, float32(i * 5 % 7) - 3.0f,
+                                                1.0f + 0.6f * float32(i), 0.37f * float32(i));
+                Scene::AddBox(body, 0.3f + 0.02f * float32(i % 5), 0.35f, 0.6f);
+            }
+            scene.Step(before);
+        });
+    }
+}
+
 TEST(SnapshotMoments, AsBulletsFly)
 {
     ExpectGoesOn([](Scene& scene) {
