@@ -208,6 +208,45 @@ TEST(SnapshotMoments, WithAGearWhoseBodiesHaveChangedTheirKind)
     });
 }
 
+/// A light link between a post and a load of a thousand, of which an account of energy is kept:
+/// what the program has just given by hand is left to it.
+void BuildLoad(Scene& scene)
+{
+    b2Body* const post = scene.Wall(0.0f);
+    b2Body* const link = scene.Box(1.0f, 8.0f, 1.0f, 0.05f);
+    b2Body* const load = scene.Box(4.0f, 8.0f, 1.0f, 1.0f);
+    load->GetFixtureList()->SetDensity(50.0f);
+    load->ResetMassData();
+    b2RevoluteJointDef hinge;
+    hinge.Initialize(post, link, b2Vec2(0.0f, 8.0f));
+    scene.world.CreateJoint(&hinge);
+    b2RopeJointDef rope;
+    rope.bodyA = link;
+    rope.bodyB = load;
+    rope.localAnchorA.Set(1.0f, 0.0f);
+    rope.localAnchorB.Set(-1.0f, 0.0f);
+    rope.maxLength = 1.0f;
+    scene.world.CreateJoint(&rope);
+    scene.Step(45);
+}
+
+TEST(SnapshotMoments, AfterTheProgramHasMovedABody)
+{
+    ExpectGoesOn([](Scene& scene) {
+        BuildLoad(scene);
+        b2Body* const load = BodyAt(scene.world, 0);
+        load->SetTransform(load->GetPosition() + b2Vec2(2.0f, -1.5f), load->GetAngle());
+    });
+}
+
+TEST(SnapshotMoments, AfterTheProgramHasShortenedARope)
+{
+    ExpectGoesOn([](Scene& scene) {
+        BuildLoad(scene);
+        static_cast<b2RopeJoint*>(JointAt(scene.world, 0))->SetMaxLength(0.4f);
+    });
+}
+
 TEST(SnapshotMoments, WhenTheNumberOfSmallStepsChangesNext)
 {
     for (const int before : {1, 4})

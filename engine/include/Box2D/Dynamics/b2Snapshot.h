@@ -31,7 +31,8 @@ public:
 };
 
 /// Between two steps; from inside a callback there is nothing to be saved, and no bytes. Without
-/// `userData` what is restored has none. Takes some milliseconds for 10,000 bodies.
+/// `userData` what is restored has none. Takes as long as two steps
+/// or so.
 std::vector<uint8> b2SaveSnapshot(const b2World& world, b2SnapshotUserData* userData = nullptr);
 
 /// Replaces everything that the world holds: bodies with their fixtures, joints, contacts, and the
