@@ -61,6 +61,27 @@ TEST(SnapshotMoments, WhileSomethingIsWokenAndTheRestSleeps)
     });
 }
 
+/// The box may sleep once the island has been taken apart, and not before.
+TEST(SnapshotMoments, WhenABoxHasComeLooseFromAPendulum)
+{
+    ExpectGoesOn([](Scene& scene) {
+        scene.Ground();
+        b2Body* const box = scene.Box(8.0f, 0.5f + dynamics::kRestingGap);
+        b2Body* const ball = scene.Ball(4.0f, 10.0f);
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(scene.Wall(0.0f), ball, b2Vec2(0.0f, 10.0f));
+        scene.world.CreateJoint(&hinge);
+        b2RopeJointDef rope;
+        rope.bodyA = box;
+        rope.bodyB = ball;
+        rope.maxLength = 40.0f;
+        b2Joint* const loose = scene.world.CreateJoint(&rope);
+        scene.Step(20);
+        scene.world.DestroyJoint(loose);
+        scene.Step();
+    });
+}
+
 TEST(SnapshotMoments, WithOneOfTwoJoinedBodiesPutToSleepByHand)
 {
     ExpectGoesOn([](Scene& scene) {
@@ -78,6 +99,29 @@ TEST(SnapshotMoments, WithOneOfTwoJoinedBodiesPutToSleepByHand)
         }
         scene.Step(30);
         above->SetAwake(false);
+    });
+}
+
+/// Contacts stay in the order that they were put in when the bodies had other places among those
+/// that are awake; small piles are solved in that order.
+TEST(SnapshotMoments, WhenPlacesHaveChangedAndContactsHaveNot)
+{
+    ExpectGoesOn([](Scene& scene) {
+        std::vector<b2Body*> flying;
+        for (int i = 0; i < 40; ++i)
+        {
+            flying.push_back(scene.Ball(3.0f * float32(i), 900.0f));
+        }
+        BuildPiles(scene);
+        for (int i = 0; i < 5; ++i)
+        {
+            dynamics::Stack(scene, 40.0f + 3.0f * float32(i), 9);
+        }
+        scene.Step(20);
+        for (b2Body* body : flying)
+        {
+            scene.world.DestroyBody(body);
+        }
     });
 }
 

@@ -195,8 +195,8 @@ private:
     Elimination m_elimination;    // scratch of Update, as joints wake and sleep
     Array<b2Joint*> m_partJoints; // the same: of one part
     int32 m_version = -1;
-    Array<Yields> m_restored;       // from a snapshot: those of the list of
-    int32 m_restoredVersion = -1;   // this version, for Update to go on with
+    Array<Yields> m_restored;     // from a snapshot: those of the list of
+    int32 m_restoredVersion = -1; // this version, for Update to go on with
 };
 
 } // namespace box2d
