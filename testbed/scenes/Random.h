@@ -43,6 +43,9 @@ public:
         return static_cast<std::int32_t>(scaled >> 32);
     }
 
+    /// All of its state, for SceneState.
+    std::uint64_t& Counter() { return m_counter; }
+
 private:
     std::uint64_t m_counter;
 };

@@ -13,6 +13,8 @@
 namespace boxreel
 {
 
+class SceneState;
+
 struct SceneSettings
 {
     uint32 seed = 1; ///< of the scene's random numbers
@@ -58,6 +60,10 @@ public:
     {
         m_world.Step(settings.timeStep, settings.velocityIterations, settings.positionIterations);
     }
+
+    /// Lists what the scene keeps beside its world and changes after it was made (SceneState.h), to
+    /// be saved and restored; a scene that keeps nothing need not.
+    virtual void VisitState(SceneState& state) { (void)state; }
 
 protected:
     SceneSettings m_settings;

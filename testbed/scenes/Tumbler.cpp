@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <scenes/Parts.h>
 #include <scenes/Random.h>
+#include <scenes/SceneState.h>
 #include <scenes/Scenes.h>
 
 namespace boxreel
@@ -57,6 +58,8 @@ public:
         Scene::Step(settings);
         m_time += settings.timeStep;
     }
+
+    void VisitState(SceneState& state) override { state(m_random, m_boxes, m_time); }
 
 private:
     Random m_random;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <scenes/Parts.h>
 #include <scenes/Random.h>
+#include <scenes/SceneState.h>
 #include <scenes/Scenes.h>
 
 namespace boxreel
@@ -53,6 +54,8 @@ public:
         Scene::Step(settings);
         m_time += settings.timeStep;
     }
+
+    void VisitState(SceneState& state) override { state(m_ball, m_thrown, m_time); }
 
 private:
     b2Body* m_ball;        ///< waits on its pedestal

@@ -31,6 +31,8 @@ struct FixtureAccess
 
 struct JointAccess
 {
+    struct Snapshot; ///< Snapshot/JointState.h
+
     template <class Joint, class Definition>
     static b2Joint* Construct(void* memory, const b2JointDef* def)
     {

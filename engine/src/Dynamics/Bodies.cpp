@@ -134,12 +134,28 @@ bool IsSound(const b2BodyDef& def)
 b2Body* World::CreateBody(const b2BodyDef& def)
 {
     (void)IsSound(def); // with asserts off, Fill replaces what is unsound
-    b2Body* body = new (allocator.Allocate(int32(sizeof(b2Body)))) b2Body();
-    BodyData& data = Data(*body);
-    data.world = this;
+    b2Body& body = AddBody();
+    BodyData& data = Data(body);
     data.number = bodyNumber++;
     hasBullets = hasBullets || def.bullet;
     Fill(data, def);
+    inactiveCount += data.IsActive() ? 0 : 1;
+    if (data.IsDynamic() && data.IsActive())
+    {
+        islands.Add(body);
+    }
+    if (def.awake)
+    {
+        Wake(body);
+    }
+    return &body;
+}
+
+b2Body& World::AddBody()
+{
+    b2Body* body = new (allocator.Allocate(int32(sizeof(b2Body)))) b2Body();
+    BodyData& data = Data(*body);
+    data.world = this;
     data.next = bodyList;
     if (bodyList)
     {
@@ -147,16 +163,7 @@ b2Body* World::CreateBody(const b2BodyDef& def)
     }
     bodyList = body;
     ++bodyCount;
-    inactiveCount += data.IsActive() ? 0 : 1;
-    if (data.IsDynamic() && data.IsActive())
-    {
-        islands.Add(*body);
-    }
-    if (def.awake)
-    {
-        Wake(*body);
-    }
-    return body;
+    return *body;
 }
 
 void World::DestroyBody(b2Body& body)

@@ -18,6 +18,8 @@ class b2Joint;
 namespace box2d
 {
 
+struct SnapshotAccess;
+
 class ConstraintGraph
 {
 public:
@@ -62,6 +64,7 @@ public:
     void NoteMasses() { ++m_jointVersion; }
 
 private:
+    friend struct SnapshotAccess;
     static int32 Claim(BodyData& a, BodyData& b);
     static void Release(BodyData& a, BodyData& b, int32 color);
 

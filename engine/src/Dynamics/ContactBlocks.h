@@ -9,6 +9,8 @@
 namespace box2d
 {
 
+struct SnapshotAccess;
+
 inline constexpr int kBlockLanes = 8;
 
 /// See ContactPoint.
@@ -105,6 +107,7 @@ public:
     void ClearTotals();
 
 private:
+    friend struct SnapshotAccess;
     int32 Add(OverlapKind kind, int32 pointCount);
 
     Array<b2Contact*> m_sorted; // the contacts of the colour

@@ -126,7 +126,21 @@ b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureP
     const b2FixtureProxy& a = swap ? second : first;
     const b2FixtureProxy& b = swap ? first : second;
 
-    b2Contact* contact = new (world.allocator.Allocate(int32(sizeof(b2Contact)))) b2Contact();
+    b2Contact& contact = world.AddContact(a, b);
+    ContactData& c = Data(contact);
+    c.flags = kContactEnabled |
+              (a.fixture->IsSensor() || b.fixture->IsSensor() ? kContactSensor : 0u) |
+              (Data(*c.bodyA).IsDynamic() && Data(*c.bodyB).IsDynamic() ? 0u : kContactObstacle);
+    contact.ResetFriction();
+    contact.ResetRestitution();
+    return &contact;
+}
+
+} // namespace
+
+b2Contact& World::AddContact(const b2FixtureProxy& a, const b2FixtureProxy& b)
+{
+    b2Contact* contact = new (allocator.Allocate(int32(sizeof(b2Contact)))) b2Contact();
     ContactData& c = Data(*contact);
     c.fixtureA = a.fixture;
     c.fixtureB = b.fixture;
@@ -134,25 +148,18 @@ b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureP
     c.childB = b.childIndex;
     c.bodyA = a.fixture->GetBody();
     c.bodyB = b.fixture->GetBody();
-    c.flags = kContactEnabled |
-              (a.fixture->IsSensor() || b.fixture->IsSensor() ? kContactSensor : 0u) |
-              (Data(*c.bodyA).IsDynamic() && Data(*c.bodyB).IsDynamic() ? 0u : kContactObstacle);
-    contact->ResetFriction();
-    contact->ResetRestitution();
-
     PushEdge(c.edgeA, *contact, *c.bodyA, *c.bodyB);
     PushEdge(c.edgeB, *contact, *c.bodyB, *c.bodyA);
-    c.next = world.contactList;
-    if (world.contactList)
+    c.next = contactList;
+    if (contactList)
     {
-        Data(*world.contactList).prev = contact;
+        Data(*contactList).prev = contact;
     }
-    world.contactList = contact;
-    ++world.contactCount;
-    return contact;
+    contactList = contact;
+    ++contactCount;
+    pairs.Insert(a.proxyId, b.proxyId);
+    return *contact;
 }
-
-} // namespace
 
 bool World::ShouldCollide(b2Fixture& fixtureA, b2Fixture& fixtureB) const
 {
@@ -183,7 +190,6 @@ void World::FindNewContacts()
             {
                 return; // the filter is the program's, and asked on its thread
             }
-            pairs.Insert(a->proxyId, b->proxyId);
             b2Contact* contact = MakeContact(*this, *a, *b);
             UpdateActivity(*contact);
             // What was moved by hand into something asleep would else never be looked at.

@@ -24,6 +24,8 @@
 namespace box2d
 {
 
+struct SnapshotAccess;
+
 class ConstraintGraph;
 struct SolverArrays;
 class World;
@@ -51,6 +53,7 @@ public:
     void ChargeImpacts();
 
 private:
+    friend struct SnapshotAccess;
     struct Spring
     {
         b2Joint* joint;

@@ -178,27 +178,14 @@ b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
         return nullptr;
     }
     (void)IsSound(def); // with asserts off, what is unsound becomes zero
-    b2Fixture* fixture = FixtureAccess::Construct(allocator.Allocate(int32(sizeof(b2Fixture))));
-    FixtureAccess::Shape(*fixture) = def.shape->Clone(&allocator);
-    FixtureAccess::Body(*fixture) = &body;
+    b2Fixture* fixture = &AddFixture(body, *def.shape);
     FixtureAccess::Density(*fixture) = NotNegative(def.density);
     FixtureAccess::Friction(*fixture) = NotNegative(def.friction);
     FixtureAccess::Restitution(*fixture) = NotNegative(def.restitution);
     FixtureAccess::Filter(*fixture) = def.filter;
     FixtureAccess::IsSensor(*fixture) = def.isSensor;
     fixture->SetUserData(def.userData);
-
-    auto* proxyArray = static_cast<b2FixtureProxy*>(allocator.Allocate(ProxyBytes(*fixture)));
-    for (int32 child = 0; child < fixture->GetShape()->GetChildCount(); ++child)
-    {
-        new (proxyArray + child) b2FixtureProxy();
-    }
-    FixtureAccess::Proxies(*fixture) = proxyArray;
-
     BodyData& data = Data(body);
-    FixtureAccess::Next(*fixture) = data.fixtureList;
-    data.fixtureList = fixture;
-    ++data.fixtureCount;
     if (data.IsActive())
     {
         CreateProxies(*fixture);
@@ -206,6 +193,24 @@ b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
     // What weighs nothing changes no mass, so one that was set by hand lasts.
     fixture->GetDensity() > 0.0f ? ResetMassData(data) : MeasureExtents(data);
     return fixture;
+}
+
+b2Fixture& World::AddFixture(b2Body& body, const b2Shape& shape)
+{
+    b2Fixture* fixture = FixtureAccess::Construct(allocator.Allocate(int32(sizeof(b2Fixture))));
+    FixtureAccess::Shape(*fixture) = shape.Clone(&allocator);
+    FixtureAccess::Body(*fixture) = &body;
+    auto* proxyArray = static_cast<b2FixtureProxy*>(allocator.Allocate(ProxyBytes(*fixture)));
+    for (int32 child = 0; child < fixture->GetShape()->GetChildCount(); ++child)
+    {
+        new (proxyArray + child) b2FixtureProxy();
+    }
+    FixtureAccess::Proxies(*fixture) = proxyArray;
+    BodyData& data = Data(body);
+    FixtureAccess::Next(*fixture) = data.fixtureList;
+    data.fixtureList = fixture;
+    ++data.fixtureCount;
+    return *fixture;
 }
 
 void World::DestroyFixture(b2Body& body, b2Fixture& fixture)

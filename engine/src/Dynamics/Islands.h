@@ -13,6 +13,8 @@ class b2Body;
 namespace box2d
 {
 
+struct SnapshotAccess;
+
 class Islands
 {
 public:
@@ -43,6 +45,7 @@ public:
     const Island& At(int32 island) const { return m_islands[std::size_t(island)]; }
 
 private:
+    friend struct SnapshotAccess;
     int32 Create();
     void Append(int32 island, b2Body& body);
     void Split(int32 island, float32 timeToSleep);

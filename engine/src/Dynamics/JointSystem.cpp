@@ -41,6 +41,11 @@ void JointSystem::Update(const ConstraintGraph& graph)
     BuildTrees();
     m_gives.assign(m_joints.size(), 0);
     m_yields.assign(m_joints.size(), Yields());
+    if (m_restoredVersion == m_version && m_restored.size() == m_joints.size())
+    {
+        m_yields.swap(m_restored);
+    }
+    m_restoredVersion = -1;
     m_totals.resize(m_joints.size());
     m_kicks.resize(m_joints.size());
     m_speeds.resize(m_joints.size());

@@ -12,6 +12,8 @@
 namespace box2d
 {
 
+struct SnapshotAccess;
+
 class ConstraintGraph;
 
 class JointSystem
@@ -99,6 +101,7 @@ public:
     void FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
 
 private:
+    friend struct SnapshotAccess;
     struct Impulses
     {
         float32 at[JointRows::kMostRows];
@@ -192,6 +195,8 @@ private:
     Elimination m_elimination;    // scratch of Update, as joints wake and sleep
     Array<b2Joint*> m_partJoints; // the same: of one part
     int32 m_version = -1;
+    Array<Yields> m_restored;     // from a snapshot: those of the list of
+    int32 m_restoredVersion = -1; // this version, for Update to go on with
 };
 
 } // namespace box2d

@@ -106,24 +106,34 @@ b2Joint* World::CreateJoint(const b2JointDef& def)
     {
         return nullptr;
     }
+    b2Joint& joint = ConstructJoint(def);
+    JointAccess::Number(joint) = jointNumber++;
+    LinkJoint(joint);
+    UpdateActivity(joint);
+    FlagJointContacts(joint);
+    return &joint;
+}
+
+b2Joint& World::ConstructJoint(const b2JointDef& def)
+{
     const JointKind* kind = FindKind(def.type);
-    b2Joint* joint = kind->construct(allocator.Allocate(kind->size), &def);
-    JointAccess::Number(*joint) = jointNumber++;
-    JointAccess::Next(*joint) = jointList;
+    return *kind->construct(allocator.Allocate(kind->size), &def);
+}
+
+void World::LinkJoint(b2Joint& joint)
+{
+    JointAccess::Next(joint) = jointList;
     if (jointList)
     {
-        JointAccess::Prev(*jointList) = joint;
+        JointAccess::Prev(*jointList) = &joint;
     }
-    jointList = joint;
+    jointList = &joint;
     ++jointCount;
-    gearCount += def.type == e_gearJoint;
-    b2Body& bodyA = *joint->GetBodyA();
-    b2Body& bodyB = *joint->GetBodyB();
-    PushEdge(JointAccess::EdgeA(*joint), *joint, bodyA, bodyB);
-    PushEdge(JointAccess::EdgeB(*joint), *joint, bodyB, bodyA);
-    UpdateActivity(*joint);
-    FlagJointContacts(*joint);
-    return joint;
+    gearCount += joint.GetType() == e_gearJoint;
+    b2Body& bodyA = *joint.GetBodyA();
+    b2Body& bodyB = *joint.GetBodyB();
+    PushEdge(JointAccess::EdgeA(joint), joint, bodyA, bodyB);
+    PushEdge(JointAccess::EdgeB(joint), joint, bodyB, bodyA);
 }
 
 void World::DestroyJointImplicitly(b2Joint& joint)

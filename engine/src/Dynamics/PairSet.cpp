@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "PairSet.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace box2d
 {
+
+namespace
+{
+
+constexpr std::size_t kFirstSlots = 64;
+
+} // namespace
 
 // Both halves are one more than the proxy, so that no pair is 0.
 std::uint64_t PairSet::Key(std::int32_t proxyA, std::int32_t proxyB)
@@ -37,6 +46,11 @@ std::size_t PairSet::Find(std::uint64_t key) const
 bool PairSet::Contains(std::int32_t proxyA, std::int32_t proxyB) const
 {
     return !m_slots.empty() && m_slots[Find(Key(proxyA, proxyB))] != 0;
+}
+
+void PairSet::Reserve(std::size_t count)
+{
+    m_slots.assign(std::max(kFirstSlots, std::bit_ceil(2 * (count + 1))), 0);
 }
 
 bool PairSet::Insert(std::int32_t proxyA, std::int32_t proxyB)
@@ -84,7 +98,7 @@ void PairSet::Erase(std::int32_t proxyA, std::int32_t proxyB)
 
 void PairSet::Grow()
 {
-    Array<std::uint64_t> old(m_slots.empty() ? 64 : 2 * m_slots.size(), 0);
+    Array<std::uint64_t> old(m_slots.empty() ? kFirstSlots : 2 * m_slots.size(), 0);
     old.swap(m_slots);
     for (const std::uint64_t key : old)
     {

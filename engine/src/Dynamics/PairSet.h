@@ -14,6 +14,8 @@ namespace box2d
 class PairSet
 {
 public:
+    /// Room for so many pairs, of a set that is empty.
+    void Reserve(std::size_t count);
     /// False when the pair was there already.
     bool Insert(std::int32_t proxyA, std::int32_t proxyB);
     void Erase(std::int32_t proxyA, std::int32_t proxyB);

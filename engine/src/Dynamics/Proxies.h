@@ -15,6 +15,8 @@ struct b2FixtureProxy;
 namespace box2d
 {
 
+struct SnapshotAccess;
+
 class Proxies
 {
 public:
@@ -74,6 +76,7 @@ public:
     int32 Count() const { return m_count; }
 
 private:
+    friend struct SnapshotAccess;
     const b2DynamicTree& Tree(int32 proxyId) const { return m_trees[proxyId & 3]; }
     b2DynamicTree& Tree(int32 proxyId) { return m_trees[proxyId & 3]; }
     bool HasMoved(int32 proxyId) const;

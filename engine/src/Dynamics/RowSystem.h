@@ -19,6 +19,8 @@
 namespace box2d
 {
 
+struct SnapshotAccess;
+
 /// In double precision: e is small, and a ball of a thousand on a chain of twenty costs six digits.
 struct Block3
 {
@@ -105,6 +107,7 @@ public:
     void SolveSwept(std::size_t item);
 
 private:
+    friend struct SnapshotAccess;
     struct Side // of an item, see RowPattern
     {
         double rows[3][3]; // by x, y, and turning

@@ -17,12 +17,14 @@
 
 struct b2BodyDef;
 struct b2FixtureDef;
+struct b2FixtureProxy;
 struct b2JointDef;
 struct b2MassData;
 class b2Body;
 class b2Contact;
 class b2Draw;
 class b2Joint;
+class b2Shape;
 class b2World;
 
 /// Everything a world holds. b2World is the public face of it; the parts of the engine are
@@ -48,6 +50,8 @@ public:
 
     // Bodies.cpp
     b2Body* CreateBody(const b2BodyDef& def);
+    /// An empty one, the newest in the list.
+    b2Body& AddBody();
     void DestroyBody(b2Body& body);
     void SetTransform(b2Body& body, const b2Vec2& position, float32 angle);
     void SetMassData(BodyData& body, const b2MassData& massData);
@@ -59,6 +63,8 @@ public:
 
     // Fixtures.cpp
     b2Fixture* CreateFixture(b2Body& body, const b2FixtureDef& def);
+    /// With a copy of the shape, in no tree yet, the newest of its body.
+    b2Fixture& AddFixture(b2Body& body, const b2Shape& shape);
     void DestroyFixture(b2Body& body, b2Fixture& fixture);
     /// Gives its memory back; it must be out of every list.
     void FreeFixture(b2Fixture& fixture);
@@ -80,6 +86,9 @@ public:
 
     // Joints.cpp
     b2Joint* CreateJoint(const b2JointDef& def);
+    /// The same in two parts, of which the second makes it the newest of the world and its bodies.
+    b2Joint& ConstructJoint(const b2JointDef& def);
+    void LinkJoint(b2Joint& joint);
     /// With the gears that are made of it.
     void DestroyJoint(b2Joint& joint);
     /// As a consequence of something else: the program is told.
@@ -100,6 +109,8 @@ public:
     bool NeedsAttention(b2Contact& contact);
     void FinishContacts();
     void FinishContactsInNeed();
+    /// The newest of the world and its bodies, between children of fixtures.
+    b2Contact& AddContact(const b2FixtureProxy& a, const b2FixtureProxy& b);
     void DestroyContact(b2Contact& contact);
     /// The pair may have contacts as far as bodies, joints and the filter are concerned.
     bool ShouldCollide(b2Fixture& fixtureA, b2Fixture& fixtureB) const;

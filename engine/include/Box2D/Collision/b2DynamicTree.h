@@ -7,6 +7,11 @@
 
 inline constexpr int32 b2_nullNode = -1;
 
+namespace box2d
+{
+struct SnapshotAccess;
+} // namespace box2d
+
 /// A binary tree of axis-aligned boxes that finds what overlaps a box or meets a ray. Leaves are
 /// the user's proxies, known by a number that stays valid until they are destroyed. The broad phase
 /// is built on it, and a program may use it for anything else that has a box. Insertion follows the
@@ -106,6 +111,7 @@ public:
     void ShiftOrigin(const b2Vec2& newOrigin);
 
 private:
+    friend struct box2d::SnapshotAccess;
     class Segment;
 
     // 32 bytes, two to a cache line.

@@ -19,7 +19,8 @@ class b2Joint;
 namespace box2d
 {
 class World;
-}
+struct SnapshotAccess;
+} // namespace box2d
 
 /// The hub: owns bodies, joints and contacts, steps them, answers queries. To be called by one
 /// thread at a time, whatever the number of threads that help it.
@@ -122,5 +123,6 @@ public:
     void Dump();
 
 private:
+    friend struct box2d::SnapshotAccess;
     std::unique_ptr<box2d::World> m_world;
 };

@@ -102,7 +102,7 @@ struct BodyData
     World* world = nullptr;
     void* userData = nullptr;
     std::int32_t number = 0; ///< in order of creation, never used again
-    std::int32_t poolIndex = 0;
+    std::int32_t place = 0;  ///< in the list of a snapshot while that is made or read
 
     bool IsAwake() const { return (flags & kBodyAwake) != 0; }
     bool IsActive() const { return (flags & kBodyActive) != 0; }

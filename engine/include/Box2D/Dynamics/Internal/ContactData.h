@@ -64,7 +64,7 @@ struct ContactData
         -1; ///< place among the contacts updated each step, -1 when both bodies rest
     std::int32_t oldIndex = 0; ///< of its manifold before the present update
     std::int32_t colorIndex = -1;
-    std::int32_t poolIndex = 0;
+    std::int32_t place = 0; ///< in the list of a snapshot while that is made or read
     /// Of the impulses of a step of small ones, the last kick's share; negative: it has been in
     /// none.
     float32 lasting = -1.0f;

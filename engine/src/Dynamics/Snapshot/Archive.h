@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Collision/b2Collision.h>
+#include <Box2D/Common/Array.h>
+#include <Box2D/Dynamics/Internal/BodyData.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+#include <Box2D/Dynamics/b2Snapshot.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <type_traits>
+
+class b2Body;
+class b2Contact;
+class b2Joint;
+
+/// Both ways of a snapshot. What is saved of a structure is said once, by a function
+/// Visit(archive, structure); with a SnapshotWriter it saves and with a SnapshotReader it restores,
+/// so that the two cannot differ. Numbers are written one by one, little end first, never as images
+/// of memory: those hold padding and pointers, and change with every member.
+namespace box2d
+{
+
+/// What refers to each other, oldest first; references are written as places in these lists.
+struct SnapshotLists
+{
+    Array<b2Body*> bodies;
+    Array<b2Joint*> joints; ///< by rising number
+    Array<b2Contact*> contacts;
+    b2SnapshotUserData* userData = nullptr;
+};
+
+namespace snapshot
+{
+
+/// A number's bytes, little end first, on any machine.
+template <class Number>
+void Order(uint8 (&bytes)[sizeof(Number)])
+{
+    if constexpr (std::endian::native == std::endian::big)
+    {
+        std::reverse(std::begin(bytes), std::end(bytes));
+    }
+}
+
+} // namespace snapshot
+
+class SnapshotWriter
+{
+public:
+    static constexpr bool kReads = false;
+
+    template <class... Values>
+    void operator()(Values&... values)
+    {
+        (Visit(*this, values), ...);
+    }
+
+    template <class Number>
+    void PutNumber(Number number)
+    {
+        uint8 bytes[sizeof(Number)];
+        std::memcpy(bytes, &number, sizeof(Number));
+        snapshot::Order<Number>(bytes);
+        if (m_bytes.size() - m_size < sizeof(Number))
+        {
+            Grow();
+        }
+        std::memcpy(m_bytes.data() + m_size, bytes, sizeof(Number));
+        m_size += sizeof(Number);
+    }
+    void Count(int32& count, std::size_t leastBytes)
+    {
+        (void)leastBytes;
+        PutNumber(count);
+    }
+    template <class Value>
+    void Within(Value& value, Value least, Value most)
+    {
+        (void)least, (void)most;
+        PutNumber(int32(value));
+    }
+    void Require(bool) {}
+    bool IsSound() const { return true; }
+
+    /// What has been written.
+    std::vector<uint8> Take()
+    {
+        m_bytes.resize(m_size);
+        return std::move(m_bytes);
+    }
+
+    SnapshotLists lists;
+
+private:
+    void Grow() { m_bytes.resize(2 * m_bytes.size() + 1024); }
+
+    std::vector<uint8> m_bytes;
+    std::size_t m_size = 0;
+};
+
+/// After a mistake all it reads is zero, and counts are, so that readers come to an end.
+class SnapshotReader
+{
+public:
+    static constexpr bool kReads = true;
+
+    explicit SnapshotReader(std::span<const uint8> bytes) : m_left(bytes) {}
+
+    template <class... Values>
+    void operator()(Values&... values)
+    {
+        (Visit(*this, values), ...);
+    }
+
+    template <class Number>
+    Number TakeNumber()
+    {
+        Number number = {};
+        if (m_left.size() < sizeof(Number))
+        {
+            Require(false);
+            return number;
+        }
+        uint8 bytes[sizeof(Number)];
+        std::memcpy(bytes, m_left.data(), sizeof(Number));
+        snapshot::Order<Number>(bytes);
+        std::memcpy(&number, bytes, sizeof(Number));
+        m_left = m_left.subspan(sizeof(Number));
+        return number;
+    }
+    /// Of things that follow, each of at least so many bytes.
+    void Count(int32& count, std::size_t leastBytes)
+    {
+        count = TakeNumber<int32>();
+        Require(count >= 0 && std::size_t(count) <= m_left.size() / leastBytes);
+        count = m_sound ? count : 0;
+    }
+    /// A number or an enumerator that is good for nothing outside of a range.
+    template <class Value>
+    void Within(Value& value, Value least, Value most)
+    {
+        const auto number = TakeNumber<int32>();
+        Require(number >= int32(least) && number <= int32(most));
+        value = m_sound ? static_cast<Value>(number) : least;
+    }
+    /// From the first that is false on everything is refused.
+    void Require(bool condition)
+    {
+        if (!condition)
+        {
+            m_sound = false;
+            m_left = {};
+        }
+    }
+    bool IsSound() const { return m_sound; }
+    bool IsAtEnd() const { return m_left.empty(); }
+
+    SnapshotLists lists;
+
+private:
+    std::span<const uint8> m_left;
+    bool m_sound = true;
+};
+
+template <class Archive, class Number>
+requires std::is_arithmetic_v<Number>
+void Visit(Archive& archive, Number& number)
+{
+    if constexpr (std::is_same_v<Number, bool>)
+    {
+        auto value = uint8(number);
+        archive(value);
+        archive.Require(value <= 1);
+        number = value == 1;
+    }
+    else if constexpr (Archive::kReads)
+    {
+        number = archive.template TakeNumber<Number>();
+    }
+    else
+    {
+        archive.PutNumber(number);
+    }
+}
+
+template <class Archive, class Value, std::size_t count>
+void Visit(Archive& archive, Value (&values)[count])
+{
+    for (Value& value : values)
+    {
+        archive(value);
+    }
+}
+
+/// Of numbers.
+template <class Archive, class Number>
+void Visit(Archive& archive, Array<Number>& numbers)
+{
+    auto count = int32(numbers.size());
+    archive.Count(count, sizeof(Number));
+    numbers.resize(std::size_t(count));
+    for (Number& number : numbers)
+    {
+        archive(number);
+    }
+}
+
+// Bindings name every member of a structure, so that one more does not compile until it is said
+// here what becomes of it.
+
+template <class Archive>
+void Visit(Archive& archive, b2Vec2& v)
+{
+    archive(v.x, v.y);
+}
+
+template <class Archive>
+void Visit(Archive& archive, b2Rot& rotation)
+{
+    archive(rotation.s, rotation.c);
+}
+
+template <class Archive>
+void Visit(Archive& archive, b2Transform& transform)
+{
+    archive(transform.p, transform.q);
+}
+
+template <class Archive>
+void Visit(Archive& archive, Pose& pose)
+{
+    auto& [x, y, angle] = pose;
+    archive(x, y, angle);
+}
+
+template <class Archive>
+void Visit(Archive& archive, b2AABB& box)
+{
+    auto& [lower, upper] = box;
+    archive(lower, upper);
+}
+
+template <class Archive>
+void Visit(Archive& archive, b2Filter& filter)
+{
+    auto& [categories, mask, group] = filter;
+    archive(categories, mask, group);
+}
+
+template <class Archive>
+void Visit(Archive& archive, b2ManifoldPoint& point)
+{
+    auto& [place, normalImpulse, tangentImpulse, id] = point;
+    archive(place, normalImpulse, tangentImpulse, id.cf.indexA, id.cf.indexB, id.cf.typeA,
+            id.cf.typeB);
+}
+
+template <class Archive>
+void Visit(Archive& archive, b2Manifold& manifold)
+{
+    auto& [points, normal, place, type, count] = manifold;
+    archive(normal, place);
+    archive.Within(type, b2Manifold::e_circles, b2Manifold::e_faceB);
+    archive.Within(count, 0, int32(b2_maxManifoldPoints));
+    for (int32 i = 0; i < count; ++i) // nobody reads what is left of others
+    {
+        archive(points[i]);
+    }
+}
+
+/// A pointer to user data, as what the program makes of it.
+template <class Archive>
+void VisitUserData(Archive& archive, void*& userData)
+{
+    bool known = userData != nullptr && archive.lists.userData != nullptr;
+    archive(known);
+    if (!known)
+    {
+        return;
+    }
+    if constexpr (Archive::kReads)
+    {
+        const auto number = archive.template TakeNumber<std::uint64_t>();
+        userData = archive.lists.userData ? archive.lists.userData->ToPointer(number) : nullptr;
+    }
+    else
+    {
+        archive.PutNumber(archive.lists.userData->ToNumber(userData));
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "BroadPhaseState.h"
+#include "References.h"
+
+#include "../World.h"
+
+namespace box2d
+{
+
+/// The contact's own; its proxies and lists say the rest. The form that it was solved as is found
+/// anew, and the place of its old manifold means something within an update only.
+template <class Archive>
+void Visit(Archive& archive, ContactData& contact)
+{
+    auto& [bodyA, bodyB, flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount,
+           color, solvedAs, manifold, relative, fixtureA, fixtureB, childA, childB, awakeIndex,
+           oldIndex, colorIndex, place, lasting, edgeA, edgeB, prev, next] = contact;
+    archive(flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount);
+    archive(manifold, relative, lasting);
+}
+
+/// By the proxies whose boxes overlap.
+template <class Archive>
+void VisitContact(Archive& archive, World& world, b2Contact*& contact)
+{
+    int32 a = 0;
+    int32 b = 0;
+    if constexpr (!Archive::kReads)
+    {
+        const ContactData& c = Data(*contact);
+        a = FixtureAccess::Proxies(*c.fixtureA)[c.childA].proxyId;
+        b = FixtureAccess::Proxies(*c.fixtureB)[c.childB].proxyId;
+    }
+    archive(a, b);
+    if constexpr (Archive::kReads)
+    {
+        archive.Require(SnapshotAccess::IsProxy(world.proxies, a) &&
+                        SnapshotAccess::IsProxy(world.proxies, b) && !world.pairs.Contains(a, b));
+        if (!archive.IsSound())
+        {
+            return;
+        }
+        contact = &world.AddContact(*world.proxies.Get(a), *world.proxies.Get(b));
+    }
+    archive(Data(*contact));
+}
+
+template <class Archive>
+void VisitContacts(Archive& archive, World& world)
+{
+    constexpr std::size_t leastBytes = 64;
+    Array<b2Contact*>& contacts = archive.lists.contacts;
+    auto count = int32(contacts.size());
+    archive.Count(count, leastBytes);
+    contacts.resize(std::size_t(count));
+    if constexpr (Archive::kReads)
+    {
+        world.pairs.Reserve(contacts.size());
+    }
+    for (int32 i = 0; i < count && archive.IsSound(); ++i)
+    {
+        VisitContact(archive, world, contacts[std::size_t(i)]);
+        if (archive.IsSound())
+        {
+            Data(*contacts[std::size_t(i)]).place = i;
+        }
+    }
+    contacts.resize(archive.IsSound() ? contacts.size() : 0);
+}
+
+} // namespace box2d

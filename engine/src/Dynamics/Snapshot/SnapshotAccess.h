@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Settings.h>
+#include <Box2D/Dynamics/b2World.h>
+
+#include <memory>
+
+class b2DynamicTree;
+struct b2FixtureProxy;
+
+namespace box2d
+{
+
+class ConstraintGraph;
+class ContactBlocks;
+class EnergyGuard;
+class Islands;
+class JointSystem;
+class Proxies;
+class RowSystem;
+class World;
+
+/// The snapshot's door to what the parts of the engine keep private. Each visitor is in the header
+/// of its part, beside this one; all of them name every member of their part, so that one more does
+/// not compile until it is said what becomes of it.
+struct SnapshotAccess
+{
+    static std::unique_ptr<World>& Of(b2World& world) { return world.m_world; }
+    static World& Of(const b2World& world) { return *world.m_world; }
+
+    // BroadPhaseState.h
+    template <class Archive>
+    static void Visit(Archive& archive, b2DynamicTree& tree);
+    template <class Archive>
+    static void Visit(Archive& archive, Proxies& proxies);
+    static bool IsSound(const b2DynamicTree& tree);
+    /// Of trees that have been read: whether there is such a leaf.
+    static bool IsProxy(const Proxies& proxies, int32 proxyId);
+    /// Gives a leaf to its fixture; false when there is none, or it has one.
+    static bool Connect(Proxies& proxies, b2FixtureProxy& proxy);
+    static bool AreAllConnected(const Proxies& proxies);
+    // ListState.h
+    template <class Archive>
+    static void Visit(Archive& archive, Islands& islands);
+    template <class Archive>
+    static void Visit(Archive& archive, ConstraintGraph& graph);
+    // SolverState.h
+    template <class Archive>
+    static void Visit(Archive& archive, EnergyGuard& guard, const World& world);
+    template <class Archive>
+    static void Visit(Archive& archive, RowSystem& system);
+    template <class Archive>
+    static void Visit(Archive& archive, JointSystem& system, const World& world);
+    template <class Archive>
+    static void Visit(Archive& archive, ContactBlocks& blocks, const World& world, int32 color);
+};
+
+} // namespace box2d

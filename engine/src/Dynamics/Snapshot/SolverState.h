@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "References.h"
+#include "SnapshotAccess.h"
+
+#include "../SolverArrays.h"
+#include "../World.h"
+
+/// What the solver's memory leaves to the next step. Most of it is filled anew in each step; what
+/// is made when joints or contacts come or go follows from the lists, but not all of it:
+///  - contacts stay in their blocks in an order that places of bodies had in the past;
+///  - joints keep what of them gives way, and how stiff the last step's forces made them;
+///  - which joints win energy was found when the list was made, with the settings of that time;
+///  - between the parts of a step of b2World::SetSubStepping the step is still under way.
+namespace box2d
+{
+
+/// Contacts by their place in the colour. A colour that has changed is sorted anew anyway.
+template <class Archive>
+void SnapshotAccess::Visit(Archive& archive, ContactBlocks& blocks, const World& world, int32 color)
+{
+    // Blocks are given out and prepared anew.
+    auto& [sorted, buckets, contactBlocks, overlapBlocks, totals, blockCount] = blocks;
+    const ConstraintGraph& graph = world.graph;
+    if (graph.ChangeOf(color) == ConstraintGraph::Change::Contacts)
+    {
+        return;
+    }
+    const Array<b2Contact*>& contacts = graph.Contacts(color);
+    sorted.resize(contacts.size());
+    for (b2Contact*& contact : sorted)
+    {
+        int32 place = Archive::kReads ? 0 : Data(*contact).colorIndex;
+        archive.Within(place, 0, int32(contacts.size()) - 1);
+        contact = contacts[std::size_t(place)];
+    }
+}
+
+template <class Archive>
+void VisitReferences(Archive& archive, Array<const b2Joint*>& joints)
+{
+    auto count = int32(joints.size());
+    archive.Count(count, sizeof(int32));
+    joints.resize(std::size_t(count));
+    for (const b2Joint*& joint : joints)
+    {
+        auto* known = const_cast<b2Joint*>(joint);
+        archive(known);
+        joint = known;
+    }
+}
+
+template <class Archive>
+void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& world)
+{
+    // Springs and motors, and what goes with them, are listed anew in each step; in one that has
+    // been broken off the springs have been charged.
+    auto& [risky, sliding, version, accountOf, accounts, springs, motors, gravity, leastFall,
+           timeStep, subSteps] = guard;
+    bool followed = version == world.graph.JointVersion();
+    archive(followed);
+    if (followed)
+    {
+        VisitReferences(archive, risky);
+        VisitReferences(archive, sliding);
+        version = world.graph.JointVersion();
+    }
+    auto count = int32(accounts.size());
+    archive.Count(count, 3 * sizeof(double));
+    accounts.resize(std::size_t(count));
+    for (auto& account : accounts)
+    {
+        auto& [island, owed, past, scale] = account;
+        archive(island, owed, past, scale);
+    }
+    if (count > 0)
+    {
+        archive(accountOf, gravity);
+    }
+}
+
+/// Of the rows of the last step nothing but what RowSystem::SquaredFrequency reads, in the form
+/// that new joints in the same places find as well.
+template <class Archive>
+void Visit(Archive& archive, JointRows& rows)
+{
+    archive(rows.point);
+    for (JointRows::Column& column : rows.columns)
+    {
+        archive(column.invInertia, column.w[0], column.w[1]);
+    }
+}
+
+template <class Archive>
+void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
+{
+    // All else is made anew with the pattern, or filled before it is read.
+    auto& [pattern, rows, active, weights, lack, found, sides, exact, stiffness, x, diagonal,
+           entries, own] = system;
+    constexpr std::size_t leastBytes = 49;
+    auto count = int32(rows.size());
+    archive.Count(count, leastBytes);
+    rows.resize(std::size_t(count));
+    for (JointRows& item : rows)
+    {
+        archive(item);
+    }
+}
+
+template <class Archive>
+void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
+{
+    auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, gives, yields, totals,
+           kicks, poses, opened, before, speeds, sweptBodies, now, elimination, partJoints, version,
+           restored, restoredVersion] = system;
+    Visit(archive, rowSystem);
+    const int32 present = world.graph.JointVersion();
+    bool followed = version == present || restoredVersion == present;
+    archive(followed);
+    if (!followed)
+    {
+        return;
+    }
+    // The list is followed when the next step has woken what there is to be woken.
+    auto& kept = version == present ? yields : restored;
+    restoredVersion = Archive::kReads ? present : restoredVersion;
+    kept.resize(world.graph.Joints().size());
+    for (JointSystem::Yields& joint : kept)
+    {
+        for (JointSystem::Yield& yield : joint.of)
+        {
+            archive.Within(yield, JointSystem::Yield::Holds, JointSystem::Yield::Fastest);
+        }
+    }
+}
+
+template <class Archive>
+void VisitSolver(Archive& archive, World& world)
+{
+    SolverArrays& arrays = *world.solver;
+    for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
+    {
+        SnapshotAccess::Visit(archive, arrays.contacts[color], world, color);
+    }
+    SnapshotAccess::Visit(archive, arrays.energyGuard, world);
+    SnapshotAccess::Visit(archive, arrays.jointSystem, world);
+    // How what flies through a step of small ones is accelerated, for the impacts that remain.
+    auto count = int32(arrays.ways.size());
+    archive.Count(count, sizeof(int32));
+    arrays.ways.resize(std::size_t(count));
+    arrays.kicks.resize(std::size_t(count));
+    for (std::size_t i = 0; i < arrays.ways.size(); ++i)
+    {
+        archive.Within(arrays.ways[i], WayOfBody::Together, WayOfBody::InTree);
+        archive(arrays.kicks[i].acceleration);
+    }
+}
+
+} // namespace box2d

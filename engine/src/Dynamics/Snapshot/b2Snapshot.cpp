@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <Box2D/Dynamics/b2Snapshot.h>
+
+#include "BodyState.h"
+#include "ContactState.h"
+#include "JointState.h"
+#include "ListState.h"
+#include "SolverState.h"
+
+#include <utility>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// To be raised with every change of what is saved, of its order or of its meaning; also when a
+/// step does something else with it, for then the films that it was saved for are others.
+constexpr uint32 kVersion = 1;
+
+/// What stands in front of the content. A file that was sent as text has other line ends.
+struct Header
+{
+    uint8 magic[8] = {'b', '2', 's', 'n', 'a', 'p', '\r', '\n'};
+    uint32 version = kVersion;
+    std::uint64_t bytes = 0;    ///< of the content
+    std::uint64_t checksum = 0; ///< of the content
+
+    static constexpr std::size_t kBytes = 28;
+};
+
+template <class Archive>
+void Visit(Archive& archive, Header& header)
+{
+    auto& [magic, version, bytes, checksum] = header;
+    archive(magic, version, bytes, checksum);
+}
+
+/// Each word is mixed in by steps that can be undone, so a change within one word is always seen,
+/// and any other with all but certainty.
+std::uint64_t ChecksumOf(std::span<const uint8> bytes)
+{
+    constexpr std::uint64_t odd = 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio
+    const auto mixed = [](std::uint64_t sum, const uint8* from, std::size_t count) {
+        uint8 word[sizeof(std::uint64_t)] = {};
+        std::memcpy(word, from, count);
+        snapshot::Order<std::uint64_t>(word);
+        return std::rotl((sum ^ std::bit_cast<std::uint64_t>(word)) * odd, 29);
+    };
+    std::uint64_t sum = bytes.size();
+    const std::size_t whole = bytes.size() / sizeof sum * sizeof sum;
+    for (std::size_t i = 0; i < whole; i += sizeof sum)
+    {
+        sum = mixed(sum, bytes.data() + i, sizeof sum);
+    }
+    return whole < bytes.size() ? mixed(sum, bytes.data() + whole, bytes.size() - whole) : sum;
+}
+
+template <class Archive>
+void VisitWorld(Archive& archive, World& world)
+{
+    // The program's own: owner, filters, listeners, drawing, profile and threads. Counts follow
+    // from the lists, pairs from the contacts; the rest is scratch.
+    auto& [owner, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
+           oldManifolds, attention, solver, threads, bodyList, jointList, contactList, bodyCount,
+           jointCount, gearCount, inactiveCount, contactCount, bodyNumber, jointNumber, gravity,
+           defaultFilter, filter, listener, destructionListener, debugDraw, subStepCount,
+           lastSubSteps, inverseStep, stepNumber, profile, contactManager, profiling, allowSleep,
+           warmStarting, continuousPhysics, subStepping, stepComplete, autoClearForces, locked,
+           forcesApplied, hasBullets, filtersChanged, sweepsTurned] = world;
+    archive(bodyNumber, jointNumber, inactiveCount, gravity);
+    archive.Within(subStepCount, 1, kMostSubSteps);
+    archive.Within(lastSubSteps, 1, kMostSubSteps);
+    archive(inverseStep, stepNumber, allowSleep, warmStarting, continuousPhysics, subStepping,
+            stepComplete, autoClearForces, forcesApplied, hasBullets, filtersChanged, sweepsTurned);
+    SnapshotAccess::Visit(archive, proxies);
+    VisitBodies(archive, world);
+    VisitJoints(archive, world);
+    VisitContacts(archive, world);
+    SnapshotAccess::Visit(archive, islands);
+    VisitAwake(archive, awakeBodies);
+    VisitAwake(archive, awakeContacts);
+    SnapshotAccess::Visit(archive, graph);
+    if (archive.IsSound())
+    {
+        VisitSolver(archive, world);
+    }
+}
+
+/// Oldest first; and gives bodies and contacts their places.
+SnapshotLists ListsOf(World& world)
+{
+    SnapshotLists lists;
+    for (b2Body* body = world.bodyList; body; body = body->GetNext())
+    {
+        lists.bodies.push_back(body);
+    }
+    for (b2Joint* joint = world.jointList; joint; joint = joint->GetNext())
+    {
+        lists.joints.push_back(joint);
+    }
+    for (b2Contact* contact = world.contactList; contact; contact = contact->GetNext())
+    {
+        lists.contacts.push_back(contact);
+    }
+    std::reverse(lists.bodies.begin(), lists.bodies.end());
+    std::reverse(lists.joints.begin(), lists.joints.end());
+    std::reverse(lists.contacts.begin(), lists.contacts.end());
+    for (std::size_t i = 0; i < lists.bodies.size(); ++i)
+    {
+        Data(*lists.bodies[i]).place = int32(i);
+    }
+    for (std::size_t i = 0; i < lists.contacts.size(); ++i)
+    {
+        Data(*lists.contacts[i]).place = int32(i);
+    }
+    return lists;
+}
+
+/// Null when the bytes are the content that the header in front of it promises.
+const char* WhyRefused(std::span<const uint8> bytes)
+{
+    SnapshotReader reader(bytes);
+    Header header;
+    reader(header);
+    if (!reader.IsSound() || !std::ranges::equal(header.magic, Header().magic))
+    {
+        return "This is no snapshot: pass the bytes that b2SaveSnapshot returned.";
+    }
+    if (header.version != kVersion)
+    {
+        return "The snapshot is of another version of the engine: save it with this one.";
+    }
+    if (header.bytes != bytes.size() - Header::kBytes)
+    {
+        return "The snapshot is not whole: pass all of the bytes that were saved, and no others.";
+    }
+    return header.checksum == ChecksumOf(bytes.subspan(Header::kBytes))
+               ? nullptr
+               : "The snapshot is damaged: save it anew.";
+}
+
+/// What belongs to the program goes from one to the other.
+void KeepOwn(World& from, World& to)
+{
+    to.filter = from.filter == &from.defaultFilter ? &to.defaultFilter : from.filter;
+    to.listener = from.listener;
+    to.destructionListener = from.destructionListener;
+    to.debugDraw = from.debugDraw;
+    to.profiling = from.profiling;
+    to.threads = std::move(from.threads);
+}
+
+} // namespace
+
+} // namespace box2d
+
+std::vector<uint8> b2SaveSnapshot(const b2World& world, b2SnapshotUserData* userData)
+{
+    if (!B2_REQUIRE(!world.IsLocked(), "b2SaveSnapshot must not be called from inside a callback."))
+    {
+        return {};
+    }
+    box2d::World& inner = box2d::SnapshotAccess::Of(world);
+    box2d::Header header;
+    box2d::SnapshotWriter writer;
+    writer.lists = box2d::ListsOf(inner);
+    writer.lists.userData = userData;
+    writer(header); // to be written again when the content is known
+    box2d::VisitWorld(writer, inner);
+    std::vector<uint8> bytes = writer.Take();
+    header.bytes = bytes.size() - box2d::Header::kBytes;
+    header.checksum = box2d::ChecksumOf(std::span(bytes).subspan(box2d::Header::kBytes));
+    box2d::SnapshotWriter front;
+    front(header);
+    std::ranges::copy(front.Take(), bytes.begin());
+    return bytes;
+}
+
+const char* b2RestoreSnapshot(b2World& world, std::span<const uint8> bytes,
+                              b2SnapshotUserData* userData)
+{
+    if (world.IsLocked())
+    {
+        return "b2RestoreSnapshot must not be called from inside a callback.";
+    }
+    if (const char* why = box2d::WhyRefused(bytes))
+    {
+        return why;
+    }
+    std::unique_ptr<box2d::World>& old = box2d::SnapshotAccess::Of(world);
+    auto restored = std::make_unique<box2d::World>(world, old->gravity, true);
+    box2d::SnapshotReader reader(bytes.subspan(box2d::Header::kBytes));
+    reader.lists.userData = userData;
+    box2d::VisitWorld(reader, *restored);
+    if (!reader.IsSound() || !reader.IsAtEnd())
+    {
+        return "The snapshot contradicts itself: save it anew.";
+    }
+    box2d::KeepOwn(*old, *restored);
+    old = std::move(restored);
+    return nullptr;
+}
