@@ -30,10 +30,10 @@ protected:
         return RunBoxreel(arguments, folder.Path());
     }
 
-    std::vector<Frame> Decode(const std::string& name) const
+    std::vector<Frame> Decode(const std::string& name, Frames which = Frames::Shown) const
     {
         std::vector<Frame> frames;
-        Result<VideoReader> reader = VideoReader::Open(folder / name);
+        Result<VideoReader> reader = VideoReader::Open(folder / name, which);
         if (!reader)
         {
             ADD_FAILURE() << reader.GetError().message;
@@ -175,7 +175,7 @@ TEST_F(Film, AFastGifSaysHowManyFramesItKeeps)
     const Outcome outcome =
         Run({"record", "pyramid", "-o", "film.gif", "--frames", "5", "--size", "160x90"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_EQ(Decode("film.gif").size(), 3u);
+    EXPECT_EQ(Decode("film.gif", Frames::Stored).size(), 3u);
     EXPECT_THAT(outcome.errors, HasSubstr("film.gif: 3 frames of 160x90 at 30 fps (kept of 5: a "
                                           "GIF shows at most 50 a second)"));
 }
