@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegCodec.h"
 
-#include <cstdlib>
 #include <utility>
 
 namespace boxreel
@@ -100,15 +99,6 @@ void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings
     TagColours(context, plan.pixelFormat);
 }
 
-/// SVT-AV1 talks on standard error unless it is told not to; libraries never print.
-void Silence(const EncoderPlan& plan)
-{
-    if (plan.encoder == "libsvtav1")
-    {
-        ::setenv("SVT_LOG", "1", 0);
-    }
-}
-
 } // namespace
 
 AVRational TickOf(const EncoderPlan& plan, const Rational& framesPerSecond)
@@ -125,7 +115,6 @@ Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettin
     {
         return Missing(plan, film);
     }
-    Silence(plan);
     FFmpegOwner<AVCodecContext> context(FFmpeg().avcodec_alloc_context3(codec));
     SetUp(*context, plan, settings);
     AVDictionary* options = nullptr;
@@ -178,23 +167,8 @@ Result<FFmpegOwner<AVFrame>> FFmpegCodec::MakePicture() const
     return picture;
 }
 
-FFmpegCodec::~FFmpegCodec()
-{
-    // SVT-AV1 waits for ever for its end unless it has seen it.
-    if (m_context && !m_isEnded && std::string(m_context->codec->name) == "libsvtav1")
-    {
-        const FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
-        int status = Send(nullptr);
-        while (status >= 0)
-        {
-            status = Receive(*packet);
-        }
-    }
-}
-
 int FFmpegCodec::Send(const AVFrame* picture)
 {
-    m_isEnded = m_isEnded || picture == nullptr;
     return FFmpeg().avcodec_send_frame(m_context.get(), picture);
 }
 

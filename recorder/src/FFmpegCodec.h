@@ -19,9 +19,6 @@ public:
     static Result<FFmpegCodec> Open(const EncoderPlan& plan, const VideoSettings& settings,
                                     const std::string& film);
 
-    FFmpegCodec(FFmpegCodec&&) noexcept = default;
-    ~FFmpegCodec();
-
     const AVCodecContext& Context() const { return *m_context; }
 
     /// What a container has to know of it.
@@ -40,7 +37,6 @@ private:
     explicit FFmpegCodec(FFmpegOwner<AVCodecContext> context) : m_context(std::move(context)) {}
 
     FFmpegOwner<AVCodecContext> m_context;
-    bool m_isEnded = false; // it was told that nothing follows
 };
 
 /// The unit of a film's times: a frame, or what the format counts in.

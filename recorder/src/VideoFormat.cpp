@@ -164,6 +164,12 @@ Result<void> CheckNumbers(const VideoSettings& settings)
     return CheckSize(settings);
 }
 
+/// Which libav's muxer does not take from another film.
+bool IsAv1InWebM(VideoFormat format, const VideoSettings& settings)
+{
+    return format == VideoFormat::WebM && settings.codec == "av1";
+}
+
 /// Settings that ask for what the format does not have.
 Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
                          const VideoSettings& settings)
@@ -176,7 +182,8 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
                      path.string() + " cannot say how often it plays, its player does; leave "
                                      "--loop out, or write .gif, .apng or .webp."};
     }
-    if (settings.resume && (IsPipe(path) || !HasParts(format)))
+    const bool isWhole = IsPipe(path) || !HasParts(format) || IsAv1InWebM(format, settings);
+    if (settings.resume && isWhole)
     {
         return Error{ErrorKind::Unusable, "A film written to " + path.string() +
                                               " cannot be continued; leave --resume out, or write "
@@ -278,7 +285,7 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
 std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& settings)
 {
     const std::optional<VideoFormat> format = FormatOf(path, settings);
-    if (!format || IsPipe(path) || !HasParts(*format))
+    if (!format || IsPipe(path) || !HasParts(*format) || IsAv1InWebM(*format, settings))
     {
         return 0;
     }

@@ -122,24 +122,16 @@ void PlanVp9(EncoderPlan& plan, const VideoSettings& settings)
     }
 }
 
-/// SVT-AV1 takes the time of libaom's fastest for half the bytes, but knows neither 4:4:4 nor
-/// lossless coding.
+/// SVT-AV1 takes the time of this for half the bytes, but knows neither 4:4:4 nor lossless coding,
+/// and waits for ever when it is closed before its first frame.
 void PlanAv1(EncoderPlan& plan, const VideoSettings& settings)
 {
     const bool isLossless = settings.quality == Quality::Lossless;
-    const char* const presets[] = {"12", "10", "8"};
-    const char* const speeds[] = {"9", "8", "6"};
-    const char* const qualities[] = {"45", "32", "20"};
-    const std::size_t level = isLossless ? 1 : std::size_t(settings.quality);
-    if (!isLossless && settings.chroma == Chroma::Half)
-    {
-        plan.encoder = "libsvtav1";
-        plan.pixelFormat = "yuv420p";
-        Add(plan, {{"preset", presets[level]}, {"crf", qualities[level]}});
-        return;
-    }
+    const char* const speeds[] = {"8", "8", "6", "8"};
+    const char* const qualities[] = {"45", "32", "20", ""};
+    const std::size_t level = std::size_t(settings.quality);
     plan.encoder = "libaom-av1";
-    plan.pixelFormat = isLossless ? "gbrp" : "yuv444p";
+    plan.pixelFormat = isLossless ? "gbrp" : YuvOf(settings.chroma);
     Add(plan, {{"usage", "realtime"}, {"cpu-used", speeds[level]}, {"row-mt", "1"}, {"b", "0"}});
     if (isLossless)
     {
