@@ -41,7 +41,8 @@ void BringUpToDate(const Frame& from, std::span<const PixelBounds> stale, Frame&
 
 } // namespace
 
-EncoderThread::EncoderThread(VideoWriter& writer) : m_writer(writer), m_thread([this] { Work(); })
+EncoderThread::EncoderThread(VideoWriter& writer, StageTimes* stages)
+    : m_writer(writer), m_stages(stages), m_thread([this] { Work(); })
 {}
 
 EncoderThread::~EncoderThread()
@@ -66,6 +67,7 @@ void EncoderThread::End(bool isDropping)
 
 EncoderThread::Slot* EncoderThread::WaitForRoom()
 {
+    const StageTimer timer(m_stages, Stage::WaitForEncoder);
     std::unique_lock lock(m_mutex);
     m_changed.wait(lock, [this] { return m_count < kDepth || m_error; });
     return m_error ? nullptr : &m_slots[(m_first + m_count) % kDepth];
@@ -87,6 +89,7 @@ bool EncoderThread::Append(const Frame& frame, std::span<const PixelBounds> chan
     {
         return false;
     }
+    const StageTimer timer(m_stages, Stage::Copy);
     for (Slot& other : m_slots)
     {
         other.stale.insert(other.stale.end(), changed.begin(), changed.end());
@@ -119,6 +122,7 @@ std::int64_t EncoderThread::FramesDone()
 
 std::int64_t EncoderThread::WaitForMore(std::int64_t known)
 {
+    const StageTimer timer(m_stages, Stage::WaitForEncoder);
     std::unique_lock lock(m_mutex);
     m_changed.wait(lock, [this, known] { return m_done > known || m_count == 0 || m_error; });
     return m_done;
@@ -140,7 +144,10 @@ void EncoderThread::Work()
     std::unique_lock lock(m_mutex);
     while (true)
     {
-        m_changed.wait(lock, [this] { return m_count > 0 || m_isEnding; });
+        {
+            const StageTimer timer(m_stages, Stage::WaitForFrame);
+            m_changed.wait(lock, [this] { return m_count > 0 || m_isEnding; });
+        }
         if (m_count == 0 || m_isDropping)
         {
             return;

@@ -22,7 +22,8 @@ class EncoderThread
 {
 public:
     /// The writer belongs to the thread until Finish or the destructor.
-    explicit EncoderThread(VideoWriter& writer);
+    /// `stages`: what copying and waiting take; may be null.
+    explicit EncoderThread(VideoWriter& writer, StageTimes* stages = nullptr);
     ~EncoderThread(); ///< what still waits is dropped
     EncoderThread(const EncoderThread&) = delete;
     EncoderThread& operator=(const EncoderThread&) = delete;
@@ -60,6 +61,7 @@ private:
     void End(bool isDropping);
 
     VideoWriter& m_writer;
+    StageTimes* m_stages;
     std::array<Slot, kDepth> m_slots;
     std::mutex m_mutex; // guards what follows; a slot belongs to whose turn it is
     std::condition_variable m_changed;

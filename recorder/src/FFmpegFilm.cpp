@@ -59,7 +59,9 @@ private:
     Result<void> Show(std::int64_t index);
     Result<void> StartGroup(std::int64_t group);
     void EndGroup();
+    Result<void> Encode();
     Result<void> Take();
+    Result<Packets> TakeEnded();
     Result<void> WriteEnded();
     Result<void> WriteWaiting();
     Result<void> Write(Packets& packets);
@@ -220,6 +222,7 @@ Result<void> FFmpegFilm::Repeat()
 
 Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> changed)
 {
+    const StageTimer timer(m_settings.stages, Stage::Convert);
     // The encoder may still look at the last picture; a new one costs an allocation from a pool.
     if (FFmpeg().av_frame_is_writable(m_picture.get()) == 0)
     {
@@ -292,16 +295,18 @@ Result<void> FFmpegFilm::Show(std::int64_t index)
     m_shown = index;
     m_picture->pts = m_frameTimes.TimeOf(index);
     m_decodingTimes->Show(m_picture->pts);
-    const int status = m_codec->Send(m_picture.get());
-    if (status < 0)
+    if (Result<void> encoded = Encode(); !encoded)
     {
-        return EncodeError(status);
-    }
-    if (Result<void> taken = Take(); !taken)
-    {
-        return taken;
+        return encoded;
     }
     return WriteWaiting();
+}
+
+Result<void> FFmpegFilm::Encode()
+{
+    const StageTimer timer(m_settings.stages, Stage::Encode);
+    const int status = m_codec->Send(m_picture.get());
+    return status < 0 ? Result<void>(EncodeError(status)) : Take();
 }
 
 Result<void> FFmpegFilm::StartGroup(std::int64_t group)
@@ -317,6 +322,7 @@ Result<void> FFmpegFilm::StartGroup(std::int64_t group)
         return written;
     }
     EndGroup();
+    const StageTimer timer(m_settings.stages, Stage::Encode);
     Result<FFmpegCodec> codec = FFmpegCodec::Open(m_plan, m_settings, Name());
     if (!codec)
     {
@@ -330,8 +336,9 @@ Result<void> FFmpegFilm::StartGroup(std::int64_t group)
 /// itself it could not keep all processors busy.
 void FFmpegFilm::EndGroup()
 {
-    const auto empty = [](const std::shared_ptr<FFmpegCodec>& codec,
-                          Packets packets) -> Result<Packets> {
+    const auto empty = [](const std::shared_ptr<FFmpegCodec>& codec, Packets packets,
+                          StageTimes* stages) -> Result<Packets> {
+        const StageTimer timer(stages, Stage::Encode);
         int status = codec->Send(nullptr);
         while (status >= 0)
         {
@@ -351,7 +358,7 @@ void FFmpegFilm::EndGroup()
         return packets;
     };
     m_ending = std::async(std::launch::async, empty, std::exchange(m_codec, nullptr),
-                          std::exchange(m_waiting, Packets{}));
+                          std::exchange(m_waiting, Packets{}), m_settings.stages);
 }
 
 /// Collects what the encoder has ready.
@@ -373,6 +380,12 @@ Result<void> FFmpegFilm::Take()
     }
 }
 
+Result<Packets> FFmpegFilm::TakeEnded()
+{
+    const StageTimer timer(m_settings.stages, Stage::Encode);
+    return m_ending.get();
+}
+
 /// Writes the packets of the group before, waiting for them if need be.
 Result<void> FFmpegFilm::WriteEnded()
 {
@@ -380,7 +393,7 @@ Result<void> FFmpegFilm::WriteEnded()
     {
         return {};
     }
-    Result<Packets> packets = m_ending.get();
+    Result<Packets> packets = TakeEnded();
     if (!packets)
     {
         return packets.GetError();
@@ -409,6 +422,7 @@ Result<void> FFmpegFilm::WriteWaiting()
 
 Result<void> FFmpegFilm::Write(Packets& packets)
 {
+    const StageTimer timer(m_settings.stages, Stage::Write);
     for (const FFmpegOwner<AVPacket>& packet : packets)
     {
         packet->dts = m_decodingTimes->Next();
@@ -448,6 +462,7 @@ Result<void> FFmpegFilm::Finish()
         m_muxer->SetFinalDelay(
             std::max<std::int64_t>(end - m_frameTimes.TimeOf(m_shown), IsGif() ? 2 : 1));
     }
+    const StageTimer timer(m_settings.stages, Stage::Write);
     return m_muxer->Finish();
 }
 
@@ -461,6 +476,7 @@ Result<void> FFmpegFilm::Close()
     {
         return {};
     }
+    const StageTimer timer(m_settings.stages, Stage::Write);
     return m_format == VideoFormat::Mp4 ? CommitWithIndexInFront() : m_file->Commit();
 }
 

@@ -51,11 +51,13 @@ private:
     Result<void> Flush();
     void Join();
     void Work();
+    Result<std::vector<std::uint8_t>> Encode(const Frame& frame);
     Result<void> Write(const Job& job);
 
     SequenceName m_name;
     FrameRange m_numbers;
     bool m_overwrite;
+    StageTimes* m_stages;
     std::size_t m_depth; // jobs that may wait
     Job m_pending;       // the last frame: a Repeat may still follow
     std::int64_t m_resumed;
@@ -75,7 +77,8 @@ private:
 PngSequenceWriter::PngSequenceWriter(SequenceName name, const VideoSettings& settings,
                                      std::int64_t resumed)
     : m_name(std::move(name)), m_numbers(settings.frames),
-      m_overwrite(settings.overwrite || settings.resume), m_resumed(resumed), m_frames(resumed)
+      m_overwrite(settings.overwrite || settings.resume), m_stages(settings.stages),
+      m_resumed(resumed), m_frames(resumed)
 {
     const int threads = settings.threads > 0 ? settings.threads : kDefaultThreads;
     m_depth = std::size_t(threads);
@@ -121,6 +124,7 @@ Result<void> PngSequenceWriter::Append(const Frame& frame, std::span<const Pixel
             return done;
         }
     }
+    const StageTimer timer(m_stages, Stage::Copy);
     m_pending.first = m_frames++;
     m_pending.count = 1;
     m_pending.frame = frame; // into a buffer that is used again
@@ -179,13 +183,20 @@ void PngSequenceWriter::Work()
     }
 }
 
+Result<std::vector<std::uint8_t>> PngSequenceWriter::Encode(const Frame& frame)
+{
+    const StageTimer timer(m_stages, Stage::Encode);
+    return EncodePng(frame, kFastest);
+}
+
 Result<void> PngSequenceWriter::Write(const Job& job)
 {
-    const Result<std::vector<std::uint8_t>> bytes = EncodePng(job.frame, kFastest);
+    const Result<std::vector<std::uint8_t>> bytes = Encode(job.frame);
     if (!bytes)
     {
         return bytes.GetError();
     }
+    const StageTimer timer(m_stages, Stage::Write);
     for (std::int64_t i = 0; i < job.count; ++i)
     {
         const fs::path path = m_name.PathOf(m_numbers.At(job.first + i));

@@ -19,14 +19,16 @@ class Recorder
 public:
     Recorder(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer)
         : m_settings(settings), m_renderer(renderer), m_writer(writer),
-          m_frameCount(settings.frameCount), m_encoder(writer)
+          m_frameCount(settings.frameCount), m_encoder(writer, settings.stages)
     {}
 
     Result<RecordingEnd> Run();
 
 private:
     Result<void> Fill(std::int64_t frame);
+    Result<void> Submit();
     Result<void> Make(std::int64_t frame);
+    Result<const Frame*> Read();
     Result<void> HandOver();
     Result<void> Repeat();
     bool Report(std::int64_t framesDone);
@@ -93,12 +95,17 @@ Result<void> Recorder::Fill(std::int64_t frame)
     return filled;
 }
 
+Result<void> Recorder::Submit()
+{
+    const StageTimer timer(m_settings.stages, Stage::Draw);
+    const Overlay* overlay = m_content.overlay.IsEmpty() ? nullptr : &m_content.overlay;
+    return m_renderer.Submit(m_content.list, m_content.camera, overlay);
+}
+
 /// Submits frame `frame`, fills the next while it is drawn, hands its pixels to the encoder.
 Result<void> Recorder::Make(std::int64_t frame)
 {
-    const Overlay* overlay = m_content.overlay.IsEmpty() ? nullptr : &m_content.overlay;
-    if (Result<void> submitted = m_renderer.Submit(m_content.list, m_content.camera, overlay);
-        !submitted)
+    if (Result<void> submitted = Submit(); !submitted)
     {
         return submitted;
     }
@@ -125,10 +132,16 @@ Result<void> Recorder::Make(std::int64_t frame)
     return {};
 }
 
+Result<const Frame*> Recorder::Read()
+{
+    const StageTimer timer(m_settings.stages, Stage::Read);
+    return m_renderer.ReadChanges();
+}
+
 /// Reads what has changed and hands it to the encoder.
 Result<void> Recorder::HandOver()
 {
-    const Result<const Frame*> read = m_renderer.ReadChanges();
+    const Result<const Frame*> read = Read();
     if (!read)
     {
         return read.GetError();

@@ -243,6 +243,7 @@ int WebPFilm::TimeOf(std::int64_t frame) const
 
 Result<void> WebPFilm::Append(const Frame& frame, std::span<const PixelBounds>)
 {
+    const StageTimer timer(m_settings.stages, Stage::Encode);
     WebPPicture picture;
     m_library.pictureInit(&picture, WEBP_ENCODER_ABI_VERSION);
     picture.width = frame.width;
@@ -264,6 +265,7 @@ Result<void> WebPFilm::Repeat()
 
 Result<void> WebPFilm::Write()
 {
+    const StageTimer timer(m_settings.stages, Stage::Encode);
     WebPData data{};
     const bool isWhole = m_library.encoderAdd(m_encoder, nullptr, TimeOf(m_frames), nullptr) != 0 &&
                          m_library.encoderAssemble(m_encoder, &data) != 0;

@@ -2,8 +2,10 @@
 #include "ChildProcess.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +15,12 @@ namespace boxreel
 {
 namespace
 {
+
+enum class Heard
+{
+    Output,          ///< its standard error is ours
+    OutputAndErrors, ///< both
+};
 
 Error CannotRun(const std::filesystem::path& program, const std::string& why)
 {
@@ -38,25 +46,51 @@ std::string ReadAll(int file)
     }
 }
 
-/// The program with its standard output in a pipe; returns 0 or the reason why not.
-int Spawn(const std::filesystem::path& program, std::vector<char*>& words, const int (&ends)[2],
-          pid_t& child)
+/// The program with its words in a pipe; returns 0 or the reason why not.
+int Spawn(const std::filesystem::path& program, std::vector<char*>& words, Heard heard,
+          const int (&ends)[2], pid_t& child)
 {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    if (heard == Heard::OutputAndErrors)
+    {
+        posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    }
     posix_spawn_file_actions_addclose(&actions, ends[0]);
     posix_spawn_file_actions_addclose(&actions, ends[1]);
     const int failure =
-        posix_spawn(&child, program.c_str(), &actions, nullptr, words.data(), environ);
+        posix_spawnp(&child, program.c_str(), &actions, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     return failure;
 }
 
-} // namespace
+double SecondsOf(const timeval& time)
+{
+    return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
+}
 
-Result<std::string> OutputOf(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments)
+/// How it ended; empty: well.
+std::string Ending(int status)
+{
+    if (WIFSIGNALED(status))
+    {
+        return "signal " + std::to_string(WTERMSIG(status)) + " ended it";
+    }
+    return WEXITSTATUS(status) == 0 ? ""
+                                    : "it ended with code " + std::to_string(WEXITSTATUS(status));
+}
+
+/// The last line that is not empty, as the end of a sentence.
+std::string LastWords(std::string output)
+{
+    output.erase(output.find_last_not_of(" \t\r\n") + 1);
+    const std::string line = output.substr(output.rfind('\n') + 1);
+    return line.empty() ? "" : ", saying \"" + line + "\"";
+}
+
+Result<ChildRun> Run(const std::filesystem::path& program,
+                     const std::vector<std::string>& arguments, Heard heard)
 {
     std::vector<char*> words{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments)
@@ -69,27 +103,46 @@ Result<std::string> OutputOf(const std::filesystem::path& program,
     {
         return CannotRun(program, std::strerror(errno));
     }
+    ChildRun run;
+    const auto start = std::chrono::steady_clock::now();
     pid_t child = 0;
-    const int failure = Spawn(program, words, ends, child);
+    const int failure = Spawn(program, words, heard, ends, child);
     close(ends[1]);
-    const std::string output = failure == 0 ? ReadAll(ends[0]) : std::string();
+    run.output = failure == 0 ? ReadAll(ends[0]) : std::string();
     close(ends[0]);
     if (failure != 0)
     {
         return CannotRun(program, std::strerror(failure));
     }
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+    rusage usage{};
+    while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR)
     {}
-    if (WIFSIGNALED(status))
+    run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.cpu = SecondsOf(usage.ru_utime) + SecondsOf(usage.ru_stime);
+    run.memory = 1024.0 * double(usage.ru_maxrss);
+    const std::string ending = Ending(status);
+    if (!ending.empty())
     {
-        return CannotRun(program, "signal " + std::to_string(WTERMSIG(status)) + " ended it");
+        return CannotRun(program, ending + (heard == Heard::OutputAndErrors ? LastWords(run.output)
+                                                                            : std::string()));
     }
-    if (WEXITSTATUS(status) != 0)
-    {
-        return CannotRun(program, "it ended with code " + std::to_string(WEXITSTATUS(status)));
-    }
-    return output;
+    return run;
+}
+
+} // namespace
+
+Result<std::string> OutputOf(const std::filesystem::path& program,
+                             const std::vector<std::string>& arguments)
+{
+    Result<ChildRun> run = Run(program, arguments, Heard::Output);
+    return run ? Result<std::string>(std::move(run->output)) : Result<std::string>(run.GetError());
+}
+
+Result<ChildRun> RunMeasured(const std::filesystem::path& program,
+                             const std::vector<std::string>& arguments)
+{
+    return Run(program, arguments, Heard::OutputAndErrors);
 }
 
 } // namespace boxreel

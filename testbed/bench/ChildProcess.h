@@ -15,4 +15,18 @@ namespace boxreel
 Result<std::string> OutputOf(const std::filesystem::path& program,
                              const std::vector<std::string>& arguments);
 
+/// What a program needed, with all programs that it started and waited for.
+struct ChildRun
+{
+    std::string output;  ///< standard output and error
+    double wall = 0.0;   ///< from the start to the end [s]
+    double cpu = 0.0;    ///< [s]
+    double memory = 0.0; ///< most that one of them had at once; never less than we have [bytes]
+};
+
+/// The same, measured. A name without a folder is looked for as a shell does. The error's sentence
+/// ends with the program's last words.
+Result<ChildRun> RunMeasured(const std::filesystem::path& program,
+                             const std::vector<std::string>& arguments);
+
 } // namespace boxreel

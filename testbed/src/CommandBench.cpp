@@ -117,6 +117,10 @@ Result<int> RunBench(const BenchOptions& options)
     {
         return RunBenchRender(options);
     }
+    if (options.record)
+    {
+        return RunBenchRecord(options);
+    }
     if (const Result<void> usable = CheckCharts(options); !usable)
     {
         return usable.GetError();

@@ -308,6 +308,25 @@ Result<Request> CheckDiff(DiffOptions options)
 
 Result<Request> CheckBench(BenchOptions options)
 {
+    if (options.record && (options.curve || options.accuracy || options.render ||
+                           options.threads != BenchOptions().threads))
+    {
+        return Unusable("--record goes with --list, --rounds, --frames, --size, --json, --from, "
+                        "--chart and --force; leave --accuracy, --render, --curve and --threads "
+                        "out.");
+    }
+    const bool isOfOtherSize = options.frames > 0 || options.size;
+    if (isOfOtherSize && (!options.record || !options.from.empty()))
+    {
+        return Unusable("--frames and --size are those of films that --record makes; leave them "
+                        "out.");
+    }
+    if (options.size && (options.size->width % 2 != 0 || options.size->height % 2 != 0))
+    {
+        return Unusable("--size " + std::to_string(options.size->width) + "x" +
+                        std::to_string(options.size->height) +
+                        ": films are compared in a format whose sides are even; give such.");
+    }
     if (options.render &&
         (options.curve || options.accuracy || options.threads != BenchOptions().threads))
     {
@@ -326,7 +345,8 @@ Result<Request> CheckBench(BenchOptions options)
         return Unusable("--curve names its scenes itself; leave '" + options.scenes.front() +
                         "' out, or --curve.");
     }
-    if (!options.from.empty() && !options.scenes.empty() && !options.accuracy && !options.render)
+    if (!options.from.empty() && !options.scenes.empty() && !options.accuracy && !options.render &&
+        !options.record)
     {
         return Unusable("--from shows all that was run before; leave '" + options.scenes.front() +
                         "' out, or --from.");

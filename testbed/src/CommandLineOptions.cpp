@@ -66,7 +66,7 @@ void AddForce(CLI::App& command, bool& force)
 
 void AddStats(CLI::App& command, bool& stats)
 {
-    command.add_flag("--stats", stats, "Then say what was drawn, and what left as it was");
+    command.add_flag("--stats", stats, "Then say what was drawn, what left as it was, and\nwhere the time of a film went");
 }
 
 CLI::Option* AddBackend(CLI::App& command, Backend& backend)
@@ -184,8 +184,14 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
                       "Run cases of known truth instead: error against time");
     command->add_flag("--render", bench.render,
                       "Time drawing instead, beside Cairo: error at edges against time");
+    command->add_flag("--record", bench.record,
+                      "Time recording instead, beside ffmpeg and immediate mode");
     AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
              "How often each engine runs, in turn; figures are medians (3)");
+    AddValue(*command, "--frames", "N", bench.frames, WholeBetween(2, 100000),
+             "Of the films of --record (600)");
+    AddValue(*command, "--size", "WxH", bench.size, ParseSize,
+             "Of the films of --record (1280x720)");
     AddValue(*command, "--threads", "N[,N...]", bench.threads, ParseThreads,
              "Of our engine (1); peers are compared with the first count");
     command->add_flag("--json", bench.json, "Print all figures as JSON instead of a table");
@@ -197,7 +203,7 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
             [&bench](const std::vector<std::string>& names) {
                 bench.charts.assign(names.begin(), names.end());
             },
-            "Draw the ratios, each case, or each size: .png or .svg; repeatable")
+            "Draw the ratios, each case, each size, or\nspeed and stages: .png or .svg; repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
     AddForce(*command, bench.force);
@@ -216,7 +222,13 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "has changed, and none at all, with one raster thread and as LP_NUM_THREADS has it. The\n"
         "error is that of pixels at edges against 16 x 16 samples a pixel; a sign (!) marks a "
         "goal\n"
-        "that is missed. Cairo is compared when libcairo2-dev was there at the build.\n\n"
+        "that is missed. Cairo is compared when libcairo2-dev was there at the build.\n"
+        "--record films a pyramid that comes to rest, a tumbler, the pyramid asleep, and pictures\n"
+        "(and `memory`, when it is named): boxreel record from a cold start to a closed film;\n"
+        "ffmpeg with the same settings, on a file of the same raw frames, which needs 2.2 GB "
+        "below\n"
+        "TMPDIR; and drawing in OpenGL's immediate mode, reading and piping to ffmpeg. It says\n"
+        "what is wrong with a film, where the time of a frame goes, and marks missed goals (!).\n\n"
         "Examples:\n"
         "  boxreel bench\n"
         "  boxreel bench large-pyramid tumbler --rounds 7\n"
@@ -229,7 +241,10 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "  boxreel bench --accuracy A-projectile --chart error.svg   (error-A-projectile.svg)\n"
         "  boxreel bench --render --json > drawing.json\n"
         "  boxreel bench --render --from drawing.json --chart drawing.svg   (drawing-720p.svg …)\n"
-        "  boxreel bench --render 1500-720p --rounds 1");
+        "  boxreel bench --render 1500-720p --rounds 1\n"
+        "  boxreel bench --record --json > recording.json\n"
+        "  boxreel bench --record --from recording.json --chart film.png   (film-speed.png …)\n"
+        "  boxreel bench --record tumbler --rounds 1 --frames 60 --size 640x360");
 }
 
 } // namespace boxreel

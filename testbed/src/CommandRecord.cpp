@@ -3,6 +3,7 @@
 #include "FilmPapers.h"
 #include "OutputPath.h"
 #include "RenderReport.h"
+#include "StageReport.h"
 #include "StopSignals.h"
 #include "Terminal.h"
 
@@ -104,13 +105,19 @@ private:
     Result<void> FinishPapers();
     Result<void> WriteThumbnail();
     void AdvanceTo(std::int64_t number);
+    void Collect(FrameContent& content);
     std::int64_t StepOf(std::int64_t number) const;
     std::int64_t ThumbnailFrame() const;
+    /// Nobody is timed unless the figures are asked for.
+    StageTimes* Stages() { return m_options.stats ? &m_stages : nullptr; }
+    std::string StageText() const;
     std::filesystem::path Part() const { return PartPath(m_options.output); }
 
     const RecordOptions& m_options;
     FilmPlan m_plan;
     Progress m_progress;
+    StageTimes m_stages;
+    ProcessTime m_before; // when the first frame was begun
     bool m_hasPapers = false;
     FilmPapers m_papers;
     FilmPapers m_left; // of the run before
@@ -134,6 +141,7 @@ std::int64_t FilmRun::StepOf(std::int64_t number) const
 /// A simulation of many steps a frame is left between two of them when a signal asks for it.
 void FilmRun::AdvanceTo(std::int64_t number)
 {
+    const StageTimer timer(Stages(), Stage::Simulate);
     const std::int64_t step = StepOf(number);
     while (m_session->Step() < step && StopSignals::Caught() == 0)
     {
@@ -184,6 +192,7 @@ Result<void> FilmRun::Open(SceneSource source)
     {
         return opened;
     }
+    m_plan.film.stages = Stages();
     Result<VideoWriter> writer = VideoWriter::Open(m_options.output, m_plan.film);
     if (!writer)
     {
@@ -230,6 +239,12 @@ Result<void> FilmRun::NoteState(std::int64_t number)
     return WritePapers(Part(), m_papers);
 }
 
+void FilmRun::Collect(FrameContent& content)
+{
+    const StageTimer timer(Stages(), Stage::Collect);
+    m_session->Fill(content);
+}
+
 Result<void> FilmRun::Fill(std::int64_t frame, FrameContent& content)
 {
     const std::int64_t number = m_plan.frames.At(m_resumed + frame);
@@ -243,7 +258,7 @@ Result<void> FilmRun::Fill(std::int64_t frame, FrameContent& content)
     {
         return noted;
     }
-    m_session->Fill(content);
+    Collect(content);
     for (const Condition& condition : m_options.until)
     {
         content.isLast = content.isLast ||
@@ -270,7 +285,9 @@ void FilmRun::See(std::int64_t frame, const Frame& pixels)
 
 Result<RecordingEnd> FilmRun::Film()
 {
+    m_before = ProcessSoFar();
     RecordingSettings settings;
+    settings.stages = Stages();
     settings.frameCount = m_plan.frames.Count() - m_resumed;
     settings.fill = [this](std::int64_t frame, FrameContent& content) {
         return Fill(frame, content);
@@ -368,6 +385,13 @@ FilmReport ReportOf(const RecordOptions& options, std::int64_t frameCount, doubl
     return report;
 }
 
+std::string FilmRun::StageText() const
+{
+    const FilmTimes times{m_filmed - m_resumed, m_before, ProcessSoFar(), RasterSeconds()};
+    return m_options.progress == ProgressMode::Json ? StageJson(m_stages, times)
+                                                    : DescribeStages(m_stages, times);
+}
+
 Result<int> FilmRun::Finished()
 {
     if (Result<void> finished = FinishPapers(); !finished)
@@ -392,6 +416,7 @@ Result<int> FilmRun::Finished()
     if (m_options.stats)
     {
         WriteMessage(DescribeDrawing(m_renderer->Totals()));
+        WriteMessage(StageText());
     }
     return 0;
 }

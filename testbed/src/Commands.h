@@ -41,7 +41,7 @@ struct RecordOptions
     std::filesystem::path thumbnail;     ///< a picture of one frame; empty: none
     std::optional<Duration> thumbnailAt; ///< when in the film; not given: in its middle
     Backend backend = Backend::Auto;
-    bool stats = false; ///< say what was drawn and what was left as it was
+    bool stats = false; ///< say what was drawn, and where the time went
     ProgressMode progress = ProgressMode::Auto;
     std::vector<std::string> arguments; ///< as they were typed
 };
@@ -94,6 +94,9 @@ struct BenchOptions
     bool curve = false;              ///< the scenes of the curve, and its chart
     bool accuracy = false;           ///< cases of accuracy instead of scenes, a chart for each
     bool render = false;             ///< pictures to draw instead of scenes, a chart for each size
+    bool record = false;             ///< films to make instead of scenes, two charts
+    std::int64_t frames = 0;         ///< of these films; 0: as each case has it
+    std::optional<PixelSize> size;   ///< of these films; none: as each case has it
     int rounds = 3;
     std::vector<int> threads{1};               ///< of our engine
     bool json = false;                         ///< figures for programs instead of a table
@@ -113,5 +116,7 @@ Result<int> RunBench(const BenchOptions& options);
 Result<int> RunBenchAccuracy(const BenchOptions& options);
 /// What RunBench does when drawing is asked for.
 Result<int> RunBenchRender(const BenchOptions& options);
+/// What RunBench does when recording is asked for.
+Result<int> RunBenchRecord(const BenchOptions& options);
 
 } // namespace boxreel

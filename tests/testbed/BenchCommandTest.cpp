@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
+#include <optional>
 
 namespace boxreel
 {
@@ -192,6 +194,92 @@ TEST_F(BenchCommand, RefusesWhatDoesNotGoWithDrawing)
     ExpectRefusal({"--render", "--from", "absent.json"}, "Cannot read 'absent.json'");
     ExpectRefusal({"--render", "--from", "run.json", "--rounds", "2"}, "leave --rounds");
     EXPECT_THAT(Run({"--render", "--list"}).output, HasSubstr("10000-1080p"));
+}
+
+TEST_F(BenchCommand, MakesAFilmInEveryWayAndChartsThem)
+{
+    const Outcome outcome = Run({"--record", "tumbler", "--rounds", "1", "--frames", "6", "--size",
+                                 "320x180", "--json", "--chart", "f.svg"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    for (const char* role : {"boxreel", "start", "encodeOnly", "immediate"})
+    {
+        EXPECT_THAT(outcome.output,
+                    ContainsRegex("\"role\": \"" + std::string(role) +
+                                  "\",[^}]*\"verdict\": \"sound\",[[:space:]]*\"wallSeconds\""));
+    }
+    EXPECT_THAT(outcome.output, HasSubstr("\"stage\": \"converting colours\""));
+    EXPECT_THAT(outcome.output, testing::Not(HasSubstr("goalsMet"))) << "it is another film";
+    EXPECT_THAT(folder.Files(), ElementsAre("f-speed.svg", "f-stages.svg", "run.json"));
+    std::ofstream(folder / "again.json") << outcome.output;
+    const Outcome again = Run({"--record", "--from", "again.json", "--json", "--chart", "g.svg"});
+    EXPECT_EQ(again.output, outcome.output) << again.errors;
+    EXPECT_EQ(ReadFile(folder / "g-stages.svg"), ReadFile(folder / "f-stages.svg"));
+    EXPECT_THAT(Run({"--record", "tumbler", "--from", "again.json"}).output,
+                HasSubstr("where a frame's time goes"));
+    ExpectRefusal({"--record", "pyramid", "--from", "again.json"}, "'pyramid'");
+    ExpectRefusal({"--render", "--from", "again.json"}, "--render --json` prints");
+}
+
+TEST_F(BenchCommand, MakesPicturesInEveryWayThatThereIs)
+{
+    const Outcome outcome = Run(
+        {"--record", "pictures", "--rounds", "1", "--frames", "3", "--size", "160x90", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, ContainsRegex("\"role\": \"boxreel\",[^}]*\"sound\""));
+    EXPECT_THAT(outcome.output, ContainsRegex("\"role\": \"encodeOnly\",[^}]*\"sound\""));
+}
+
+/// A variable for the programs that a test runs, as it was afterwards.
+class Variable
+{
+public:
+    Variable(const char* name, const char* value) : m_name(name)
+    {
+        const char* const before = std::getenv(name);
+        m_before = before != nullptr ? std::optional<std::string>(before) : std::nullopt;
+        setenv(name, value, 1);
+    }
+    ~Variable() { m_before ? setenv(m_name, m_before->c_str(), 1) : unsetenv(m_name); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+private:
+    const char* m_name;
+    std::optional<std::string> m_before;
+};
+
+TEST_F(BenchCommand, WithoutFfmpegShowsOurFilmsAloneAndSaysSo)
+{
+    const Variable path("PATH", "/nowhere");
+    const Outcome outcome =
+        Run({"--record", "tumbler", "--rounds", "1", "--frames", "2", "--size", "64x36"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("ffmpeg does not run here; install Debian's ffmpeg."));
+    EXPECT_THAT(outcome.output, HasSubstr("boxreel record"));
+    EXPECT_THAT(outcome.output, testing::Not(HasSubstr("raw file")));
+}
+
+TEST_F(BenchCommand, SaysBeforeAnythingIsMadeThatThereIsNoRoom)
+{
+    const Outcome outcome =
+        Run({"--record", "tumbler", "--frames", "100000", "--size", "8192x8192"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(outcome.errors, HasSubstr("The raw frames of 'tumbler' need 26844.0 GB in "));
+}
+
+TEST_F(BenchCommand, RefusesWhatDoesNotGoWithRecording)
+{
+    std::ofstream(folder / "f-speed.svg") << "old";
+    ExpectRefusal({"--record", "tumble"}, "Did you mean 'tumbler'?");
+    ExpectRefusal({"--record", "tumbler", "tumbler"}, "named twice");
+    ExpectRefusal({"--record", "--render"}, "--record goes with");
+    ExpectRefusal({"--record", "--chart", "f.svg"}, "'f-speed.svg' exists");
+    ExpectRefusal({"--record", "--chart", "a.jpg"}, "does not end in .png or .svg");
+    ExpectRefusal({"--record", "--from", "run.json"},
+                  "is not what `boxreel bench --record --json` prints");
+    ExpectRefusal({"--record", "--from", "absent.json"}, "Cannot read 'absent.json'");
+    ExpectRefusal({"--record", "--from", "run.json", "--rounds", "2"}, "leave --rounds");
+    EXPECT_THAT(Run({"--record", "--list"}).output, HasSubstr("asleep"));
 }
 
 TEST_F(BenchCommand, ListsAllScenes)

@@ -363,6 +363,29 @@ TEST(CommandLine, BenchTakesSeveralChartsAndThreadCountsAndLeavesScenesToThemsel
     EXPECT_THAT(Refusal("bench --render --threads 2"), HasSubstr("LP_NUM_THREADS"));
 }
 
+TEST(CommandLine, BenchRecordsFilmsOfACertainLengthAndSize)
+{
+    const BenchOptions options = Parsed<BenchOptions>(
+        "bench --record tumbler --frames 10 --size 64x36 --rounds 2 --json --chart a.png");
+    EXPECT_TRUE(options.record);
+    EXPECT_EQ(options.scenes, std::vector<std::string>{"tumbler"});
+    EXPECT_EQ(options.frames, 10);
+    EXPECT_EQ(options.size, (PixelSize{64, 36}));
+    EXPECT_EQ(Parsed<BenchOptions>("bench --record").frames, 0);
+    EXPECT_FALSE(Parsed<BenchOptions>("bench --record").size);
+    EXPECT_EQ(Parsed<BenchOptions>("bench --record tumbler --from a.json").from, "a.json");
+    for (const char* other : {"--render", "--accuracy", "--curve", "--threads 2"})
+    {
+        EXPECT_THAT(Refusal(std::string("bench --record ") + other),
+                    HasSubstr("--record goes with"));
+    }
+    EXPECT_THAT(Refusal("bench --record --frames 1"), HasSubstr("--frames"));
+    EXPECT_THAT(Refusal("bench --record --size 64x35"), HasSubstr("sides are even"));
+    EXPECT_THAT(Refusal("bench --frames 10"), HasSubstr("--record makes"));
+    EXPECT_THAT(Refusal("bench --render --size 64x36"), HasSubstr("--record makes"));
+    EXPECT_THAT(Refusal("bench --record --from a.json --frames 10"), HasSubstr("--record makes"));
+}
+
 TEST(CommandLine, APanelThatWouldBeCutOffIsRefused)
 {
     for (const char* call : {"shot pyramid --at 1s -o a.png --hud --size 199x200",

@@ -218,6 +218,8 @@ TEST_F(Film, StatsSayWhatWasDrawnAndOnlyWhenAskedFor)
     EXPECT_THAT(outcome.errors, testing::StartsWith("What was drawn:\n  frames             20   "));
     EXPECT_THAT(outcome.errors, HasSubstr("1 as a whole, "));
     EXPECT_THAT(outcome.errors, HasSubstr("10 unchanged\n"));
+    EXPECT_THAT(outcome.errors, HasSubstr("Where the time of a frame went [ms]:\n"));
+    EXPECT_THAT(outcome.errors, testing::ContainsRegex("\n  encoding +encoder +[0-9]*[.][0-9]+"));
 
     const Outcome shot = Run({"shot", "pyramid", "--step", "9", "-o", "a.png", "--stats"});
     EXPECT_THAT(shot.errors, HasSubstr("\n  frames              1   1 as a whole, 0 in part, "

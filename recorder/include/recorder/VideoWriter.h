@@ -4,6 +4,7 @@
 #include <debugdraw/Result.h>
 #include <recorder/FrameClock.h>
 #include <recorder/FrameRange.h>
+#include <recorder/StageTimes.h>
 #include <render/Frame.h>
 
 #include <cstdint>
@@ -88,8 +89,9 @@ struct VideoSettings
     /// The numbers of the frames that are appended, in the film of which this one may be a part:
     /// groups begin at multiples of their length, and pictures are called by them.
     FrameRange frames{};
-    bool overwrite = false; ///< false: an existing film, or what is left of one, is an Error
-    bool resume = false;    ///< true: what is left of one is continued, from ResumedFrames on
+    bool overwrite = false;       ///< false: an existing film, or what is left of one, is an Error
+    bool resume = false;          ///< true: what is left of one is continued, from ResumedFrames on
+    StageTimes* stages = nullptr; ///< what converting, encoding and writing take; null: not timed
 };
 
 /// Whether `path` names a format that can be written with these settings, without opening anything:
