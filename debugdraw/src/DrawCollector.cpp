@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/DrawCollector.h>
 
+#include <Box2D/Dynamics/b2World.h>
+
 namespace boxreel
 {
 
@@ -123,6 +125,17 @@ void DrawCollector::BeginLayer(uint32 flag)
 void DrawCollector::BeginBody(int32 number)
 {
     m_list.owner = number < 0 ? kNoOwner : static_cast<std::uint32_t>(number);
+}
+
+DrawList DrawListOf(b2World& world, uint32 flags)
+{
+    DrawList list;
+    DrawCollector collector(list);
+    collector.SetFlags(flags);
+    world.SetDebugDraw(&collector);
+    world.DrawDebugData();
+    world.SetDebugDraw(nullptr);
+    return list;
 }
 
 } // namespace boxreel

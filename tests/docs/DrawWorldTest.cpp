@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The program of docs/figures.md.
 #include "../debugdraw/TemporaryFolder.h"
+#include "Shown.h"
 
 #include <render/Png.h>
 
 #include <gmock/gmock.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 
@@ -16,12 +15,6 @@ using namespace boxreel;
 
 namespace
 {
-
-std::string TextOf(const std::filesystem::path& path)
-{
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 TEST(DrawWorld, DrawsThePicturesThatItPromises)
 {
@@ -45,10 +38,7 @@ TEST(DrawWorld, DrawsThePicturesThatItPromises)
 
 TEST(DrawWorld, IsShownInTheDocumentationAsItIs)
 {
-    const std::string program = TextOf(BOXREEL_DOCS "/examples/draw_world.cpp");
-    const std::size_t licence = program.find('\n') + 1;
-    EXPECT_THAT(TextOf(BOXREEL_DOCS "/figures.md"),
-                testing::HasSubstr("```cpp\n" + program.substr(licence) + "```\n"));
+    EXPECT_TRUE(IsShown("draw_world.cpp", "figures.md"));
 }
 
 } // namespace

@@ -20,6 +20,7 @@ using boxreel::ErrorKind;
 using boxreel::Frame;
 using boxreel::FrameContent;
 using boxreel::Quality;
+using boxreel::Recording;
 using boxreel::RecordingProgress;
 using boxreel::RecordingSettings;
 using boxreel::Renderer;
@@ -232,6 +233,61 @@ TEST_F(RecordFixture, RefusesAFilmWithoutFrames)
     const Result<boxreel::RecordingEnd> recorded = Record(Settings(0, 0), *m_renderer, writer);
     ASSERT_FALSE(recorded);
     EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
+}
+
+TEST_F(RecordFixture, ALoopOfOnesOwnMakesTheSameFilm)
+{
+    VideoWriter writer = OpenWriter(m_folder / "pulled.mkv");
+    ASSERT_TRUE(Record(Settings(40, 25), *m_renderer, writer));
+    Result<Recording> recording =
+        Recording::Open(m_folder / "pushed.mkv",
+                        {.width = kWidth, .height = kHeight, .quality = Quality::Lossless});
+    ASSERT_TRUE(recording) << recording.GetError().message;
+    for (std::int64_t frame = 0; frame < 40; ++frame)
+    {
+        FrameContent content;
+        FillBox(frame, 25, content);
+        EXPECT_TRUE(recording->Add(content.list, content.camera));
+    }
+    const Result<void> closed = recording->Close();
+    ASSERT_TRUE(closed) << closed.GetError().message;
+    EXPECT_EQ(ReadFilm(m_folder / "pushed.mkv").frames, ReadFilm(m_folder / "pulled.mkv").frames);
+    EXPECT_THAT(m_folder.Names(), testing::ElementsAre("pulled.mkv", "pushed.mkv"));
+}
+
+TEST_F(RecordFixture, ALoopOfOnesOwnLearnsTheFirstErrorAndLeavesNothing)
+{
+    {
+        Result<Recording> recording =
+            Recording::Open(m_folder / "film.mkv", {.width = kWidth, .height = kHeight});
+        ASSERT_TRUE(recording);
+        FrameContent content;
+        FillBox(0, 0, content);
+        EXPECT_TRUE(recording->Add(content.list, content.camera));
+        content.camera.width += 2;
+        EXPECT_FALSE(recording->Add(content.list, content.camera));
+        content.camera.width -= 2;
+        EXPECT_FALSE(recording->Add(content.list, content.camera)) << "it has a gap";
+        const Result<void> closed = recording->Close();
+        ASSERT_FALSE(closed);
+        EXPECT_EQ(closed.GetError().kind, ErrorKind::Unusable);
+        EXPECT_FALSE(recording->Close());
+    }
+    EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
+}
+
+TEST_F(RecordFixture, ALoopOfOnesOwnThatIsLeftEarlyLeavesNothing)
+{
+    {
+        Result<Recording> recording =
+            Recording::Open(m_folder / "film.mkv", {.width = kWidth, .height = kHeight});
+        ASSERT_TRUE(recording);
+        FrameContent content;
+        FillBox(0, 0, content);
+        EXPECT_TRUE(recording->Add(content.list, content.camera));
+    }
+    EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
+    EXPECT_FALSE(Recording::Open(m_folder / "film.mkv", {.width = 33, .height = kHeight}));
 }
 
 } // namespace

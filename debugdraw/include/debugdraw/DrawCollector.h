@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class b2World;
+
 /// The engine's debug drawing as a DrawList: register it with b2World::SetDebugDraw, call
 /// DrawDebugData, read the list. What the engine does not draw itself is in the World* headers.
 namespace boxreel
@@ -39,5 +41,9 @@ private:
     DrawList& m_list;
     std::vector<Vec2> m_points; // scratch, kept so that drawing a frame allocates nothing
 };
+
+/// All that a world shows, of the layers that b2Draw's bits name. The world's debug drawing is
+/// borrowed for it and none is registered afterwards.
+DrawList DrawListOf(b2World& world, uint32 flags = b2Draw::e_shapeBit | b2Draw::e_jointBit);
 
 } // namespace boxreel

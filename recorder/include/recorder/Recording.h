@@ -7,10 +7,13 @@
 #include <render/Renderer.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <memory>
 
-/// The loop that makes a film: step, draw, read, encode, overlapped over bounded queues so that
-/// memory does not grow with the film. Knows no engine: the caller fills in what each frame shows.
+/// Making a film: draw, read, encode, overlapped with the caller's steps over bounded queues so
+/// that memory does not grow with the film. Record is the loop itself, Recording is for programs
+/// that have one. Knows no engine: the caller says what each frame shows.
 namespace boxreel
 {
 
@@ -60,5 +63,38 @@ enum class RecordingEnd
 /// The writer's size must be the renderer's.
 Result<RecordingEnd> Record(const RecordingSettings& settings, Renderer& renderer,
                             VideoWriter& writer);
+
+/// A film of a world with a main loop of its own:
+///
+///   auto film = boxreel::Recording::Open("film.mp4");   // …
+///   film->Add(list, camera);                            // in the loop, once a frame
+///   film->Close();                                      // after it
+///
+/// What is added is drawn while the loop goes on, and encoded on another thread. Pictures that are
+/// drawn by something else go to a VideoWriter.
+class Recording
+{
+public:
+    /// Of the film's size, whatever `drawing` says. The Errors of Renderer::Create and
+    /// VideoWriter::Open.
+    static Result<Recording> Open(const std::filesystem::path& path, const VideoSettings& film = {},
+                                  const RendererSettings& drawing = {});
+    Recording(Recording&&) noexcept;
+    Recording& operator=(Recording&&) noexcept;
+    ~Recording(); ///< without Close no film is left
+
+    /// The next frame. The camera's size must be the film's. False when this or an earlier one
+    /// could not be added; Close says why.
+    bool Add(const DrawList& list, const Camera& camera, const Overlay* overlay = nullptr);
+
+    /// Waits for the encoder and gives the film its name. Nothing may follow. The first Error that
+    /// there was; then no film is left.
+    Result<void> Close();
+
+private:
+    struct Impl;
+    explicit Recording(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
 
 } // namespace boxreel

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "FrameRelay.h"
+
+#include <span>
+
+namespace boxreel
+{
+
+FrameRelay::FrameRelay(Renderer& renderer, VideoWriter& writer, StageTimes* stages)
+    : m_renderer(renderer), m_stages(stages), m_encoder(writer, stages)
+{}
+
+Result<void> FrameRelay::Submit(const DrawList& list, const Camera& camera, const Overlay* overlay)
+{
+    const StageTimer timer(m_stages, Stage::Draw);
+    if (Result<void> submitted = m_renderer.Submit(list, camera, overlay); !submitted)
+    {
+        return submitted;
+    }
+    // The renderer may have drawn the same before this film began, but the film has no frame to
+    // repeat then.
+    m_isRepeat = m_isBegun && m_renderer.Statistics().unchanged;
+    return {};
+}
+
+Result<void> FrameRelay::HandOver()
+{
+    if (!m_isRepeat)
+    {
+        if (Result<void> appended = Append(); !appended)
+        {
+            return appended;
+        }
+    }
+    else if (!m_encoder.Repeat())
+    {
+        return m_encoder.Finish();
+    }
+    m_isBegun = true;
+    return {};
+}
+
+Result<const Frame*> FrameRelay::Read()
+{
+    const StageTimer timer(m_stages, Stage::Read);
+    return m_renderer.ReadChanges();
+}
+
+/// Reads what has changed and hands it to the encoder.
+Result<void> FrameRelay::Append()
+{
+    const Result<const Frame*> read = Read();
+    if (!read)
+    {
+        return read.GetError();
+    }
+    m_pixels = *read;
+    const PixelBounds whole{0, 0, m_pixels->width, m_pixels->height};
+    const std::span<const PixelBounds> changed =
+        m_isBegun ? m_renderer.Changes() : std::span(&whole, 1);
+    return m_encoder.Append(*m_pixels, changed) ? Result<void>() : m_encoder.Finish();
+}
+
+} // namespace boxreel
