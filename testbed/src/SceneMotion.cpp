@@ -35,17 +35,6 @@ bool IsMeant(const BodyChoice& choice, const b2Body& body)
                                      BodyRef(body.GetNumber())) != choice.bodies.end();
 }
 
-DrawList ShapesOf(b2World& world)
-{
-    DrawList list;
-    DrawCollector collector(list);
-    collector.SetFlags(b2Draw::e_shapeBit);
-    world.SetDebugDraw(&collector);
-    world.DrawDebugData();
-    world.SetDebugDraw(nullptr);
-    return list;
-}
-
 /// `count` intervals, in steps.
 std::int64_t StepsIn(const Interval& interval, std::int64_t count, const Rational& stepsPerSecond)
 {
@@ -241,7 +230,7 @@ void SceneMotion::Observe(SceneSession& session)
     }
     if (pose != m_poses.end())
     {
-        pose->second.list = ShapesOf(session.World());
+        pose->second.list = DrawListOf(session.World(), b2Draw::e_shapeBit);
     }
 }
 
@@ -272,7 +261,7 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
         return;
     }
     const double near = kSamePlace / session.CurrentCamera().pixelsPerMeter;
-    const DrawList now = ShapesOf(session.World());
+    const DrawList now = DrawListOf(session.World(), b2Draw::e_shapeBit);
     std::map<std::uint32_t, const DrawList*> later; // where a body was seen last, backwards
     std::map<std::int64_t, std::set<std::uint32_t>> shown;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step)
