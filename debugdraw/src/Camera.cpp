@@ -63,6 +63,20 @@ Rect Camera::VisibleArea() const
             ToWorld({static_cast<float>(width), 0.0f})};
 }
 
+Camera Between(const Camera& from, const Camera& to, double share)
+{
+    assert(from.width == to.width && from.height == to.height);
+    const auto mix = [share](double a, double b) { return a == b ? b : a + share * (b - a); };
+    Camera between = to;
+    between.centerX = mix(from.centerX, to.centerX);
+    between.centerY = mix(from.centerY, to.centerY);
+    if (from.pixelsPerMeter != to.pixelsPerMeter)
+    {
+        between.pixelsPerMeter = 1.0 / mix(1.0 / from.pixelsPerMeter, 1.0 / to.pixelsPerMeter);
+    }
+    return between;
+}
+
 Camera Scaled(const Camera& camera, double scale)
 {
     assert(scale > 0.0);

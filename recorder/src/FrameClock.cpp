@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <recorder/FrameClock.h>
 
+#include <algorithm>
 #include <cassert>
 #include <numeric>
 #include <optional>
@@ -115,12 +116,37 @@ Result<Rational> Rational::Parse(std::string_view text)
                    : Refuse(text, "has too many digits to be kept exactly");
 }
 
-std::int64_t FrameClock::StepOfFrame(std::int64_t frame) const
+namespace
+{
+
+/// The steps that have begun when a frame is shown, as a fraction.
+struct Steps
+{
+    Wide num;
+    Wide den;
+};
+
+Steps StepsAt(const FrameClock& clock, std::int64_t frame)
 {
     assert(frame >= 0 && "frames are counted from 0");
-    const Wide num = Wide(frame) * speed.num * stepsPerSecond.num * framesPerSecond.den;
-    const Wide den = Wide(speed.den) * stepsPerSecond.den * framesPerSecond.num;
-    return std::int64_t(num / den);
+    return {Wide(frame) * clock.speed.num * clock.stepsPerSecond.num * clock.framesPerSecond.den,
+            Wide(clock.speed.den) * clock.stepsPerSecond.den * clock.framesPerSecond.num};
+}
+
+} // namespace
+
+std::int64_t FrameClock::StepOfFrame(std::int64_t frame) const
+{
+    const Steps steps = StepsAt(*this, frame);
+    return std::int64_t(steps.num / steps.den);
+}
+
+double FrameClock::FractionOfFrame(std::int64_t frame) const
+{
+    const Steps steps = StepsAt(*this, frame);
+    // Rounding could only reach 1 where the denominator is beyond 2^53; such a frame waits.
+    constexpr double kBelowOne = 1.0 - 0x1p-53;
+    return std::min(kBelowOne, double(steps.num % steps.den) / double(steps.den));
 }
 
 double FrameClock::SecondsOfFrame(std::int64_t frame) const

@@ -119,6 +119,10 @@ void AddTime(CLI::App& command, RecordOptions& record)
     AddValue(command, "--speed", "FACTOR", record.speed, RatioBetween(0.001, 1000.0),
              "Simulated seconds a second; 0.25 is slow motion (1)")
         ->group("Time");
+    command
+        .add_flag("--interpolate", record.interpolate,
+                  "Show moments between two steps, not the step before")
+        ->group("Time");
 }
 
 Result<FrameRange> ParseRange(const std::string& option, const std::string& text)

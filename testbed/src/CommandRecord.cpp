@@ -106,6 +106,7 @@ private:
     Result<void> WriteThumbnail();
     void AdvanceTo(std::int64_t number);
     void Collect(FrameContent& content);
+    void Show(std::int64_t number);
     std::int64_t StepOf(std::int64_t number) const;
     std::int64_t ThumbnailFrame() const;
     /// Nobody is timed unless the figures are asked for.
@@ -147,6 +148,16 @@ void FilmRun::AdvanceTo(std::int64_t number)
     {
         m_session->AdvanceTo(m_session->Step() + 1);
     }
+    if (StopSignals::Caught() == 0)
+    {
+        Show(number);
+    }
+}
+
+void FilmRun::Show(std::int64_t number)
+{
+    const double fraction = m_options.interpolate ? m_clock.FractionOfFrame(number) : 0.0;
+    m_session->AdvanceBetween(StepOf(number), fraction);
 }
 
 /// What was left is gone on with only if it is the same film.
@@ -338,7 +349,7 @@ Result<void> FilmRun::FinishPapers()
     if (m_hasPapers && m_options.range)
     {
         m_papers.end = m_plan.frames.First() + m_filmed;
-        m_session->AdvanceTo(StepOf(m_papers.end));
+        Show(m_papers.end);
         m_papers.states[m_papers.end] = StateHashText(m_session->World());
         if (Result<void> written = WritePapers(m_options.output, m_papers); !written)
         {

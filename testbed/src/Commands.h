@@ -38,6 +38,7 @@ struct RecordOptions
     std::vector<Condition> until;        ///< the film ends when one holds; 10 min at most
     std::optional<FrameRange> range;     ///< only these frames
     Rational speed{1, 1};                ///< simulated seconds per second of film
+    bool interpolate = false;            ///< show moments between steps
     std::filesystem::path thumbnail;     ///< a picture of one frame; empty: none
     std::optional<Duration> thumbnailAt; ///< when in the film; not given: in its middle
     Backend backend = Backend::Auto;

@@ -112,10 +112,30 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
 
 void SceneSession::AdvanceTo(std::int64_t step)
 {
+    if (step >= m_step)
+    {
+        m_fraction.reset();
+    }
     while (m_step < step)
     {
         StepOnce();
     }
+}
+
+void SceneSession::AdvanceBetween(std::int64_t step, double fraction)
+{
+    AdvanceTo(step);
+    if (fraction == 0.0)
+    {
+        return;
+    }
+    if (m_step == step)
+    {
+        m_posesBefore.Save(m_scene->World());
+        m_viewBefore = m_camera.View();
+        StepOnce();
+    }
+    m_fraction = fraction;
 }
 
 void SceneSession::StepOnce()
@@ -137,26 +157,60 @@ void SceneSession::StepOnce()
 
 double SceneSession::Time() const
 {
-    return SecondsAt(m_step, m_stepsPerSecond);
+    return m_fraction ? SecondsAt(m_step - 1, m_stepsPerSecond) +
+                            *m_fraction * StepSeconds(m_stepsPerSecond)
+                      : SecondsAt(m_step, m_stepsPerSecond);
+}
+
+Camera SceneSession::CurrentCamera() const
+{
+    return m_fraction ? Between(m_viewBefore, m_camera.View(), *m_fraction) : m_camera.View();
 }
 
 void SceneSession::Fill(FrameContent& content)
 {
-    static const JointNames kNone;
-    m_layers.Collect(m_scene->World(), CollectedView(), m_shownNames,
-                     m_look.layers.names ? m_scene->JointNames() : kNone, content.list);
-    content.camera = Scaled(m_camera.View(), m_look.scale);
+    if (m_fraction)
+    {
+        const b2PosesBetween between(m_scene->World(), m_posesBefore, *m_fraction);
+        Collect(double(between.GetFarthest()), content.list);
+    }
+    else
+    {
+        Collect(0.0, content.list);
+    }
+    content.camera = Scaled(CurrentCamera(), m_look.scale);
     if (m_hud)
     {
         content.overlay = m_hud->Build(DescribeState());
     }
 }
 
-View SceneSession::CollectedView() const
+void SceneSession::Collect(double farthest, DrawList& list)
 {
-    const Camera& camera = m_camera.View();
-    return m_look.collectEverything ? ViewOfEverything(camera)
-                                    : PictureView(camera, m_look.theme, m_look.scale);
+    static const JointNames kNone;
+    m_layers.Collect(m_scene->World(), CollectedView(farthest), m_shownNames,
+                     m_look.layers.names ? m_scene->JointNames() : kNone, list);
+}
+
+/// What has jumped is found where it is now, not farther than `farthest` [m] from where it is
+/// shown.
+View SceneSession::CollectedView(double farthest) const
+{
+    const Camera camera = CurrentCamera();
+    if (m_look.collectEverything)
+    {
+        return ViewOfEverything(camera);
+    }
+    View view = PictureView(camera, m_look.theme, m_look.scale);
+    if (view.area && farthest > 0.0)
+    {
+        const float margin = static_cast<float>(farthest);
+        view.area->lower.x -= margin;
+        view.area->lower.y -= margin;
+        view.area->upper.x += margin;
+        view.area->upper.y += margin;
+    }
+    return view;
 }
 
 HudContent SceneSession::DescribeState() const
@@ -164,8 +218,8 @@ HudContent SceneSession::DescribeState() const
     const b2World& world = World();
     HudContent content;
     content.title = m_title;
-    content.rows = {{"time", Decimals(double(m_step) * StepSeconds(m_stepsPerSecond), 3) + " s"},
-                    {"step", std::to_string(m_step)},
+    content.rows = {{"time", Decimals(Time(), 3) + " s"},
+                    {"step", std::to_string(m_fraction ? m_step - 1 : m_step)},
                     {"bodies", std::to_string(world.GetBodyCount())},
                     {"contacts", std::to_string(world.GetContactCount())}};
     if (m_look.hudMilliseconds)

@@ -52,17 +52,21 @@ public:
     /// happens.
     void AdvanceTo(std::int64_t step);
 
-    /// What the picture of this step shows. Expects an empty list.
+    /// Simulates the step after `step` too, to show `fraction` of its way: 0 to below 1, where 0 is
+    /// AdvanceTo. Moments must not go back.
+    void AdvanceBetween(std::int64_t step, double fraction);
+
+    /// What the picture of this moment shows. Expects an empty list.
     void Fill(FrameContent& content);
 
-    std::int64_t Step() const { return m_step; }
+    std::int64_t Step() const { return m_step; } ///< the last that was simulated
     const Rational& StepsPerSecond() const { return m_stepsPerSecond; }
     const std::string& Title() const { return m_title; }
     const BodyNames& Names() const { return m_scene->Names(); }
     const b2World& World() const { return m_scene->World(); }
     b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
-    const Camera& CurrentCamera() const { return m_camera.View(); } ///< at scale 1
-    double Time() const; ///< simulated since the start [s]
+    Camera CurrentCamera() const;                 ///< at scale 1
+    double Time() const;                          ///< that is shown, simulated since the start [s]
     /// Bodies may come that are not there yet.
     bool MakesBodiesLater() const { return m_scene->MakesBodiesLater(); }
     /// Unusable while a body that the camera should show has never been there.
@@ -72,8 +76,9 @@ private:
     SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
                  const SceneCamera& camera);
     void StepOnce();
+    void Collect(double farthest, DrawList& list);
     HudContent DescribeState() const;
-    boxreel::View CollectedView() const;
+    boxreel::View CollectedView(double farthest) const;
 
     std::unique_ptr<Scene> m_scene;
     std::string m_title;
@@ -85,7 +90,10 @@ private:
     BodyNames m_shownNames;
     std::optional<Hud> m_hud;
     std::int64_t m_step = 0;
-    double m_stepMilliseconds = 0.0; // of the last step, smoothed
+    b2PoseRecord m_posesBefore; // the last step, while what lies before its end is shown
+    Camera m_viewBefore;
+    std::optional<double> m_fraction; // of the last step's way that is shown; none: its end
+    double m_stepMilliseconds = 0.0;  // of the last step, smoothed
 };
 
 } // namespace boxreel

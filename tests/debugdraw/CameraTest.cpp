@@ -210,3 +210,15 @@ TEST(FitTo, StaysFiniteForTheLargestArea)
     EXPECT_TRUE(std::isfinite(camera.centerX) && std::isfinite(camera.centerY));
     EXPECT_TRUE(IsInside({{0.0f, 0.0f}, {0.0f, 0.0f}}, camera.VisibleArea(), 0.0));
 }
+
+TEST(Camera, BetweenTwoViewsChangesItsCentreAndHeightInProportion)
+{
+    const Camera from{.centerX = 0.0, .centerY = 10.0, .pixelsPerMeter = 10.0};
+    const Camera to{.centerX = 4.0, .centerY = 10.0, .pixelsPerMeter = 20.0};
+    const Camera between = Between(from, to, 0.25);
+    EXPECT_DOUBLE_EQ(between.centerX, 1.0);
+    EXPECT_EQ(between.centerY, 10.0);
+    const double height = 0.75 / 10.0 + 0.25 / 20.0; // of a pixel [m]
+    EXPECT_DOUBLE_EQ(between.pixelsPerMeter, 1.0 / height);
+    EXPECT_EQ(Between(to, to, 0.3), to);
+}

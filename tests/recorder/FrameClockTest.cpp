@@ -115,6 +115,24 @@ TEST(FrameClock, SlowMotionRepeatsStepsAndShowsLessTime)
 
 // 29.97 = 2997/100, so 2997 frames take exactly 100 s, which is 6000 steps; a clock that adds up
 // periods in floating point is off by whole steps long before the end.
+TEST(FrameClock, SaysHowFarIntoTheNextStepAFrameIs)
+{
+    const FrameClock slow{Parsed("60"), Parsed("60"), Parsed("0.25")};
+    EXPECT_EQ(slow.FractionOfFrame(0), 0.0);
+    EXPECT_EQ(slow.FractionOfFrame(1), 0.25);
+    EXPECT_EQ(slow.FractionOfFrame(3), 0.75);
+    EXPECT_EQ(slow.FractionOfFrame(4), 0.0);
+    const FrameClock odd{Parsed("50"), Parsed("60"), Parsed("1")};
+    EXPECT_DOUBLE_EQ(odd.FractionOfFrame(1), 0.2);
+    EXPECT_EQ(odd.FractionOfFrame(5), 0.0);
+    const FrameClock film{Parsed("29.97"), Parsed("60"), Parsed("1")};
+    EXPECT_EQ(film.FractionOfFrame(99'900'000'000), 0.0); // no drift: a whole number of steps
+    EXPECT_GT(film.FractionOfFrame(99'900'000'001), 0.0);
+    const FrameClock extreme{Rational{999'999'999, 1}, Rational{999'999'998, 999'999'999},
+                             Rational{1, 999'999'997}};
+    EXPECT_LT(extreme.FractionOfFrame(100'000'000'000), 1.0);
+}
+
 TEST(FrameClock, DoesNotDriftOverAHundredMillionFramesAt2997)
 {
     const FrameClock clock{Parsed("29.97"), Parsed("60"), Parsed("1")};

@@ -136,6 +136,32 @@ TEST_F(Film, SlowMotionShowsEachStepAsOftenAsItLasts)
     EXPECT_EQ(frames[8], Shot("bridge", 2, {"--size", "160x90"}));
 }
 
+TEST_F(Film, ShowsMomentsBetweenStepsWhenAskedTo)
+{
+    const std::vector<std::string> look{"--size", "160x90", "--camera", "follow:17"};
+    const auto film = [&](const char* name, std::vector<std::string> more) {
+        std::vector<std::string> record{
+            "record", "dominos", "-o", name,        "--frames", "64",           "--fps",
+            "120",    "--group", "32", "--quality", "lossless", "--interpolate"};
+        record.insert(record.end(), look.begin(), look.end());
+        record.insert(record.end(), more.begin(), more.end());
+        const Outcome outcome = Run(record);
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    };
+    film("whole.mkv", {});
+    const std::vector<Frame> frames = Decode("whole.mkv");
+    ASSERT_EQ(frames.size(), 64u);
+    EXPECT_EQ(frames[40], Shot("dominos", 20, look));
+    EXPECT_EQ(frames[42], Shot("dominos", 21, look));
+    EXPECT_NE(frames[41], frames[40]);
+    EXPECT_NE(frames[41], frames[42]);
+    film("a.mkv", {"--frame-range", "0-31"});
+    film("b.mkv", {"--frame-range", "32-63"});
+    const Outcome merged = Run({"merge", "a.mkv", "b.mkv", "-o", "merged.mkv"});
+    ASSERT_EQ(merged.code, 0) << merged.errors;
+    EXPECT_EQ(Decode("merged.mkv"), frames);
+}
+
 TEST_F(Film, TwoRunsGiveTheSameBytes)
 {
     for (const char* name : {"a.mkv", "b.mkv"})

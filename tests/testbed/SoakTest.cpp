@@ -1,44 +1,119 @@
 // SPDX-License-Identifier: MIT
-// A long film of a busy scene: no frame is lost and no memory piles up.
+// Long, large and crowded films: no frame is lost and no memory piles up.
 #include "Subprocess.h"
 
 #include <recorder/VideoReader.h>
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
+
 namespace boxreel
 {
 namespace
 {
 
-Outcome RecordTumbler(const TemporaryFolder& folder, int seconds)
+Outcome Record(const TemporaryFolder& folder, const std::string& scene, const std::string& name,
+               const std::vector<std::string>& more)
 {
-    return RunBoxreel({"record", "tumbler", "-o", "film.mp4", "--seconds", std::to_string(seconds),
-                       "--size", "320x180", "--force"},
-                      folder.Path());
+    std::vector<std::string> arguments{"record",  scene,        "-o",  name,
+                                       "--force", "--progress", "none"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Outcome outcome = RunBoxreel(arguments, folder.Path());
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome;
 }
 
-TEST(Soak, FiveMinutesOfFilmTakeNoMoreMemoryThanTenSecondsAndLoseNoFrame)
+struct Decoded
 {
-    const TemporaryFolder folder;
-    const Outcome brief = RecordTumbler(folder, 10);
-    const Outcome lasting = RecordTumbler(folder, 300);
-    ASSERT_EQ(brief.code, 0) << brief.errors;
-    ASSERT_EQ(lasting.code, 0) << lasting.errors;
-    EXPECT_GT(brief.peakKilobytes, 1024);
-    EXPECT_LT(lasting.peakKilobytes, brief.peakKilobytes + 8 * 1024);
+    std::int64_t frames = 0;
+    int width = 0;
+    int height = 0;
+};
 
-    Result<VideoReader> reader = VideoReader::Open(folder / "film.mp4");
-    ASSERT_TRUE(reader) << reader.GetError().message;
-    int frames = 0;
+Decoded Decode(const std::filesystem::path& path)
+{
+    Decoded decoded;
+    Result<VideoReader> reader = VideoReader::Open(path);
+    if (!reader)
+    {
+        ADD_FAILURE() << reader.GetError().message;
+        return decoded;
+    }
     Frame frame;
     Result<bool> more = reader->Next(frame);
     for (; more && *more; more = reader->Next(frame))
     {
-        ++frames;
+        ++decoded.frames;
     }
-    ASSERT_TRUE(more) << more.GetError().message;
-    EXPECT_EQ(frames, 300 * 60);
+    EXPECT_TRUE(more) << more.GetError().message;
+    decoded.width = frame.width;
+    decoded.height = frame.height;
+    return decoded;
+}
+
+TEST(Soak, AHundredThousandFramesTakeNoMoreMemoryThanAThousandAndNoneIsLost)
+{
+    constexpr long kRoom = 8 * 1024; // the index of a film has an entry a frame [KB]
+    const TemporaryFolder folder;
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
+    {
+        const auto record = [&](const char* frames) {
+            return Record(folder, "tumbler", name, {"--frames", frames, "--size", "64x36"});
+        };
+        const Outcome brief = record("1000");
+        const Outcome lasting = record("100000");
+        std::printf("%s: %ld MB, of a thousand frames %ld MB\n", name, lasting.peakKilobytes / 1024,
+                    brief.peakKilobytes / 1024);
+        EXPECT_GT(brief.peakKilobytes, 1024) << name;
+        EXPECT_LT(lasting.peakKilobytes, brief.peakKilobytes + kRoom) << name;
+        const std::int64_t gif = 50000 + 1; // shown at most 50 times a second, so every other one
+        EXPECT_EQ(Decode(folder / name).frames, name == std::string("film.gif") ? gif - 1 : 100000)
+            << name;
+    }
+}
+
+TEST(Soak, FramesOf8K)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm", "frame-#.png"})
+    {
+        Record(folder, "pyramid", name, {"--frames", "3", "--size", "7680x4320"});
+    }
+    for (const char* name : {"film.mp4", "film.mkv", "film.webm"})
+    {
+        const Decoded film = Decode(folder / name);
+        EXPECT_EQ(film.frames, 3) << name;
+        EXPECT_EQ(film.width, 7680) << name;
+        EXPECT_EQ(film.height, 4320) << name;
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder / "frame-2.png"));
+}
+
+/// A scene file of a square heap of boxes.
+std::string Boxes(int side)
+{
+    std::string bodies;
+    for (int i = 0; i < side * side; ++i)
+    {
+        bodies += std::string(i > 0 ? "," : "") + R"({"type":2,"awake":true,"position":{"x":)" +
+                  std::to_string(0.6 * (i % side)) + R"(,"y":)" +
+                  std::to_string(0.6 * double(i / side)) +
+                  R"(},"fixture":[{"density":1,"polygon":{"vertices":)"
+                  R"({"x":[-0.25,0.25,0.25,-0.25],"y":[-0.25,-0.25,0.25,0.25]}}}]})";
+    }
+    return R"({"gravity":{"x":0,"y":-10},"body":[{"type":0,"position":{"x":0,"y":-1},)"
+           R"("fixture":[{"polygon":{"vertices":{"x":[-100,200,200,-100],"y":[-1,-1,0,0]}}}]},)" +
+           bodies + "]}";
+}
+
+TEST(Soak, TenThousandBodies)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "boxes.json") << Boxes(100);
+    Record(folder, "boxes.json", "film.mp4", {"--frames", "120"});
+    EXPECT_EQ(Decode(folder / "film.mp4").frames, 120);
 }
 
 } // namespace

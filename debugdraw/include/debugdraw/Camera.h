@@ -30,6 +30,10 @@ Camera FitTo(const Rect& area, int width, int height, double margin = 0.06);
 /// The same view in a picture of `scale` times as many pixels each way (rounded, at least 1).
 Camera Scaled(const Camera& camera, double scale);
 
+/// `share` of the way from one view of a picture to another of it, 0 to 1: centre and height in
+/// proportion.
+Camera Between(const Camera& from, const Camera& to, double share);
+
 /// Keeps what moves in view, without shaking: the view only ever grows, smoothly, and lets go of a
 /// body that has left the neighbourhood (fallen off the world). Depends on the steps of the
 /// simulation alone, never on the frame rate, so that a film and a still show the same pixels.

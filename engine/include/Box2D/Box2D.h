@@ -21,6 +21,7 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2ContactManager.h>
 #include <Box2D/Dynamics/b2Fixture.h>
+#include <Box2D/Dynamics/b2Interpolation.h>
 #include <Box2D/Dynamics/b2Snapshot.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
 #include <Box2D/Dynamics/b2World.h>

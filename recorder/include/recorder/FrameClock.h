@@ -33,6 +33,7 @@ struct FrameClock
     Rational speed{1, 1}; ///< simulated seconds per second of film
 
     std::int64_t StepOfFrame(std::int64_t frame) const;  ///< frame >= 0
+    double FractionOfFrame(std::int64_t frame) const;    ///< of the step after that one, below 1
     double SecondsOfFrame(std::int64_t frame) const;     ///< simulated time shown [s]
     double FilmSecondsOfFrame(std::int64_t frame) const; ///< time in the film [s]
 };
