@@ -1,45 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "EncoderThread.h"
 
-#include <cstring>
+#include <algorithm>
 
 namespace boxreel
 {
-
-namespace
-{
-
-void CopyPixels(const Frame& from, const PixelBounds& part, Frame& to)
-{
-    const std::size_t bytes = std::size_t(part.x1 - part.x0) * 4;
-    for (int y = part.y0; y < part.y1; ++y)
-    {
-        std::memcpy(to.Pixel(part.x0, y), from.Pixel(part.x0, y), bytes);
-    }
-}
-
-/// Makes `to` equal to `from`, from which it differs inside of `stale` only. Parts that come
-/// several times are copied several times; when that is more than a whole frame, it is one.
-void BringUpToDate(const Frame& from, std::span<const PixelBounds> stale, Frame& to)
-{
-    std::int64_t area = 0;
-    for (const PixelBounds& part : stale)
-    {
-        area += part.Area();
-    }
-    const bool isFirst = to.width != from.width || to.height != from.height;
-    if (isFirst || area >= std::int64_t(from.width) * from.height)
-    {
-        to = from;
-        return;
-    }
-    for (const PixelBounds& part : stale)
-    {
-        CopyPixels(from, part, to);
-    }
-}
-
-} // namespace
 
 EncoderThread::EncoderThread(VideoWriter& writer, StageTimes* stages)
     : m_writer(writer), m_stages(stages), m_thread([this] { Work(); })
@@ -92,10 +57,10 @@ bool EncoderThread::Append(const Frame& frame, std::span<const PixelBounds> chan
     const StageTimer timer(m_stages, Stage::Copy);
     for (Slot& other : m_slots)
     {
-        other.stale.insert(other.stale.end(), changed.begin(), changed.end());
+        std::for_each(changed.begin(), changed.end(),
+                      [&other](const PixelBounds& part) { other.stale.Mark(part); });
     }
-    BringUpToDate(frame, slot->stale, slot->frame);
-    slot->stale.clear();
+    slot->stale.BringUpToDate(frame, slot->frame);
     slot->changed.assign(changed.begin(), changed.end());
     slot->isRepeat = false;
     HandOver();

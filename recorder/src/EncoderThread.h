@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "StaleTiles.h"
+
 #include <recorder/VideoWriter.h>
 
 #include <array>
@@ -48,7 +50,7 @@ private:
     {
         Frame frame;
         std::vector<PixelBounds> changed; // since the frame before
-        std::vector<PixelBounds> stale;   // where `frame` shows an older one; the caller's
+        StaleTiles stale;                 // where `frame` shows an older one; the caller's
         bool isRepeat = false;
     };
     // Evens out frames that take long to draw or to encode; more only costs memory.

@@ -333,10 +333,11 @@ Result<void> FFmpegFilm::StartGroup(std::int64_t group)
 }
 
 /// The encoder of the group empties itself on a thread of its own, while the next one begins: by
-/// itself it could not keep all processors busy.
+/// itself it could not keep all processors busy. There it is closed too, and its memory given back,
+/// for the thread owns it.
 void FFmpegFilm::EndGroup()
 {
-    const auto empty = [](const std::shared_ptr<FFmpegCodec>& codec, Packets packets,
+    const auto empty = [](std::shared_ptr<FFmpegCodec> codec, Packets packets,
                           StageTimes* stages) -> Result<Packets> {
         const StageTimer timer(stages, Stage::Encode);
         int status = codec->Send(nullptr);

@@ -24,7 +24,8 @@ constexpr double kRoomForFilms = 500e6; // beside the raw frames [bytes]
 // by 0.5 where something is drawn, by 2 with jagged lines; in grey by 7, with red and blue
 // exchanged by 13.
 constexpr double kMostOnGround = 1.0;
-constexpr double kMostDrawn = 5.0;
+constexpr double kMostDrawn = 4.0;
+constexpr double kMostDrawnImmediately = 9.0; // lines of one pixel in small pictures
 
 /// A film to be made, and how.
 struct Entry
@@ -40,8 +41,9 @@ struct Entry
 class RecordRun
 {
 public:
-    RecordRun(const RecordPrograms& programs, const RecordCase& info, fs::path folder)
-        : m_programs(programs), m_info(info), m_folder(std::move(folder))
+    RecordRun(const RecordPrograms& programs, const RecordCase& info, fs::path folder,
+              const std::function<bool()>& isStopped)
+        : m_programs(programs), m_info(info), m_folder(std::move(folder)), m_isStopped(isStopped)
     {}
 
     Result<RecordResult> Run(int rounds);
@@ -57,6 +59,7 @@ private:
     void AddPeers();
     void AddAll();
     Result<void> Make(Entry& entry);
+    Result<void> MakeAll();
     void Check(Entry& entry);
     void Sum(Entry& entry);
     Result<std::vector<RecordStage>> FindStages();
@@ -64,6 +67,7 @@ private:
     const RecordPrograms& m_programs;
     const RecordCase& m_info;
     fs::path m_folder;
+    const std::function<bool()>& m_isStopped;
     std::vector<Entry> m_entries;
     RecordResult m_result;
 };
@@ -250,6 +254,28 @@ Result<std::vector<RecordStage>> RecordRun::FindStages()
     return run ? ParseStages(run->output) : Result<std::vector<RecordStage>>(run.GetError());
 }
 
+/// One round. Peers may fail, ours may not.
+Result<void> RecordRun::MakeAll()
+{
+    for (Entry& entry : m_entries)
+    {
+        if (!entry.figures.failure.empty())
+        {
+            continue; // once is enough to be told why
+        }
+        const Result<void> made = Make(entry);
+        if (m_isStopped())
+        {
+            return Error{ErrorKind::Failed, "Stopped."};
+        }
+        if (!made && &entry == &m_entries.front())
+        {
+            return made.GetError();
+        }
+    }
+    return {};
+}
+
 Result<RecordResult> RecordRun::Run(int rounds)
 {
     m_result.info = m_info;
@@ -262,17 +288,9 @@ Result<RecordResult> RecordRun::Run(int rounds)
     AddAll();
     for (int round = 0; round < rounds; ++round)
     {
-        for (Entry& entry : m_entries)
+        if (const Result<void> made = MakeAll(); !made)
         {
-            if (!entry.figures.failure.empty())
-            {
-                continue; // once is enough to be told why
-            }
-            const Result<void> made = Make(entry);
-            if (!made && &entry == &m_entries.front())
-            {
-                return made.GetError();
-            }
+            return made.GetError();
         }
     }
     for (Entry& entry : m_entries)
@@ -351,9 +369,10 @@ Result<RecordPrograms> FindRecordPrograms()
 }
 
 Result<RecordResult> RunRecordCase(const RecordPrograms& programs, const RecordCase& info,
-                                   int rounds, const fs::path& folder)
+                                   int rounds, const fs::path& folder,
+                                   const std::function<bool()>& isStopped)
 {
-    return RecordRun(programs, info, folder).Run(rounds);
+    return RecordRun(programs, info, folder, isStopped).Run(rounds);
 }
 
 std::string JudgeFilm(const RecordCase& info, const RecordFigures& figures, const FilmCheck& check)
@@ -366,8 +385,10 @@ std::string JudgeFilm(const RecordCase& info, const RecordFigures& figures, cons
     {
         return Format("%dx%d", check.width, check.height);
     }
+    const double mostDrawn =
+        figures.role == RecordRole::Immediate ? kMostDrawnImmediately : kMostDrawn;
     const bool isGround = check.groundError <= kMostOnGround;
-    if (!isGround || !(check.drawnError <= kMostDrawn))
+    if (!isGround || !(check.drawnError <= mostDrawn))
     {
         return Format("colours off by %.1f of 255",
                       isGround ? check.drawnError : check.groundError);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -129,9 +130,11 @@ RecordCase Resized(RecordCase info, const RecordSize& size);
 Result<RecordPrograms> FindRecordPrograms();
 
 /// Each film `rounds` times in turn; figures are medians. Films and raw frames lie in `folder`
-/// meanwhile. An Error when there is no room for them, or ours cannot be made.
+/// meanwhile. `isStopped` is asked between films. An Error when there is no room for them, when
+/// ours cannot be made, or when it is stopped.
 Result<RecordResult> RunRecordCase(const RecordPrograms& programs, const RecordCase& info,
-                                   int rounds, const std::filesystem::path& folder);
+                                   int rounds, const std::filesystem::path& folder,
+                                   const std::function<bool()>& isStopped);
 
 /// "boxreel", "start", …: as files name them.
 const char* RoleName(RecordRole role);

@@ -10,7 +10,7 @@ namespace boxreel
 namespace
 {
 
-constexpr double kLeastDrawn = 0.005; // a stage below it in all films is left out [ms]
+constexpr double kLeastDrawn = 0.02; // a stage below it in all films is left out [ms]
 
 struct Peer
 {
@@ -54,10 +54,20 @@ ChartBar BarOf(const RecordResult& result, const Peer& peer)
     return bar;
 }
 
-std::string Detail(const RecordCase& info)
+/// "pyramid 600, pictures 300 frames of 1280 x 720": a size is named once.
+std::string FilmsOf(const std::vector<RecordResult>& results)
 {
-    return info.what + Format(", %lld frames of %d \u00d7 %d", static_cast<long long>(info.frames),
-                              info.width, info.height);
+    std::string text;
+    std::string size;
+    for (const RecordResult& result : results)
+    {
+        const RecordCase& info = result.info;
+        const std::string own = Format("%d \u00d7 %d", info.width, info.height);
+        text += text.empty() ? "" : own == size ? ", " : " frames of " + size + "; ";
+        text += info.name + " " + std::to_string(info.frames);
+        size = own;
+    }
+    return text + " frames of " + size;
 }
 
 bool Has(const std::vector<RecordResult>& results, RecordRole role)
@@ -122,7 +132,7 @@ Result<BarChart> RecordSpeedChart(const std::vector<RecordResult>& results)
         const RecordFigures* const ours = FindRole(result, RecordRole::Ours);
         ChartGroup group;
         group.name = result.info.name;
-        group.detail = Detail(result.info);
+        group.detail = result.info.what;
         group.value = ours != nullptr ? Format("%.2f s", ours->wall) : "";
         for (const Peer& peer : peers)
         {
@@ -134,7 +144,8 @@ Result<BarChart> RecordSpeedChart(const std::vector<RecordResult>& results)
     chart.frame.subtitle =
         "wall time of the other over that of boxreel, from a cold start to a closed film";
     chart.frame.notes = {"The same frames, the same encoder with the same settings. ffmpeg alone "
-                         "reads frames that somebody else has simulated and drawn."};
+                         "reads frames that somebody else has simulated and drawn.",
+                         "Films: " + FilmsOf(results) + "."};
     chart.axis = {"times faster", true};
     chart.start = 1.0;
     chart.startLabel = "equally fast";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "BenchChoice.h"
 #include "Commands.h"
+#include "StopSignals.h"
 
 #include <bench/RecordBench.h>
 
@@ -154,12 +155,18 @@ Result<int> RunCases(const BenchOptions& options, const RecordPrograms& programs
         WriteMessage("Films are made by boxreel only and compared with nothing: ffmpeg does not "
                      "run here; install Debian's ffmpeg.");
     }
+    const StopSignals stopSignals; // frames and films are removed, whatever comes
     std::vector<RecordResult> results;
     for (const RecordCase& one : cases)
     {
         const RecordCase info = Resized(one, FilmedSize(options));
         WriteMessage(info.name + ": " + info.what);
-        Result<RecordResult> result = RunRecordCase(programs, info, options.rounds, folder->Path());
+        Result<RecordResult> result = RunRecordCase(programs, info, options.rounds, folder->Path(),
+                                                    [] { return StopSignals::Caught() != 0; });
+        if (StopSignals::Caught() != 0)
+        {
+            break; // the cases before are shown
+        }
         if (!result)
         {
             return result.GetError();
@@ -173,7 +180,9 @@ Result<int> RunCases(const BenchOptions& options, const RecordPrograms& programs
         }
         results.push_back(std::move(*result));
     }
-    return Show(options, results);
+    return results.empty()
+               ? Result<int>(Error{ErrorKind::Failed, "Stopped before the first case was done."})
+               : Show(options, results);
 }
 
 } // namespace

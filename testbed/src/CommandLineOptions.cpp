@@ -66,7 +66,9 @@ void AddForce(CLI::App& command, bool& force)
 
 void AddStats(CLI::App& command, bool& stats)
 {
-    command.add_flag("--stats", stats, "Then say what was drawn, what left as it was, and\nwhere the time of a film went");
+    command.add_flag(
+        "--stats", stats,
+        "Then say what was drawn, what left as it was, and\nwhere the time of a film went");
 }
 
 CLI::Option* AddBackend(CLI::App& command, Backend& backend)

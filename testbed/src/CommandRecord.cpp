@@ -15,6 +15,8 @@
 
 #include <csignal>
 
+#include <malloc.h>
+
 namespace boxreel
 {
 namespace
@@ -449,8 +451,19 @@ Result<int> FilmRun::Make(SceneSource source)
     return *end == RecordingEnd::Stopped ? Stopped(m_encoded) : Finished();
 }
 
+/// Pictures and the planes of encoders get pages of their own, which go back when they are freed.
+/// glibc would soon keep such blocks in its heaps, where one encoder after the other leaves holes
+/// behind, and a film's memory would grow with its length.
+void GiveLargeBlocksBack()
+{
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, 1 << 20); // said once, it no longer adapts itself
+#endif
+}
+
 Result<int> MakeFilm(const RecordOptions& options)
 {
+    GiveLargeBlocksBack();
     Result<FilmPlan> plan = Plan(options);
     if (!plan)
     {

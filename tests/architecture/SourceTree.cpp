@@ -86,9 +86,9 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
 }
 
 // What the system and the compiler bring; the engine may use the second line only.
-constexpr std::array<std::string_view, 11> kSystemHeaders{
+constexpr std::array<std::string_view, 12> kSystemHeaders{
     "sys/",      "unistd.h",  "fcntl.h", "signal.h", "spawn.h", "dlfcn.h",
-    "pthread.h", "termios.h", "poll.h",  "sched.h",  "errno.h"};
+    "pthread.h", "termios.h", "poll.h",  "sched.h",  "errno.h", "malloc.h"};
 constexpr std::array<std::string_view, 5> kSimdHeaders{"immintrin.h", "emmintrin.h", "xmmintrin.h",
                                                        "smmintrin.h", "arm_neon.h"};
 

@@ -8,9 +8,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <thread>
 
 namespace boxreel
 {
@@ -54,6 +57,15 @@ protected:
             << outcome.errors;
         EXPECT_EQ(outcome.output, "");
         EXPECT_EQ(folder.Files(), before);
+    }
+
+    /// Of benchmarks that make films below this folder, with something in them.
+    std::ptrdiff_t WorkFolders() const
+    {
+        const std::vector<std::string> files = folder.Files();
+        return std::count_if(files.begin(), files.end(), [this](const std::string& name) {
+            return name.starts_with("boxreel-bench-") && !std::filesystem::is_empty(folder / name);
+        });
     }
 
     TemporaryFolder folder;
@@ -265,6 +277,24 @@ TEST_F(BenchCommand, SaysBeforeAnythingIsMadeThatThereIsNoRoom)
         Run({"--record", "tumbler", "--frames", "100000", "--size", "8192x8192"});
     EXPECT_EQ(outcome.code, 4);
     EXPECT_THAT(outcome.errors, HasSubstr("The raw frames of 'tumbler' need 26844.0 GB in "));
+}
+
+TEST_F(BenchCommand, StoppedLeavesNoFramesAndFilmsBehind)
+{
+    const Variable temporary("TMPDIR", folder.Path().c_str());
+    const auto stop = [this](int process) {
+        for (int i = 0; i < 3000 && WorkFolders() == 0; ++i)
+        {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        kill(process, SIGINT);
+    };
+    const Outcome outcome =
+        RunBoxreel({"bench", "--record", "--frames", "60", "--size", "64x36"}, folder.Path(), stop);
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(outcome.errors, HasSubstr("boxreel: Stopped before the first case was done."));
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(WorkFolders(), 0);
 }
 
 TEST_F(BenchCommand, RefusesWhatDoesNotGoWithRecording)

@@ -168,6 +168,10 @@ TEST(RecordBench, JudgesAFilmByItsFramesItsSizeAndItsColours)
     check = good;
     check.drawnError = 25.0;
     EXPECT_EQ(JudgeFilm(info, figures, check), "colours off by 25.0 of 255");
+    check.drawnError = 6.0;
+    EXPECT_EQ(JudgeFilm(info, figures, check), "colours off by 6.0 of 255");
+    figures.role = RecordRole::Immediate;
+    EXPECT_EQ(JudgeFilm(info, figures, check), "sound") << "its lines are jagged";
     check.drawnError = std::nan("");
     EXPECT_NE(JudgeFilm(info, figures, check), "sound");
 }
