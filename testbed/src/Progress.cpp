@@ -140,6 +140,13 @@ std::string ProgressOpenJdText(const RecordingProgress& progress, double seconds
            Counts(progress, seconds);
 }
 
+std::string FailOpenJdText(const std::string& sentence)
+{
+    std::string line = "openjd_fail: " + sentence;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    return line;
+}
+
 std::string ReportText(const FilmReport& report)
 {
     std::string text =
@@ -234,6 +241,16 @@ void Progress::Finish(const FilmReport& report)
     else if (m_mode != ProgressMode::None)
     {
         WriteMessage(ReportText(report));
+    }
+}
+
+void Progress::Stop(const std::string& sentence)
+{
+    Clear();
+    WriteMessage("boxreel: " + sentence);
+    if (m_mode == ProgressMode::OpenJD)
+    {
+        (void)WriteOutput(FailOpenJdText(sentence) + "\n"); // the agent may have gone
     }
 }
 

@@ -41,6 +41,8 @@ std::string ProgressBarText(const RecordingProgress& progress, double seconds, i
 std::string ProgressLineText(const RecordingProgress& progress, double seconds);
 std::string ProgressJsonText(const RecordingProgress& progress, double seconds);
 std::string ProgressOpenJdText(const RecordingProgress& progress, double seconds);
+/// Why a command ends without its result; in one line, as agents read it.
+std::string FailOpenJdText(const std::string& sentence);
 std::string ReportText(const FilmReport& report);
 std::string ReportJsonText(const FilmReport& report);
 
@@ -57,6 +59,9 @@ public:
 
     /// The last line.
     void Finish(const FilmReport& report);
+
+    /// The last line of a film that is not finished, in every mode.
+    void Stop(const std::string& sentence);
 
     double Seconds() const; ///< since construction
 
