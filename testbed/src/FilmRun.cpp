@@ -100,6 +100,11 @@ Result<void> FilmRun::OpenPapers()
         m_plan.film.resume = false; // it is begun
         return {};
     }
+    if (IsBeingWritten(Part()))
+    {
+        return Error{ErrorKind::Failed, "Cannot go on with " + Part().string() +
+                                            ": another program is writing it; wait for it."};
+    }
     Result<FilmPapers> left = ReadPapers(Part());
     if (!left)
     {
