@@ -73,10 +73,12 @@ SimulationTotals FilmRun::Simulated() const
 /// A simulation of many steps a frame is left between two of them when a signal asks for it.
 void FilmRun::AdvanceTo(std::int64_t number)
 {
+    const std::int64_t first = m_session->Step();
     const std::int64_t step = StepOf(number);
     while (m_session->Step() < step && StopSignals::Caught() == 0)
     {
         Step();
+        m_progress.Simulate({.step = m_session->Step(), .first = first, .last = step});
     }
 }
 

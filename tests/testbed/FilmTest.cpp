@@ -375,6 +375,43 @@ TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
     EXPECT_THAT(stopped.output, HasSubstr("openjd_fail: Stopped after "));
 }
 
+TEST_F(Film, SaysHowFarTheSimulationIsOnALongWayToAFrame)
+{
+    const std::vector<std::string> record{"record", "bridge", "-o",     "a.mkv", "--frames", "1",
+                                          "--from", "50s",    "--size", "32x18", "--force"};
+    const auto run = [&](const char* progress) {
+        std::vector<std::string> command = record;
+        command.insert(command.end(), {"--progress", progress});
+        return Run(command);
+    };
+    EXPECT_THAT(run("lines").errors,
+                HasSubstr("simulating up to the next frame, step 300 of 3000\nsimulating up to the "
+                          "next frame, step 600 of 3000\n"));
+    EXPECT_THAT(run("json").errors, HasSubstr(R"({"event":"simulating","step":2700,"last":3000})"));
+    const std::string openjd = run("openjd").output;
+    ExpectOpenJd(openjd);
+    EXPECT_THAT(openjd, HasSubstr("openjd_status: simulating up to the next frame, step 3000 of "));
+    EXPECT_EQ(run("none").errors, "");
+}
+
+TEST_F(Film, ThatAnotherProgramIsMakingMayBeTriedAgain)
+{
+    std::vector<std::string> record{"record", "pyramid", "--frames", "10000000",
+                                    "-o",     "a.mkv",   "--size",   "32x18"};
+    RunBoxreel(record, folder.Path(), [&](int process) {
+        StopAfterGroups(process, SIGCONT, 100);
+        for (const char* const again : {"--resume", "--force"})
+        {
+            std::vector<std::string> second = record;
+            second.emplace_back(again);
+            const Outcome outcome = Run(second);
+            EXPECT_EQ(outcome.code, 4) << outcome.errors;
+            EXPECT_THAT(outcome.errors, HasSubstr("another program is writing it"));
+        }
+        kill(process, SIGTERM);
+    });
+}
+
 TEST_F(Film, IsNotLostWhenItIsStoppedOnTheWayToItsNextFrame)
 {
     std::vector<std::string> record{"record", "pyramid", "--frames", "20000", "--hz",
@@ -438,22 +475,22 @@ TEST_F(Film, WhoseFramesAreAllThereIsFinishedWhenItIsContinued)
 TEST_F(Film, APartThatWasStoppedAndContinuedIsJoinedToTheOthers)
 {
     const std::vector<std::string> record{"record", "tumbler", "--frames",
-                                          "600",    "--size",  "160x90"};
+                                          "800",    "--size",  "160x90"};
     const auto part = [&](const char* name, const char* range) {
         std::vector<std::string> command = record;
         command.insert(command.end(), {"-o", name, "--frame-range", range});
         return command;
     };
-    std::vector<std::string> second = part("b.mkv", "100-499");
-    ASSERT_EQ(
-        RunBoxreel(second, folder.Path(), [&](int process) { StopAfterGroups(process, SIGTERM); })
-            .code,
-        75);
+    std::vector<std::string> second = part("b.mkv", "100-699");
+    const Outcome stopped = RunBoxreel(second, folder.Path(), [&](int process) {
+        StopAfterGroups(process, SIGTERM, 300); // 100 of its frames are whole, and more
+    });
+    ASSERT_EQ(stopped.code, 75) << stopped.errors;
     second.emplace_back("--resume");
     EXPECT_EQ(Run(second).code, 0);
     EXPECT_EQ(Run(part("a.mkv", "0-99")).code, 0);
-    EXPECT_EQ(Run(part("c.mkv", "500-599")).code, 0);
-    EXPECT_EQ(Run(part("whole.mkv", "0-599")).code, 0);
+    EXPECT_EQ(Run(part("c.mkv", "700-799")).code, 0);
+    EXPECT_EQ(Run(part("whole.mkv", "0-799")).code, 0);
     const Outcome merged = Run({"merge", "a.mkv", "b.mkv", "c.mkv", "-o", "film.mkv"});
     ASSERT_EQ(merged.code, 0) << merged.errors;
     EXPECT_TRUE(Decode("film.mkv") == Decode("whole.mkv"));

@@ -194,10 +194,13 @@ TEST_F(Snapshots, ThatAreDamagedOrForeignAreSaidAndWrittenAnew)
     SetFilm({"record", "tumbler"});
     std::string flipped = whole;
     flipped[whole.size() / 2] ^= 1;
+    std::string turned = whole; // one bit of the camera
+    turned[whole.find('\n', whole.find("\nbytes ") + 1) + 30] ^= 1;
     std::string newer = whole;
     newer.replace(newer.find("snapshot 1"), 10, "snapshot 2");
     const std::pair<std::string, const char*> contents[] = {
         {flipped, "is damaged"},
+        {turned, "is damaged"},
         {whole.substr(0, whole.size() - 1), "is damaged"},
         {whole + "x", "is damaged"},
         {whole.substr(0, whole.find("\nbytes ") + 10), "is damaged"},

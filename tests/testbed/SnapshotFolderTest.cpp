@@ -101,6 +101,9 @@ TEST(SceneSessionState, OfAnotherSceneOrCameraOrOfNothingIsRefusedAndChangesNoth
     std::vector<std::uint8_t> endless = before; // says that its camera has 2^56 numbers and more
     endless[15] = 1;
     EXPECT_FALSE(session.RestoreState(endless));
+    std::vector<std::uint8_t> nowhere = before; // the last number of its camera is none
+    std::fill_n(nowhere.begin() + 16 + 8 * (before[8] - 1), 8, std::uint8_t(255));
+    EXPECT_FALSE(session.RestoreState(nowhere));
     EXPECT_TRUE(session.SaveState() == before);
 }
 
