@@ -96,7 +96,7 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         {
             ::close(descriptor);
-            return CannotWrite(ErrorKind::Unusable, path,
+            return CannotWrite(ErrorKind::Failed, path,
                                "another program is writing it (" + part.string() +
                                    "); wait for it or choose another name");
         }
@@ -158,6 +158,18 @@ std::filesystem::path PartPath(const std::filesystem::path& path, std::string_vi
     part.replace_filename(path.stem().string() + "." + std::string(mark) +
                           path.extension().string());
     return part;
+}
+
+bool IsBeingWritten(const std::filesystem::path& part)
+{
+    const int descriptor = ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0)
+    {
+        return false;
+    }
+    const bool isLocked = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(descriptor);
+    return isLocked;
 }
 
 Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path, bool overwrite)

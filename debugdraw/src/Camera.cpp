@@ -246,4 +246,17 @@ void FitCamera::Update(const std::vector<Rect>& movers, double dt)
     }
 }
 
+void FitCamera::VisitState(const NumberVisitor& visit)
+{
+    for (Area* const area : {&m_target, &m_guide, &m_shown})
+    {
+        visit(area->x);
+        visit(area->y);
+        visit(area->halfHeight);
+    }
+    visit(m_view.centerX);
+    visit(m_view.centerY);
+    visit(m_view.pixelsPerMeter);
+}
+
 } // namespace boxreel

@@ -145,4 +145,24 @@ void FollowCamera::Update(const Rect& subject, double dt)
     m_view.pixelsPerMeter = m_view.height / m_viewHeight.shown;
 }
 
+void FollowCamera::VisitState(const NumberVisitor& visit)
+{
+    for (Smooth* const number : {&m_x, &m_y, &m_viewHeight})
+    {
+        visit(number->goal);
+        visit(number->guide);
+        visit(number->shown);
+    }
+    for (float* const side :
+         {&m_subject.lower.x, &m_subject.lower.y, &m_subject.upper.x, &m_subject.upper.y})
+    {
+        double wide = *side;
+        visit(wide);
+        *side = static_cast<float>(wide);
+    }
+    visit(m_view.centerX);
+    visit(m_view.centerY);
+    visit(m_view.pixelsPerMeter);
+}
+
 } // namespace boxreel

@@ -440,6 +440,10 @@ Result<void> FFmpegFilm::Write(Packets& packets)
 /// Empties the encoder and writes what the muxer needs to be played.
 Result<void> FFmpegFilm::Finish()
 {
+    if (m_frames == m_resumed) // nothing has come to what was there
+    {
+        return m_muxer->Finish();
+    }
     const bool isLastShown = m_shown == Last();
     if (!isLastShown && !IsAnimation())
     {

@@ -212,9 +212,12 @@ Result<void> PngSequenceWriter::Write(const Job& job)
 
 Result<void> PngSequenceWriter::Close()
 {
-    if (Result<void> done = Flush(); !done)
+    if (m_frames > m_resumed) // else all pictures were there
     {
-        return done;
+        if (Result<void> done = Flush(); !done)
+        {
+            return done;
+        }
     }
     Join();
     if (m_error)

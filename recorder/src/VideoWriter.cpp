@@ -119,7 +119,7 @@ Result<void> VideoWriter::End(Result<void> (VideoSink::*end)())
         return Error{ErrorKind::Failed,
                      "A film that is closed already, or failed, cannot be closed."};
     }
-    if (m_impl->isEmpty)
+    if (m_impl->isEmpty && m_impl->sink->ResumedFrames() == 0)
     {
         m_impl->sink.reset();
         return Error{ErrorKind::Unusable,

@@ -65,6 +65,9 @@ public:
     /// be saved and restored; a scene that keeps nothing need not.
     virtual void VisitState(SceneState& state) { (void)state; }
 
+    /// The names, for the same purpose: those of joints hang on addresses.
+    void VisitNames(SceneState& state);
+
 protected:
     SceneSettings m_settings;
     b2World m_world;

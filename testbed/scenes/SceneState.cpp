@@ -91,4 +91,62 @@ void SceneState::Visit(b2Joint*& joint)
     }
 }
 
+// Eight letters a number.
+void SceneState::Visit(std::string& text)
+{
+    std::uint64_t length = text.size();
+    VisitBits(length);
+    m_sound = m_sound && (!m_restores || length <= m_left.size());
+    text.resize(m_sound ? std::size_t(length) : 0);
+    for (std::size_t i = 0; i < text.size(); i += sizeof(std::uint64_t))
+    {
+        const std::size_t count = std::min(sizeof(std::uint64_t), text.size() - i);
+        std::uint64_t letters = 0;
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            letters |= std::uint64_t(static_cast<unsigned char>(text[i + k])) << (8 * k);
+        }
+        VisitBits(letters);
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            text[i + k] = static_cast<char>(letters >> (8 * k));
+        }
+    }
+}
+
+void SceneState::Visit(std::map<std::uint32_t, std::string>& names)
+{
+    std::vector<std::pair<std::uint32_t, std::string>> all(names.begin(), names.end());
+    std::uint64_t count = all.size();
+    VisitBits(count);
+    names.clear();
+    for (std::uint64_t i = 0; i < count && m_sound; ++i)
+    {
+        auto [number, name] = m_restores ? std::pair(std::uint32_t(0), std::string()) : all[i];
+        Visit(number);
+        Visit(name);
+        names.emplace(number, name);
+    }
+}
+
+// By places, for addresses are others in every run.
+void SceneState::Visit(std::map<const b2Joint*, std::string>& names)
+{
+    std::map<std::uint32_t, std::string> byPlace;
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        if (const auto named = names.find(m_joints[i]); named != names.end() && !m_restores)
+        {
+            byPlace.emplace(std::uint32_t(i), named->second);
+        }
+    }
+    Visit(byPlace);
+    names.clear();
+    for (const auto& [place, name] : byPlace)
+    {
+        m_sound = m_sound && place < m_joints.size();
+        names.emplace(m_sound ? m_joints[place] : nullptr, name);
+    }
+}
+
 } // namespace boxreel

@@ -6,7 +6,9 @@
 #include <Box2D/Box2D.h>
 
 #include <cstring>
+#include <map>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -56,6 +58,9 @@ private:
     void Visit(b2Body*& body);   ///< may be null
     void Visit(b2Joint*& joint); ///< may be null
     void Visit(Random& random) { VisitBits(random.Counter()); }
+    void Visit(std::string& text);
+    void Visit(std::map<std::uint32_t, std::string>& names);  ///< by numbers of bodies
+    void Visit(std::map<const b2Joint*, std::string>& names); ///< without joints that are gone
     void VisitBits(std::uint64_t& bits);
 
     bool m_restores;

@@ -208,6 +208,10 @@ Result<Request> CheckRecord(RecordOptions options)
     {
         return Unusable("--progress openjd and -o - both need the standard output; write a file.");
     }
+    if (options.snapshotEvery && options.snapshots.empty())
+    {
+        return Unusable("--snapshot-every says how often, --snapshots DIR where to; give both.");
+    }
     if (options.thumbnailAt && options.thumbnail.empty())
     {
         return Unusable("--thumbnail-at says when, --thumbnail FILE.png where to; give both.");

@@ -156,6 +156,12 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
              "auto, bar, lines, json, openjd, none (auto)");
     AddValue(*command, "--frame-range", "RANGE", record.range, ParseRange,
              "Only these frames, such as 200-399 or 1-3,5,7-20:2;\n`boxreel merge` joins parts");
+    AddPath(*command, "--snapshots", "DIR", record.snapshots,
+            "Leave states of the simulation there, and begin from those that\nearlier runs left "
+            "before the first frame");
+    AddValue(*command, "--snapshot-every", "N", record.snapshotEvery,
+             WholeBetween(1, 1'000'000'000),
+             "Steps between them (100, and later at most 1/16 of the way)");
     AddPath(*command, "--thumbnail", "FILE", record.thumbnail, "Also a picture of one frame, .png");
     AddValue(*command, "--thumbnail-at", "TIME", record.thumbnailAt, ParseDuration,
              "When in the film (its middle)");
@@ -178,7 +184,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
         "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
         "  boxreel record bridge -o bridge.mp4 --theme okabe-ito\n"
         "  boxreel record dominos -o short.webp --from 1s --until-sleep --thumbnail short.png\n"
-        "  boxreel record tumbler -o part-2.mkv --frame-range 200-399\n"
+        "  boxreel record tumbler -o part-2.mkv --frame-range 200-399 --snapshots states\n"
         "  boxreel record bridge -o - --format y4m | ffplay -");
 }
 

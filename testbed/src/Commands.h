@@ -42,7 +42,10 @@ struct RecordOptions
     std::filesystem::path thumbnail;     ///< a picture of one frame; empty: none
     std::optional<Duration> thumbnailAt; ///< when in the film; not given: in its middle
     Backend backend = Backend::Auto;
-    bool stats = false; ///< say what was drawn, and where the time went
+    std::filesystem::path snapshots; ///< a folder for states of the simulation; empty: none
+    std::optional<std::int64_t> snapshotEvery; ///< so many steps; none: as IsSnapshotDue says
+    bool stats = false; ///< say what was simulated and drawn, what was left as it was, and where
+                        ///< the time went
     ProgressMode progress = ProgressMode::Auto;
     std::vector<std::string> arguments; ///< as they were typed
 };

@@ -23,12 +23,13 @@ struct Exempt
     bool hasValue;
 };
 
-constexpr std::array<Exempt, 10> kExempt = {{
+constexpr std::array<Exempt, 11> kExempt = {{
     {"-o", true},
     {"--output", true},
     {"--frame-range", true},
     {"--progress", true},
     {"--snapshots", true},
+    {"--snapshot-every", true},
     {"--thumbnail", true},
     {"--backend", true},
     {"--resume", false},

@@ -2,6 +2,7 @@
 #include "Program.h"
 
 #include "CommandLine.h"
+#include "Progress.h"
 #include "Terminal.h"
 
 namespace boxreel
@@ -29,9 +30,29 @@ struct Runner
     Result<int> operator()(const BenchOptions& options) const { return RunBench(options); }
 };
 
-int Report(const Error& error)
+/// Whether an agent of a farm reads along; it does so too when the arguments are not understood.
+bool AsksForOpenJd(const std::vector<std::string>& arguments)
+{
+    for (auto word = arguments.begin(); word != arguments.end(); ++word)
+    {
+        const auto next = std::next(word);
+        if (*word == "--progress=openjd" ||
+            (*word == "--progress" && next != arguments.end() && *next == "openjd"))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+int Report(const Error& error, const std::vector<std::string>& arguments)
 {
     WriteMessage(Red("boxreel:", stderr) + " " + error.message);
+    if (AsksForOpenJd(arguments))
+    {
+        // Who cannot be told this cannot be told that, either.
+        (void)WriteOutput(FailOpenJdText(error.message) + "\n");
+    }
     return static_cast<int>(error.kind);
 }
 
@@ -42,10 +63,10 @@ int RunProgram(const std::vector<std::string>& arguments)
     const Result<Request> request = ParseCommandLine(arguments);
     if (!request)
     {
-        return Report(request.GetError());
+        return Report(request.GetError(), arguments);
     }
     const Result<int> code = std::visit(Runner(), *request);
-    return code ? *code : Report(code.GetError());
+    return code ? *code : Report(code.GetError(), arguments);
 }
 
 } // namespace boxreel

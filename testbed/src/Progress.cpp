@@ -15,6 +15,10 @@ namespace
 constexpr double kSecondsBetweenBars = 0.1;
 constexpr double kSecondsBetweenObjects = 0.5;
 
+// Steps between two frames of which nobody would see that something is done: a second, of a
+// pyramid.
+constexpr std::int64_t kLongWay = 1000;
+
 template <class... Values>
 std::string Format(const char* format, Values... values)
 {
@@ -140,6 +144,25 @@ std::string ProgressOpenJdText(const RecordingProgress& progress, double seconds
            Counts(progress, seconds);
 }
 
+std::string SimulationText(const SimulationProgress& progress)
+{
+    return Format("simulating up to the next frame, step %lld of %lld", Printable(progress.step),
+                  Printable(progress.last));
+}
+
+std::string SimulationJsonText(const SimulationProgress& progress)
+{
+    return Format("{\"event\":\"simulating\",\"step\":%lld,\"last\":%lld}",
+                  Printable(progress.step), Printable(progress.last));
+}
+
+std::string FailOpenJdText(const std::string& sentence)
+{
+    std::string line = "openjd_fail: " + sentence;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    return line;
+}
+
 std::string ReportText(const FilmReport& report)
 {
     std::string text =
@@ -191,10 +214,7 @@ void Progress::Update(const RecordingProgress& progress)
         10 * progress.framesDone / std::max<std::int64_t>(1, progress.framesTotal);
     if (m_mode == ProgressMode::Bar && (isLast || since >= kSecondsBetweenBars))
     {
-        const std::string bar = ProgressBarText(progress, now, TerminalColumns(stderr));
-        const std::string rest(m_shownLength > bar.size() ? m_shownLength - bar.size() : 0, ' ');
-        std::fprintf(stderr, "\r%s%s", bar.c_str(), rest.c_str());
-        m_shownLength = bar.size();
+        ShowBar(ProgressBarText(progress, now, TerminalColumns(stderr)));
         m_lastWritten = now;
     }
     else if (m_mode == ProgressMode::Lines && tenth > m_lastTenth)
@@ -212,6 +232,40 @@ void Progress::Update(const RecordingProgress& progress)
         std::printf("%s\n", ProgressOpenJdText(progress, now).c_str());
         std::fflush(stdout);
         m_lastWritten = now;
+    }
+}
+
+void Progress::ShowBar(const std::string& bar)
+{
+    const std::string rest(m_shownLength > bar.size() ? m_shownLength - bar.size() : 0, ' ');
+    std::fprintf(stderr, "\r%s%s", bar.c_str(), rest.c_str());
+    m_shownLength = bar.size();
+}
+
+void Progress::Simulate(const SimulationProgress& progress)
+{
+    const std::int64_t way = progress.last - progress.first;
+    const std::int64_t done = progress.step - progress.first;
+    if (way < kLongWay || 10 * done / way == 10 * (done - 1) / way)
+    {
+        return;
+    }
+    if (m_mode == ProgressMode::Bar)
+    {
+        const std::size_t room = static_cast<std::size_t>(std::max(1, TerminalColumns(stderr) - 1));
+        ShowBar(SimulationText(progress).substr(0, room));
+    }
+    else if (m_mode == ProgressMode::Lines)
+    {
+        WriteMessage(SimulationText(progress));
+    }
+    else if (m_mode == ProgressMode::Json)
+    {
+        WriteMessage(SimulationJsonText(progress));
+    }
+    else if (m_mode == ProgressMode::OpenJD)
+    {
+        (void)WriteOutput("openjd_status: " + SimulationText(progress) + "\n");
     }
 }
 
@@ -234,6 +288,16 @@ void Progress::Finish(const FilmReport& report)
     else if (m_mode != ProgressMode::None)
     {
         WriteMessage(ReportText(report));
+    }
+}
+
+void Progress::Stop(const std::string& sentence)
+{
+    Clear();
+    WriteMessage("boxreel: " + sentence);
+    if (m_mode == ProgressMode::OpenJD)
+    {
+        (void)WriteOutput(FailOpenJdText(sentence) + "\n"); // the agent may have gone
     }
 }
 

@@ -41,6 +41,17 @@ std::string ProgressBarText(const RecordingProgress& progress, double seconds, i
 std::string ProgressLineText(const RecordingProgress& progress, double seconds);
 std::string ProgressJsonText(const RecordingProgress& progress, double seconds);
 std::string ProgressOpenJdText(const RecordingProgress& progress, double seconds);
+/// What is simulated before a frame can be drawn.
+struct SimulationProgress
+{
+    std::int64_t step = 0; ///< has been simulated
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+};
+std::string SimulationText(const SimulationProgress& progress);
+std::string SimulationJsonText(const SimulationProgress& progress);
+/// Why a command ends without its result; in one line, as agents read it.
+std::string FailOpenJdText(const std::string& sentence);
 std::string ReportText(const FilmReport& report);
 std::string ReportJsonText(const FilmReport& report);
 
@@ -52,15 +63,23 @@ public:
     /// Writes when there is news: a few times a second, or once every tenth of the film.
     void Update(const RecordingProgress& progress);
 
+    /// Writes each tenth of a long way to a frame, whatever the time it takes.
+    void Simulate(const SimulationProgress& progress);
+
     /// Clears what a line feed has not ended yet, so that a message starts in a column of its own.
     void Clear();
 
     /// The last line.
     void Finish(const FilmReport& report);
 
+    /// The last line of a film that is not finished, in every mode.
+    void Stop(const std::string& sentence);
+
     double Seconds() const; ///< since construction
 
 private:
+    void ShowBar(const std::string& bar);
+
     using Clock = std::chrono::steady_clock;
 
     ProgressMode m_mode;

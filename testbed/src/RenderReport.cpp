@@ -49,4 +49,13 @@ std::string DescribeDrawing(const RenderTotals& totals)
            Line("draw calls", std::to_string(totals.drawCalls), calls);
 }
 
+std::string DescribeSimulation(const SimulationTotals& totals)
+{
+    return "What was simulated:" +
+           Line("steps", std::to_string(totals.steps),
+                totals.firstStep > 0
+                    ? "from the snapshot of step " + std::to_string(totals.firstStep) + " on"
+                    : "from the start");
+}
+
 } // namespace boxreel

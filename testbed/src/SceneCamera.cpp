@@ -4,6 +4,8 @@
 #include "SceneBounds.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace boxreel
 {
@@ -125,6 +127,61 @@ void SceneCamera::Update(b2World& world, double time, double dt)
     {
         m_view = path->At(time);
     }
+}
+
+void SceneCamera::VisitState(const NumberVisitor& visit)
+{
+    const bool waited = m_waits;
+    double waits = m_waits ? 1.0 : 0.0;
+    double made = m_made;
+    visit(waits);
+    visit(made);
+    m_waits = waits != 0.0;
+    m_made = static_cast<int>(std::clamp(made, 0.0, double(std::numeric_limits<int>::max())));
+    if (waited && !m_waits) // what it waited for has come
+    {
+        m_mover.emplace<FollowCamera>(
+            m_view.width, m_view.height, Rect(),
+            m_seesCentersOnly ? std::optional(m_followHeight.value_or(kLeastFollowHeight))
+                              : std::nullopt);
+    }
+    if (auto* fit = std::get_if<FitCamera>(&m_mover))
+    {
+        fit->VisitState(visit);
+    }
+    else if (auto* follow = std::get_if<FollowCamera>(&m_mover))
+    {
+        follow->VisitState(visit);
+    }
+    visit(m_view.centerX);
+    visit(m_view.centerY);
+    visit(m_view.pixelsPerMeter);
+}
+
+std::vector<double> SceneCamera::State() const
+{
+    std::vector<double> state;
+    SceneCamera copy = *this;
+    copy.VisitState([&state](double& number) { state.push_back(number); });
+    return state;
+}
+
+bool SceneCamera::Restore(std::span<const double> state)
+{
+    SceneCamera restored = *this;
+    std::size_t read = 0;
+    bool isSound = true;
+    restored.VisitState([&](double& number) {
+        isSound = isSound && read < state.size() && std::isfinite(state[read]);
+        number = isSound ? state[read] : 0.0;
+        ++read;
+    });
+    if (isSound && read == state.size())
+    {
+        *this = restored;
+        return true;
+    }
+    return false;
 }
 
 } // namespace boxreel

@@ -7,6 +7,8 @@
 #include <Box2D/Box2D.h>
 #include <debugdraw/FollowCamera.h>
 
+#include <span>
+
 /// The camera that a ViewChoice asks for, at work on a world: tells debugdraw's cameras, which know
 /// no bodies, where the bodies are. Only reads the world.
 namespace boxreel
@@ -29,12 +31,19 @@ public:
     /// Unusable while a body that the view names has never been there.
     Result<void> CheckBodiesCame() const { return CheckBodies("--camera", m_made, m_bodies); }
 
+    /// All that Update changes, as numbers.
+    std::vector<double> State() const;
+    /// Goes on from the numbers of a camera of the same choice, picture and scene. False when they
+    /// are of another one; it is then as it was.
+    bool Restore(std::span<const double> state);
+
 private:
     using Mover = std::variant<std::monostate, FitCamera, FollowCamera, CameraPath>;
     SceneCamera(const ViewChoice& choice, b2World& world, int width, int height);
     Rect Subject(b2World& world) const;
     void LookAtBodies(b2World& world);
     void LookAtAll(b2World& world, bool whole);
+    void VisitState(const NumberVisitor& visit);
 
     std::vector<int> m_bodies;
     bool m_seesCentersOnly = false;       // of the bodies, for how large they look does not matter

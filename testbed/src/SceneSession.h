@@ -14,7 +14,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 /// A scene being shown: simulated step by step, looked at by a camera, described by a panel. Films,
 /// stills and golden candidates all come from here, which is why a still has the very pixels that a
@@ -71,6 +73,17 @@ public:
     bool MakesBodiesLater() const { return m_scene->MakesBodiesLater(); }
     /// Unusable while a body that the camera should show has never been there.
     Result<void> CheckView() const { return m_camera.CheckBodiesCame(); }
+
+    /// All that decides which states it goes through, as lines of text: before the first step. A
+    /// state that was saved may be restored wherever the text is the same.
+    std::string DescribeOrigin();
+    /// All that a step leaves to the next one and to pictures.
+    std::vector<std::uint8_t> SaveState();
+    /// False when the bytes are not such a state; the session is then as it was.
+    bool RestoreState(std::span<const std::uint8_t> bytes);
+    /// From which step on, at the latest, what has been restored must be simulated so that the
+    /// picture of `step` has all that it shows.
+    std::int64_t LatestStateFor(std::int64_t step) const;
 
 private:
     SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,

@@ -3,6 +3,7 @@
 
 #include "Values.h"
 
+#include <charconv>
 #include <cmath>
 
 namespace boxreel
@@ -89,7 +90,73 @@ Result<ViewChoice> ParsePath(std::string_view keys, const std::string& named)
     return why.empty() ? Result<ViewChoice>(path) : Error{ErrorKind::Unusable, named + why + "."};
 }
 
+/// Each the shortest that is read as the same number.
+std::string Exactly(std::initializer_list<double> numbers)
+{
+    std::string all;
+    for (const double number : numbers)
+    {
+        char text[40];
+        char* const end = std::to_chars(text, text + sizeof text, number).ptr;
+        all.append(all.empty() ? "" : ",").append(&text[0], end);
+    }
+    return all;
+}
+
+std::string TextOf(const std::vector<BodyRef>& bodies)
+{
+    std::string text;
+    for (const BodyRef& body : bodies)
+    {
+        text.append(text.empty() ? "" : ",");
+        if (body.name.empty())
+        {
+            text.append(std::to_string(body.number));
+        }
+        else
+        {
+            text.append(1, '"').append(body.name).append(1, '"');
+        }
+    }
+    return text;
+}
+
+struct Describer
+{
+    std::string operator()(const FitView& view) const
+    {
+        return view.wholeWorld ? "fit:world" : "fit";
+    }
+    std::string operator()(const FitBodiesView& view) const
+    {
+        return std::string("fit:").append(TextOf(view.bodies));
+    }
+    std::string operator()(const FixedView& view) const
+    {
+        return Exactly({view.centerX, view.centerY, view.height});
+    }
+    std::string operator()(const FollowView& view) const
+    {
+        std::string text = std::string("follow:").append(TextOf(view.bodies));
+        return view.height ? text.append(1, ':').append(Exactly({*view.height})) : text;
+    }
+    std::string operator()(const PathView& view) const
+    {
+        std::string text = "path:";
+        for (const CameraKey& key : view.keys)
+        {
+            text.append(Exactly({key.time, key.centerX, key.centerY, key.height})).append(1, ';');
+        }
+        return text;
+    }
+};
+
 } // namespace
+
+std::string TextOf(const ViewChoice& view)
+{
+    return std::visit(Describer(), view);
+}
 
 std::vector<BodyRef*> BodiesOf(ViewChoice& view)
 {

@@ -64,4 +64,8 @@ std::vector<BodyRef*> BodiesOf(ViewChoice& view);
 /// "path:0s=0,20,50;3s=10,5,12". A failure is Unusable, one sentence that names `option`.
 Result<ViewChoice> ParseView(const std::string& option, const std::string& text);
 
+/// The same text for the same view, and another one for every other: not always what ParseView
+/// takes.
+std::string TextOf(const ViewChoice& view);
+
 } // namespace boxreel

@@ -143,12 +143,26 @@ TEST(AtomicFile, KeepsAFileThatAppearedWhileItWrote)
     EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
 }
 
+TEST(AtomicFile, KnowsWhatAnotherOneIsWriting)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "film.mp4";
+    EXPECT_FALSE(IsBeingWritten(PartPath(path)));
+    {
+        Result<AtomicFile> file = AtomicFile::Create(path, false);
+        ASSERT_TRUE(file);
+        EXPECT_TRUE(IsBeingWritten(PartPath(path)));
+        ASSERT_TRUE(file->Leave());
+    }
+    EXPECT_FALSE(IsBeingWritten(PartPath(path)));
+}
+
 TEST(AtomicFile, RefusesASecondWriterOfTheSameName)
 {
     const TemporaryFolder folder;
     Result<AtomicFile> first = AtomicFile::Create(folder / "film.mp4", true);
     ASSERT_TRUE(first);
-    ExpectRefused(WriteWhole(folder / "film.mp4", "second", true), ErrorKind::Unusable, "film.mp4");
+    ExpectRefused(WriteWhole(folder / "film.mp4", "second", true), ErrorKind::Failed, "film.mp4");
     const std::uint8_t bytes[] = {'1'};
     EXPECT_TRUE(first->Write(bytes));
     EXPECT_TRUE(first->Commit());

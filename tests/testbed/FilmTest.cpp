@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Films as the program makes them: decoded and compared with its stills.
-#include "Subprocess.h"
+#include "FilmFixture.h"
 
-#include <recorder/VideoReader.h>
 #include <render/Png.h>
 
 #include <gmock/gmock.h>
@@ -10,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 namespace boxreel
@@ -22,34 +22,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-class Film : public testing::Test
+class Film : public FilmFixture
 {
 protected:
-    Outcome Run(const std::vector<std::string>& arguments) const
-    {
-        return RunBoxreel(arguments, folder.Path());
-    }
-
-    std::vector<Frame> Decode(const std::string& name, Frames which = Frames::Shown) const
-    {
-        std::vector<Frame> frames;
-        Result<VideoReader> reader = VideoReader::Open(folder / name, which);
-        if (!reader)
-        {
-            ADD_FAILURE() << reader.GetError().message;
-            return frames;
-        }
-        Frame frame;
-        Result<bool> more = reader->Next(frame);
-        while (more && *more)
-        {
-            frames.push_back(frame);
-            more = reader->Next(frame);
-        }
-        EXPECT_TRUE(more);
-        return frames;
-    }
-
     Frame Shot(const std::string& scene, int step, const std::vector<std::string>& look) const
     {
         std::vector<std::string> arguments{"shot", scene,      "--step", std::to_string(step),
@@ -61,8 +36,6 @@ protected:
         EXPECT_TRUE(frame);
         return frame ? *frame : Frame();
     }
-
-    TemporaryFolder folder;
 };
 
 TEST_F(Film, ACameraThatWaitsInVainIsSaidAndTheFilmKept)
@@ -262,34 +235,13 @@ void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
     kill(process, signal);
 }
 
-/// The same once a whole group of frames is in the file: its papers name the second one, and a film
-/// that is further on.
-void StopAfterGroups(int process, int signal, const std::filesystem::path& folder)
-{
-    for (int i = 0; i < 6000; ++i)
-    {
-        for (const auto& entry : std::filesystem::directory_iterator(folder))
-        {
-            const bool isPapers = entry.path().string().ends_with(".part.mkv.json") ||
-                                  entry.path().string().ends_with(".part.mp4.json");
-            if (isPapers && ReadFile(entry.path()).find("\"200\"") != std::string::npos)
-            {
-                kill(process, signal);
-                return;
-            }
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    kill(process, SIGKILL);
-}
-
 TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
 {
     for (const int signal : {SIGINT, SIGTERM, SIGQUIT})
     {
         const Outcome outcome = RunBoxreel(
             {"record", "pyramid", "--frames", "10000000", "-o", "film.mkv", "--size", "160x90"},
-            folder.Path(), [&](int process) { StopAfterGroups(process, signal, folder.Path()); });
+            folder.Path(), [&](int process) { StopAfterGroups(process, signal); });
         EXPECT_EQ(outcome.code, 75) << outcome.errors;
         EXPECT_THAT(outcome.errors, HasSubstr("Stopped after"));
         EXPECT_THAT(outcome.errors, HasSubstr("--resume"));
@@ -327,9 +279,8 @@ TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
     ASSERT_EQ(Run(whole).code, 0);
     std::vector<std::string> command = record;
     command.emplace_back("film.mp4");
-    const Outcome killed = RunBoxreel(command, folder.Path(), [&](int process) {
-        StopAfterGroups(process, SIGKILL, folder.Path());
-    });
+    const Outcome killed =
+        RunBoxreel(command, folder.Path(), [&](int process) { StopAfterGroups(process, SIGKILL); });
     ASSERT_EQ(killed.code, 128 + SIGKILL) << "it was over before it could be killed";
     const Outcome refused = Run(command);
     EXPECT_EQ(refused.code, 1);
@@ -409,14 +360,168 @@ TEST_F(Film, GoesThroughAPipe)
     EXPECT_THAT(folder.Files(), ElementsAre("film.y4m"));
 }
 
+/// Every line is one that Open Job Description's agents know: "openjd_progress: 0 to 100",
+/// "openjd_status: TEXT", "openjd_fail: TEXT".
+void ExpectOpenJd(const std::string& output)
+{
+    std::istringstream lines(output);
+    double last = 0.0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        EXPECT_THAT(line, testing::MatchesRegex("openjd_(progress: [0-9.]+|(status|fail): .+)"));
+        if (line.starts_with("openjd_progress: "))
+        {
+            const double progress = std::stod(line.substr(17));
+            EXPECT_GE(progress, last);
+            EXPECT_LE(progress, 100.0);
+            last = progress;
+        }
+    }
+}
+
 TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
 {
     const Outcome outcome = Run({"record", "pyramid", "-o", "a.mkv", "--frames", "5", "--size",
                                  "160x90", "--progress", "openjd"});
+    EXPECT_EQ(outcome.code, 0);
+    ExpectOpenJd(outcome.output);
     EXPECT_THAT(outcome.output, HasSubstr("openjd_progress: 100.0\nopenjd_status: 5/5 frames"));
     const Outcome failed = Run({"record", "pyramid", "-o", "a.mkv", "--progress", "openjd"});
     EXPECT_EQ(failed.code, 1);
+    ExpectOpenJd(failed.output);
     EXPECT_THAT(failed.output, HasSubstr("openjd_fail: Cannot write a.mkv"));
+    const Outcome misunderstood =
+        Run({"record", "pyramid", "-o", "a.mkv", "--progress=openjd", "--frames", "many"});
+    EXPECT_EQ(misunderstood.code, 1);
+    EXPECT_THAT(misunderstood.output, HasSubstr("openjd_fail: --frames many: give a"));
+    const Outcome stopped =
+        RunBoxreel({"record", "pyramid", "--frames", "10000000", "-o", "b.mkv", "--size", "160x90",
+                    "--progress", "openjd"},
+                   folder.Path(), [&](int process) { StopAfterGroups(process, SIGTERM); });
+    EXPECT_EQ(stopped.code, 75);
+    ExpectOpenJd(stopped.output);
+    EXPECT_THAT(stopped.output, HasSubstr("openjd_fail: Stopped after "));
+}
+
+TEST_F(Film, SaysHowFarTheSimulationIsOnALongWayToAFrame)
+{
+    const std::vector<std::string> record{"record", "bridge", "-o",     "a.mkv", "--frames", "1",
+                                          "--from", "50s",    "--size", "32x18", "--force"};
+    const auto run = [&](const char* progress) {
+        std::vector<std::string> command = record;
+        command.insert(command.end(), {"--progress", progress});
+        return Run(command);
+    };
+    EXPECT_THAT(run("lines").errors,
+                HasSubstr("simulating up to the next frame, step 300 of 3000\nsimulating up to the "
+                          "next frame, step 600 of 3000\n"));
+    EXPECT_THAT(run("json").errors, HasSubstr(R"({"event":"simulating","step":2700,"last":3000})"));
+    const std::string openjd = run("openjd").output;
+    ExpectOpenJd(openjd);
+    EXPECT_THAT(openjd, HasSubstr("openjd_status: simulating up to the next frame, step 3000 of "));
+    EXPECT_EQ(run("none").errors, "");
+}
+
+TEST_F(Film, ThatAnotherProgramIsMakingMayBeTriedAgain)
+{
+    std::vector<std::string> record{"record", "pyramid", "--frames", "10000000",
+                                    "-o",     "a.mkv",   "--size",   "32x18"};
+    RunBoxreel(record, folder.Path(), [&](int process) {
+        StopAfterGroups(process, SIGCONT, 100);
+        for (const char* const again : {"--resume", "--force"})
+        {
+            std::vector<std::string> second = record;
+            second.emplace_back(again);
+            const Outcome outcome = Run(second);
+            EXPECT_EQ(outcome.code, 4) << outcome.errors;
+            EXPECT_THAT(outcome.errors, HasSubstr("another program is writing it"));
+        }
+        kill(process, SIGTERM);
+    });
+}
+
+TEST_F(Film, IsNotLostWhenItIsStoppedOnTheWayToItsNextFrame)
+{
+    std::vector<std::string> record{"record", "pyramid", "--frames", "20000", "--hz",
+                                    "6000",   "--size",  "160x90",   "-o",    "film.mkv"};
+    const Outcome first = RunBoxreel(record, folder.Path(),
+                                     [&](int process) { StopAfterGroups(process, SIGTERM, 300); });
+    ASSERT_EQ(first.code, 75) << first.errors;
+    // The last group counts as whole when another one follows.
+    const std::size_t kept = (Decode("film.part.mkv").size() - 1) / 100 * 100;
+    ASSERT_GE(kept, 200u);
+    record.emplace_back("--resume");
+    const auto part = folder / "film.part.mkv";
+    const auto before = std::filesystem::last_write_time(part);
+    const Outcome outcome = RunBoxreel(record, folder.Path(), [&](int process) {
+        std::error_code ignored;
+        for (int i = 0; i < 6000 && std::filesystem::last_write_time(part, ignored) == before; ++i)
+        {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        kill(process, SIGTERM); // it has what was left, and simulates for a while
+    });
+    EXPECT_EQ(outcome.code, 75) << outcome.errors;
+    EXPECT_GE(Decode("film.part.mkv").size(), kept);
+    record.insert(record.end(), {"--backend", "egl-gpu"}); // where there is none it fails
+    if (Run(record).code == 3)
+    {
+        EXPECT_GE(Decode("film.part.mkv").size(), kept - 100);
+    }
+}
+
+TEST_F(Film, WhoseFramesAreAllThereIsFinishedWhenItIsContinued)
+{
+    const auto record = [](const std::string& frames) {
+        return std::vector<std::string>{"record", "pyramid", "-o",    "a-####.png", "--frames",
+                                        frames,   "--size",  "32x18", "--resume"};
+    };
+    const Outcome stopped = RunBoxreel(record("9999"), folder.Path(), [&](int process) {
+        for (int i = 0; i < 3000 && !std::filesystem::exists(folder / "a-0005.png"); ++i)
+        {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        kill(process, SIGTERM);
+    });
+    ASSERT_EQ(stopped.code, 75) << stopped.errors;
+    std::string papersName;
+    int count = 0;
+    for (const std::string& name : folder.Files())
+    {
+        count += name.ends_with(".png") ? 1 : 0;
+        papersName = name.ends_with(".json") ? name : papersName;
+    }
+    ASSERT_GT(count, 0);
+    std::string papers = ReadFile(folder / papersName);
+    papers.replace(papers.find("\"9999\"") + 1, 4, std::to_string(count));
+    std::ofstream(folder / papersName) << papers;
+    const Outcome again = Run(record(std::to_string(count)));
+    EXPECT_EQ(again.code, 0) << again.errors;
+    EXPECT_EQ(folder.Files().size(), std::size_t(count));
+}
+
+TEST_F(Film, APartThatWasStoppedAndContinuedIsJoinedToTheOthers)
+{
+    const std::vector<std::string> record{"record", "tumbler", "--frames",
+                                          "800",    "--size",  "160x90"};
+    const auto part = [&](const char* name, const char* range) {
+        std::vector<std::string> command = record;
+        command.insert(command.end(), {"-o", name, "--frame-range", range});
+        return command;
+    };
+    std::vector<std::string> second = part("b.mkv", "100-699");
+    const Outcome stopped = RunBoxreel(second, folder.Path(), [&](int process) {
+        StopAfterGroups(process, SIGTERM, 300); // 100 of its frames are whole, and more
+    });
+    ASSERT_EQ(stopped.code, 75) << stopped.errors;
+    second.emplace_back("--resume");
+    EXPECT_EQ(Run(second).code, 0);
+    EXPECT_EQ(Run(part("a.mkv", "0-99")).code, 0);
+    EXPECT_EQ(Run(part("c.mkv", "700-799")).code, 0);
+    EXPECT_EQ(Run(part("whole.mkv", "0-799")).code, 0);
+    const Outcome merged = Run({"merge", "a.mkv", "b.mkv", "c.mkv", "-o", "film.mkv"});
+    ASSERT_EQ(merged.code, 0) << merged.errors;
+    EXPECT_TRUE(Decode("film.mkv") == Decode("whole.mkv"));
 }
 
 TEST_F(Film, SaysWhichCodecOptionIsUnknownBeforeAnythingIsWritten)

@@ -19,6 +19,11 @@ TEST(Progress, TheBarShowsPercentRateAndTimeLeft)
               " 50% [####################....................] 300/600 frames, 100 fps, 0:03 left");
 }
 
+TEST(Progress, AFailureIsOneLineForAgents)
+{
+    EXPECT_EQ(FailOpenJdText("No.\nGive another."), "openjd_fail: No. Give another.");
+}
+
 TEST(Progress, TheBarFitsEveryTerminal)
 {
     for (int columns = 1; columns < 200; ++columns)

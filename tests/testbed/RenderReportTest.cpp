@@ -32,6 +32,15 @@ TEST(RenderReport, SaysInAlignedLinesWhatWasDrawn)
         "  draw calls       8410   14.0 a frame");
 }
 
+TEST(RenderReport, SaysInTheSameWayWhatWasSimulated)
+{
+    EXPECT_EQ(DescribeSimulation({.firstStep = 0, .steps = 600}),
+              "What was simulated:\n  steps             600   from the start");
+    EXPECT_EQ(DescribeSimulation({.firstStep = 500, .steps = 100}),
+              "What was simulated:\n"
+              "  steps             100   from the snapshot of step 500 on");
+}
+
 TEST(RenderReport, OfNothingIsNothing)
 {
     EXPECT_THAT(DescribeDrawing({}), testing::Not(testing::HasSubstr("nan")));

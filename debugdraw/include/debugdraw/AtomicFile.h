@@ -67,6 +67,9 @@ private:
 /// dir/film.mp4 becomes dir/film.part.mp4: the extension stays, since libraries go by it.
 std::filesystem::path PartPath(const std::filesystem::path& path, std::string_view mark = "part");
 
+/// Whether some program has this part file open as an AtomicFile. False where there are no locks.
+bool IsBeingWritten(const std::filesystem::path& part);
+
 /// Create, Write and Commit in one.
 Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                         bool overwrite);

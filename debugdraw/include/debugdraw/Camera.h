@@ -3,6 +3,8 @@
 
 #include <debugdraw/DrawList.h>
 
+#include <functional>
+
 /// Where a frame looks: metres to pixels and back. A Camera is one frame's view; FitCamera moves it
 /// over time. World y points up, pixel y down from the top left corner; pixel centres lie at .5.
 namespace boxreel
@@ -34,6 +36,10 @@ Camera Scaled(const Camera& camera, double scale);
 /// proportion.
 Camera Between(const Camera& from, const Camera& to, double share);
 
+/// Is handed the numbers that a camera carries from step to step, one after the other: to keep
+/// them, or to replace them by what was kept.
+using NumberVisitor = std::function<void(double&)>;
+
 /// Keeps what moves in view, without shaking: the view only ever grows, smoothly, and lets go of a
 /// body that has left the neighbourhood (fallen off the world). Depends on the steps of the
 /// simulation alone, never on the frame rate, so that a film and a still show the same pixels.
@@ -48,6 +54,10 @@ public:
     void Update(const std::vector<Rect>& movers, double dt);
 
     const Camera& View() const { return m_view; }
+
+    /// All that Update changes. A camera that was made alike goes on from these numbers as this one
+    /// does.
+    void VisitState(const NumberVisitor& visit);
 
 private:
     /// What a frame shows [m]. Always of the picture's shape, so half the height says it all, and a

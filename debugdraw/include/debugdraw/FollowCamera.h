@@ -30,6 +30,10 @@ public:
 
     const Camera& View() const { return m_view; }
 
+    /// All that Update changes. A camera that was made alike, of any subject, goes on from these
+    /// numbers as this one does.
+    void VisitState(const NumberVisitor& visit);
+
 private:
     /// A number that goes where another one leads, along two low-passes one after the other: a
     /// critically damped spring, which cannot overshoot.

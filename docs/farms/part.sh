@@ -1,0 +1,28 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# part.sh NUMBER
+#
+# Makes one part of a film, the first of which is number 0. Any scheduler may call it for any part, on any
+# machine that sees the folder, and again when it has failed: what is there is not made twice, what
+# was stopped is gone on with. Ends with the exit code of boxreel.
+#
+#   BOXREEL   the program (boxreel)
+#   FILM      what is filmed: the arguments of `boxreel record`, without spaces in them (pyramid)
+#   FRAMES    of the whole film (600)
+#   PART      frames of a part, a multiple of the film's --group (100)
+#   FOLDER    where the parts go, and the snapshots (parts)
+set -eu
+number=$1
+: "${BOXREEL:=boxreel}" "${FILM:=pyramid}" "${FRAMES:=600}" "${PART:=100}" "${FOLDER:=parts}"
+
+first=$((number * PART))
+film=$FOLDER/$(printf 'part-%05d.mkv' "$number")
+mkdir -p "$FOLDER"
+if [ -f "$film" ]; then
+    [ ! -f "$film.json" ] || exit 0
+    rm "$film" # killed between the film and its papers
+fi
+# shellcheck disable=SC2086 # a list of words
+exec "$BOXREEL" record $FILM --frames "$FRAMES" --frame-range "$first-$((first + PART - 1))" \
+    -o "$film" --resume --snapshots "$FOLDER/snapshots" --progress "${PROGRESS:-lines}"

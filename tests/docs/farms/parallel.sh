@@ -1,0 +1,24 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# parallel.sh CHECKOUT PROGRAM: docs/farms/parallel.sh makes the film of a single run, also when a part
+# was killed on the way. Exit code 77: GNU parallel is not installed.
+. "$(dirname "$0")/check.sh"
+parallel --version 2>/dev/null | grep -q GNU || skip 'GNU parallel is not installed'
+
+fails_once 75 100-149
+"$checkout/docs/farms/parallel.sh" film.mkv 2>log || { cat log >&2; fail 'parallel.sh did not end well'; }
+[ "$(wc -l <attempts)" -eq 2 ] || fail 'the part that was stopped was not tried again'
+expect_whole film.mkv
+
+# A part and the papers of another are gone: only these are made again, from snapshots.
+rm parts/part-00003.mkv parts/part-00001.mkv.json film.mkv
+touch -d '2001-01-01' parts/part-0000[02].mkv
+"$checkout/docs/farms/parallel.sh" film.mkv 2>log || { cat log >&2; fail 'it did not go on'; }
+expect_whole film.mkv
+[ -z "$(find parts -name 'part-0000[02].mkv' -newermt 2002-01-01)" ] || fail 'whole parts were made again'
+
+# What cannot work ends with its exit code, and no film.
+code=0
+FILM='tumbler --colour blue' FOLDER=others "$checkout/docs/farms/part.sh" 0 2>/dev/null || code=$?
+[ $code -eq 1 ] || fail "an unknown option ends with $code"
