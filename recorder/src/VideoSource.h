@@ -5,6 +5,9 @@
 #include <recorder/VideoReader.h>
 #include <render/Frame.h>
 
+#include <filesystem>
+#include <memory>
+
 /// What a VideoReader takes its frames from: one implementation per way of storing them.
 namespace boxreel
 {
@@ -25,5 +28,8 @@ public:
 
     VideoInfo info;
 };
+
+/// By the name's end. An Error when it is not there or no film.
+Result<std::unique_ptr<VideoSource>> OpenVideoSource(const std::filesystem::path& path);
 
 } // namespace boxreel

@@ -149,6 +149,7 @@ Result<void> FilmRun::OpenPapers()
                 .command = CommandOfFilm(m_options.arguments),
                 .framesPerSecond = m_plan.film.framesPerSecond,
                 .groupFrames = m_plan.groupFrames,
+                .plays = m_plan.film.plays,
                 .frameCount = m_plan.frameCount,
                 .first = m_plan.frames.First(),
                 .end = m_plan.frames.Last() + 1,

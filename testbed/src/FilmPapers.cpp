@@ -65,6 +65,7 @@ json ToJson(const FilmPapers& papers)
             {"command", papers.command},
             {"fps", {papers.framesPerSecond.num, papers.framesPerSecond.den}},
             {"group", papers.groupFrames},
+            {"loop", papers.plays},
             {"frames", papers.frameCount},
             {"first", papers.first},
             {"end", papers.end},
@@ -79,6 +80,7 @@ FilmPapers FromJson(const json& object)
     papers.framesPerSecond = {object.at("fps").at(0).get<std::int64_t>(),
                               object.at("fps").at(1).get<std::int64_t>()};
     papers.groupFrames = object.at("group").get<std::int64_t>();
+    papers.plays = object.at("loop").get<int>();
     papers.frameCount = object.at("frames").get<std::int64_t>();
     papers.first = object.at("first").get<std::int64_t>();
     papers.end = object.at("end").get<std::int64_t>();

@@ -22,6 +22,7 @@ struct FilmPapers
     std::vector<std::string> command; ///< what the user asked for, without where it goes
     Rational framesPerSecond;
     std::int64_t groupFrames = 100;
+    int plays = 0;               ///< how often an animation plays; 0: for ever
     std::int64_t frameCount = 0; ///< of the whole film
     std::int64_t first = 0;      ///< number of this part's first frame
     std::int64_t end = 0;        ///< one more than that of its last

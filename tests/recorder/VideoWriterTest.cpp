@@ -85,6 +85,8 @@ const Case kCases[] = {
     {"lossless.apng", Quality::Lossless, "apng", "rgb24", 0.0, 0, 0.0},
     {"draft.webp", Quality::Draft, "webp", "rgba", 0.001, 0, 0.0},
     {"lossless.webp", Quality::Lossless, "webp", "rgba", 0.001, 0, 0.0},
+    {"standard.y4m", Quality::Standard, "rawvideo", "yuv420p", 0.0, 90, 1.2},
+    {"whole-colours.y4m", Quality::Standard, "rawvideo", "yuv444p", 0.0, 2, 0.5, "444"},
     {"lossless.nut", Quality::Lossless, "rawvideo", "rgb24", 0.0, 0, 0.0},
 };
 
