@@ -26,16 +26,7 @@ class StillReader final : public VideoSource
 public:
     explicit StillReader(Frame frame) : m_frame(std::move(frame))
     {
-        info.width = m_frame->width;
-        info.height = m_frame->height;
-        info.framesPerSecond = Rational{1, 1};
-        info.container = "apng";
-        info.codec = "png";
-        info.pixelFormat = "rgba";
-        info.colorSpace = "gbr";
-        info.colorPrimaries = "bt709";
-        info.colorTransfer = "iec61966-2-1";
-        info.colorRange = "pc";
+        info = RgbInfo(m_frame->width, m_frame->height, Rational{1, 1}, "apng", "png");
     }
 
     Result<bool> Next(StoredFrame& stored) override
@@ -68,6 +59,21 @@ Result<std::unique_ptr<VideoSource>> OpenApng(const std::filesystem::path& path)
 }
 
 } // namespace
+
+VideoInfo RgbInfo(int width, int height, const Rational& framesPerSecond,
+                  const std::string& container, const std::string& codec)
+{
+    return {.width = width,
+            .height = height,
+            .framesPerSecond = framesPerSecond,
+            .container = container,
+            .codec = codec,
+            .pixelFormat = "rgba",
+            .colorSpace = "gbr",
+            .colorPrimaries = "bt709",
+            .colorTransfer = "iec61966-2-1",
+            .colorRange = "pc"};
+}
 
 Result<std::unique_ptr<VideoSource>> OpenVideoSource(const std::filesystem::path& path)
 {

@@ -31,7 +31,8 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
                                                               "`boxreel record --frame-range` "
                                                               "made."};
         }
-        Result<FilmPapers> papers = ReadPapers(path);
+        Result<FilmPapers> papers =
+            ReadPapers(path, "it lies beside each part, bring it along or make that part anew");
         if (!papers)
         {
             return papers.GetError();

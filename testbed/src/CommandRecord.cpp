@@ -162,7 +162,7 @@ Result<void> FilmRun::OpenPapers()
         m_plan.film.resume = false; // it is begun
         return {};
     }
-    Result<FilmPapers> left = ReadPapers(Part());
+    Result<FilmPapers> left = ReadPapers(Part(), "begin anew with --force");
     if (!left)
     {
         return left.GetError();
@@ -319,6 +319,7 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
 Result<void> FilmRun::FinishPapers()
 {
     std::error_code ignored;
+    std::filesystem::remove(PapersPath(Part()), ignored);
     if (m_hasPapers && m_options.range)
     {
         m_papers.end = m_plan.frames.First() + m_filmed;
@@ -329,7 +330,6 @@ Result<void> FilmRun::FinishPapers()
             return written;
         }
     }
-    std::filesystem::remove(PapersPath(Part()), ignored);
     return {};
 }
 

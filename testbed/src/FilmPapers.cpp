@@ -91,6 +91,14 @@ FilmPapers FromJson(const json& object)
     return papers;
 }
 
+/// Whether the numbers can be those of a film.
+bool IsSound(const FilmPapers& papers)
+{
+    const Rational& rate = papers.framesPerSecond;
+    return rate.num >= 1 && rate.den >= 1 && papers.groupFrames >= 1 && papers.plays >= 0 &&
+           papers.first >= 0 && papers.end > papers.first && papers.frameCount >= papers.end;
+}
+
 } // namespace
 
 std::filesystem::path PapersPath(const std::filesystem::path& film)
@@ -105,26 +113,30 @@ Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& pa
     return WriteWhole(PapersPath(film), ToJson(papers).dump(1) + "\n", true);
 }
 
-Result<FilmPapers> ReadPapers(const std::filesystem::path& film)
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy)
 {
     const std::filesystem::path path = PapersPath(film);
     std::ifstream file(path);
     if (!file)
     {
         return Error{ErrorKind::Unusable, path.string() + ", which says how " + film.string() +
-                                              " was made, cannot be read; it lies beside every "
-                                              "part and must come along."};
+                                              " was made, cannot be read; " + remedy + "."};
     }
     try
     {
-        return FromJson(json::parse(file));
+        FilmPapers papers = FromJson(json::parse(file));
+        if (IsSound(papers))
+        {
+            return papers;
+        }
     }
     catch (const std::exception&)
     {
-        return Error{ErrorKind::Unusable, path.string() + " is damaged, or of another version of "
-                                                          "this program; make the film anew "
-                                                          "(--force)."};
+        // Said below, as what has other faults.
     }
+    return Error{ErrorKind::Unusable, path.string() +
+                                          " is damaged, or of another version of this program; " +
+                                          remedy + "."};
 }
 
 std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments)

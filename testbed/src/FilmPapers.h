@@ -36,8 +36,8 @@ std::filesystem::path PapersPath(const std::filesystem::path& film);
 /// Replaces what is there.
 Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers);
 
-/// An Error (Unusable) when there are none, or they are not readable.
-Result<FilmPapers> ReadPapers(const std::filesystem::path& film);
+/// An Error (Unusable) when there are none, or they are not readable. `remedy`: what to do then.
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy);
 
 /// The command without the options that do not change a frame: where it goes, how it is reported,
 /// which part it is, that it goes on.

@@ -242,8 +242,8 @@ void StopAfterGroups(int process, int signal, const std::filesystem::path& folde
     {
         for (const auto& entry : std::filesystem::directory_iterator(folder))
         {
-            const bool isPapers = entry.path().string().ends_with(".part.mkv.json") ||
-                                  entry.path().string().ends_with(".part.mp4.json");
+            const bool isPapers = entry.path().string().ends_with(".json") &&
+                                  entry.path().string().find(".part.") != std::string::npos;
             if (isPapers && ReadFile(entry.path()).find("\"200\"") != std::string::npos)
             {
                 kill(process, signal);
@@ -257,7 +257,7 @@ void StopAfterGroups(int process, int signal, const std::filesystem::path& folde
 
 TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
 {
-    for (const int signal : {SIGINT, SIGTERM, SIGQUIT})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     {
         const Outcome outcome = RunBoxreel(
             {"record", "pyramid", "--frames", "10000000", "-o", "film.mkv", "--size", "160x90"},
@@ -267,6 +267,22 @@ TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
         EXPECT_THAT(outcome.errors, HasSubstr("--resume"));
         EXPECT_THAT(folder.Files(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
         EXPECT_GE(Decode("film.part.mkv").size(), 100u);
+        for (const std::string& name : folder.Files())
+        {
+            std::filesystem::remove(folder / name);
+        }
+    }
+}
+
+TEST_F(Film, ASignalLeavesAnAnimationThatCanBePlayed)
+{
+    for (const std::string kind : {".gif", ".apng", ".webp"})
+    {
+        const Outcome outcome = RunBoxreel(
+            {"record", "tumbler", "--frames", "1000000", "-o", "film" + kind, "--size", "32x18"},
+            folder.Path(), [&](int process) { StopAfterGroups(process, SIGINT, folder.Path()); });
+        EXPECT_EQ(outcome.code, 75) << outcome.errors;
+        EXPECT_GE(Decode("film.part" + kind).size(), 50u) << kind;
         for (const std::string& name : folder.Files())
         {
             std::filesystem::remove(folder / name);
@@ -287,6 +303,7 @@ TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesThePart)
         });
     EXPECT_TRUE(outcome.code == 128 + SIGINT || outcome.code == 128 + SIGTERM) << outcome.code;
     EXPECT_THAT(outcome.errors, Not(HasSubstr("Stopped")));
+    EXPECT_THAT(folder.Files(), testing::Contains("film.part.mp4"));
     EXPECT_THAT(folder.Files(), Not(testing::Contains("film.mp4")));
 }
 
@@ -314,6 +331,36 @@ TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
     EXPECT_EQ(Decode("film.mp4"), Decode("whole.mp4"));
     EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "whole.mp4"));
+}
+
+TEST_F(Film, AnAnimationIsContinuedAndJoinedToTheFramesOfAnUninterruptedOne)
+{
+    for (const std::string kind : {".gif", ".apng", ".webp"})
+    {
+        SCOPED_TRACE(kind);
+        const auto make = [&](const std::string& name, std::vector<std::string> more) {
+            std::vector<std::string> command{"record",  "tumbler", "--frames", "60",       "--size",
+                                             "96x54",   "--fps",   "20",       "--loop",   "3",
+                                             "--group", "20",      "-o",       name + kind};
+            command.insert(command.end(), more.begin(), more.end());
+            return Run(command);
+        };
+        ASSERT_EQ(make("whole", {}).code, 0);
+        ASSERT_EQ(make("a", {"--frame-range", "0-19"}).code, 0);
+        ASSERT_EQ(make("b", {"--frame-range", "20-59"}).code, 0);
+        const Outcome merged = Run({"merge", "a" + kind, "b" + kind, "-o", "film" + kind});
+        ASSERT_EQ(merged.code, 0) << merged.errors;
+        EXPECT_EQ(Decode("film" + kind), Decode("whole" + kind));
+        // What a run leaves that was stopped after 40 frames.
+        std::filesystem::rename(folder / ("b" + kind), folder / ("c" + kind));
+        ASSERT_EQ(make("b", {"--frame-range", "0-39"}).code, 0);
+        std::filesystem::rename(folder / ("b" + kind), folder / ("left.part" + kind));
+        std::filesystem::rename(folder / ("b" + kind + ".json"),
+                                folder / ("left.part" + kind + ".json"));
+        const Outcome resumed = make("left", {"--resume"});
+        ASSERT_EQ(resumed.code, 0) << resumed.errors;
+        EXPECT_EQ(Decode("left" + kind), Decode("whole" + kind));
+    }
 }
 
 TEST_F(Film, PartsAreJoinedToTheFramesOfTheWhole)
