@@ -185,13 +185,6 @@ Result<void> FilmRun::Open(SceneSource source)
     {
         return opened;
     }
-    Result<VideoWriter> writer = VideoWriter::Open(m_options.output, m_plan.film);
-    if (!writer)
-    {
-        return writer.GetError();
-    }
-    m_resumed = m_filmed = writer->ResumedFrames();
-    m_writer.emplace(std::move(*writer));
     Result<Renderer> renderer = Renderer::Create({.width = m_options.look.width,
                                                   .height = m_options.look.height,
                                                   .theme = m_options.look.theme,
@@ -207,6 +200,15 @@ Result<void> FilmRun::Open(SceneSource source)
         return session.GetError();
     }
     m_session.emplace(std::move(*session));
+    // The last, for a writer that goes on with what was left takes that with it when it is given
+    // up.
+    Result<VideoWriter> writer = VideoWriter::Open(m_options.output, m_plan.film);
+    if (!writer)
+    {
+        return writer.GetError();
+    }
+    m_resumed = m_filmed = writer->ResumedFrames();
+    m_writer.emplace(std::move(*writer));
     m_clock = {m_plan.film.framesPerSecond, m_session->StepsPerSecond(), m_options.speed};
     return {};
 }

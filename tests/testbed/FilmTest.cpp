@@ -428,6 +428,40 @@ TEST_F(Film, GoesThroughAPipe)
     EXPECT_THAT(folder.Files(), ElementsAre("film.y4m"));
 }
 
+TEST_F(Film, OfAv1GoesThroughAPipe)
+{
+    const Outcome outcome = Run({"record", "pyramid", "-o", "-", "--format", "mkv", "--codec",
+                                 "av1", "--frames", "3", "--size", "32x18"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    std::ofstream(folder / "film.mkv", std::ios::binary) << outcome.output;
+    EXPECT_EQ(Decode("film.mkv").size(), 3u);
+}
+
+TEST_F(Film, WhatIsLeftStaysWhereNothingCanBeDrawn)
+{
+    const std::vector<std::string> command{"record", "pyramid", "--frames", "200",     "--size",
+                                           "64x36",  "-o",      "film.mkv", "--resume"};
+    ASSERT_EQ(Run(command).code, 0);
+    ASSERT_EQ(Run({"record", "pyramid", "--frames", "200", "--size", "64x36", "-o", "a.mkv",
+                   "--frame-range", "0-99"})
+                  .code,
+              0);
+    std::filesystem::remove(folder / "film.mkv");
+    std::filesystem::rename(folder / "a.mkv", folder / "film.part.mkv");
+    std::filesystem::rename(folder / "a.mkv.json", folder / "film.part.mkv.json");
+    const TemporaryFolder broken;
+    for (const char* library : {"libOSMesa.so.8", "libOSMesa.so.6", "libEGL.so.1"})
+    {
+        std::ofstream(broken / library) << "no library";
+    }
+    const char* const before = std::getenv("LD_LIBRARY_PATH");
+    setenv("LD_LIBRARY_PATH", broken.Path().c_str(), 1);
+    const Outcome failed = Run(command);
+    before != nullptr ? setenv("LD_LIBRARY_PATH", before, 1) : unsetenv("LD_LIBRARY_PATH");
+    EXPECT_EQ(failed.code, 3) << failed.errors;
+    EXPECT_THAT(folder.Files(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
+}
+
 TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
 {
     const Outcome outcome = Run({"record", "pyramid", "-o", "a.mkv", "--frames", "5", "--size",
