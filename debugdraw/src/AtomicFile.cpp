@@ -26,8 +26,8 @@ Error CannotWrite(ErrorKind kind, const fs::path& path, const std::string& why)
     return Error{kind, "Cannot write " + path.string() + ": " + why + "."};
 }
 
-// A full or broken device is nobody's choice of words; everything else about opening is the name's
-// fault.
+// A full, broken or locked place is nobody's choice of words; everything else about opening is the
+// name's fault.
 Error CannotOpen(const fs::path& path, int code)
 {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -48,7 +48,7 @@ Error CannotOpen(const fs::path& path, int code)
     case EACCES:
     case EPERM:
     case EROFS:
-        return CannotWrite(ErrorKind::Unusable, path,
+        return CannotWrite(ErrorKind::Failed, path,
                            "no permission to write in the folder " + folder.string() +
                                "; choose another place");
     case ENAMETOOLONG:

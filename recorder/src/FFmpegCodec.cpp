@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegCodec.h"
 
+#include "FFmpegPicture.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace boxreel
@@ -65,14 +68,14 @@ Error Unknown(const EncoderPlan& plan, const VideoSettings& settings, const std:
                                         "; install Debian's " + ThisLibrary() + "."};
 }
 
-void TagColours(AVCodecContext& context, const std::string& pixelFormat)
+void TagColours(AVCodecContext& context, const EncoderPlan& plan)
 {
-    if (pixelFormat == "pal8")
-    {
-        return; // a GIF has no place for tags
-    }
+    const std::string& pixelFormat = plan.pixelFormat;
     const bool isYuv = pixelFormat.starts_with("yuv");
-    context.colorspace = isYuv ? AVCOL_SPC_BT709 : AVCOL_SPC_RGB;
+    const bool isTagged = plan.muxer != "yuv4mpegpipe"; // which has no place for a matrix
+    context.colorspace = !isYuv     ? AVCOL_SPC_RGB
+                         : isTagged ? AVCOL_SPC_BT709
+                                    : UntaggedSpace(context.height);
     context.color_primaries = AVCOL_PRI_BT709;
     context.color_trc = isYuv ? AVCOL_TRC_BT709 : AVCOL_TRC_IEC61966_2_1;
     context.color_range = isYuv ? AVCOL_RANGE_MPEG : AVCOL_RANGE_JPEG;
@@ -89,22 +92,21 @@ void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings
     context.pix_fmt = FFmpeg().av_get_pix_fmt(plan.pixelFormat.c_str());
     context.framerate =
         AVRational{int(settings.framesPerSecond.num), int(settings.framesPerSecond.den)};
-    context.time_base = TickOf(plan, settings.framesPerSecond);
+    context.time_base = TickOf(settings.framesPerSecond);
     context.thread_count = settings.threads > 0 ? settings.threads : kDefaultThreads;
     context.flags |= AV_CODEC_FLAG_BITEXACT; // no versions of libraries in the film
-    if (plan.muxer != "gif" && plan.muxer != "nut")
+    if (plan.muxer != "nut")
     {
         context.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     }
-    TagColours(context, plan.pixelFormat);
+    TagColours(context, plan);
 }
 
 } // namespace
 
-AVRational TickOf(const EncoderPlan& plan, const Rational& framesPerSecond)
+AVRational TickOf(const Rational& framesPerSecond)
 {
-    return plan.muxer == "gif" ? AVRational{1, 100}
-                               : AVRational{int(framesPerSecond.den), int(framesPerSecond.num)};
+    return AVRational{int(framesPerSecond.den), int(framesPerSecond.num)};
 }
 
 Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettings& settings,
@@ -138,11 +140,69 @@ Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettin
     return FFmpegCodec(std::move(context));
 }
 
-FFmpegOwner<AVCodecParameters> FFmpegCodec::MakeParameters() const
+Result<FFmpegOwner<AVCodecParameters>> FFmpegCodec::MakeParameters(const EncoderPlan& plan,
+                                                                   const VideoSettings& settings,
+                                                                   const std::string& film) const
 {
     FFmpegOwner<AVCodecParameters> parameters(FFmpeg().avcodec_parameters_alloc());
     FFmpeg().avcodec_parameters_from_context(parameters.get(), m_context.get());
+    if (parameters->extradata_size > 0 || plan.encoder != "libaom-av1")
+    {
+        return parameters;
+    }
+    // libaom tells its header only with its first packet, which is too late for a pipe and for a
+    // film that begins with packets of another; so another run is asked for it.
+    Result<FFmpegCodec> probe = Open(plan, settings, film);
+    if (!probe)
+    {
+        return probe.GetError();
+    }
+    const Result<FFmpegOwner<AVPacket>> packet = probe->EncodeBlack();
+    if (!packet)
+    {
+        return packet.GetError();
+    }
+    std::size_t size = 0;
+    const std::uint8_t* header =
+        FFmpeg().av_packet_get_side_data(packet->get(), AV_PKT_DATA_NEW_EXTRADATA, &size);
+    if (header != nullptr)
+    {
+        parameters->extradata =
+            static_cast<std::uint8_t*>(FFmpeg().av_mallocz(size + AV_INPUT_BUFFER_PADDING_SIZE));
+        parameters->extradata_size = int(size);
+        std::copy_n(header, size, parameters->extradata);
+    }
     return parameters;
+}
+
+/// One picture, and the end.
+Result<FFmpegOwner<AVPacket>> FFmpegCodec::EncodeBlack()
+{
+    Result<FFmpegOwner<AVFrame>> picture = MakePicture();
+    if (!picture)
+    {
+        return picture.GetError();
+    }
+    const Frame black(m_context->width, m_context->height);
+    const Result<FrameToPicture> converter = FrameToPicture::Create(
+        black.width, black.height, m_context->pix_fmt, m_context->colorspace);
+    if (!converter)
+    {
+        return converter.GetError();
+    }
+    converter->Convert(black, **picture);
+    (*picture)->pts = 0;
+    FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
+    int status = Send(picture->get());
+    status = status < 0 ? status : Send(nullptr);
+    status = status < 0 ? status : Receive(*packet);
+    if (status < 0)
+    {
+        return Error{ErrorKind::Failed, std::string("The encoder ") + m_context->codec->name +
+                                            " does not take a picture (" + FFmpegText(status) +
+                                            "); try another quality or format."};
+    }
+    return packet;
 }
 
 Result<FFmpegOwner<AVFrame>> FFmpegCodec::MakePicture() const

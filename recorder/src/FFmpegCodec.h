@@ -21,8 +21,10 @@ public:
 
     const AVCodecContext& Context() const { return *m_context; }
 
-    /// What a container has to know of it.
-    FFmpegOwner<AVCodecParameters> MakeParameters() const;
+    /// What a container has to know of such an encoder before its first packet.
+    Result<FFmpegOwner<AVCodecParameters>> MakeParameters(const EncoderPlan& plan,
+                                                          const VideoSettings& settings,
+                                                          const std::string& film) const;
 
     /// An empty picture of this codec's size, format and colours.
     Result<FFmpegOwner<AVFrame>> MakePicture() const;
@@ -35,11 +37,12 @@ public:
 
 private:
     explicit FFmpegCodec(FFmpegOwner<AVCodecContext> context) : m_context(std::move(context)) {}
+    Result<FFmpegOwner<AVPacket>> EncodeBlack();
 
     FFmpegOwner<AVCodecContext> m_context;
 };
 
-/// The unit of a film's times: a frame, or what the format counts in.
-AVRational TickOf(const EncoderPlan& plan, const Rational& framesPerSecond);
+/// The unit of a film's times: a frame.
+AVRational TickOf(const Rational& framesPerSecond);
 
 } // namespace boxreel

@@ -7,13 +7,11 @@
 #include "FFmpegOutput.h"
 #include "FFmpegPackets.h"
 #include "FFmpegPicture.h"
-#include "GifPalette.h"
 
 #include <debugdraw/AtomicFile.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <future>
 #include <optional>
 #include <utility>
@@ -40,12 +38,11 @@ public:
     std::int64_t ResumedFrames() const override { return m_resumed; }
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
     Result<void> Repeat() override;
+    Result<void> TakePlace() override { return m_file->Mark("part"); }
     Result<void> Close() override;
     Result<void> Suspend() override;
 
 private:
-    bool IsGif() const { return m_format == VideoFormat::Gif; }
-    bool IsAnimation() const { return IsGif() || m_format == VideoFormat::Apng; }
     std::int64_t Last() const { return m_frames - 1; }
     std::string Name() const { return m_path.string(); }
 
@@ -54,7 +51,6 @@ private:
     Result<void> OpenPicture();
     Result<void> Resume();
     Result<void> Fill(const Frame& frame, std::span<const PixelBounds> changed);
-    Result<void> FillIndexed(const Frame& frame);
     bool MustShow(std::int64_t index) const;
     Result<void> Show(std::int64_t index);
     Result<void> StartGroup(std::int64_t group);
@@ -85,13 +81,12 @@ private:
     Packets m_waiting;                     // of the group at hand
     FFmpegOwner<AVFrame> m_picture;        // shows the last frame
     bool m_isPictureWhole = false;
-    std::optional<FrameToPicture> m_converter; // none for a GIF
-    GifPalette m_palette;
+    std::optional<FrameToPicture> m_converter; // of any film that is open
     std::int64_t m_resumed = 0;
-    std::int64_t m_frames = 0;     // kept, appended or repeated
-    std::int64_t m_group = -1;     // that m_codec encodes
-    std::int64_t m_shown = -1;     // index of the frame that was encoded last
-    bool m_isLastFrameDue = false; // the last frame that was appended was not yet encoded
+    std::int64_t m_frames = 0;      // kept, appended or repeated
+    std::int64_t m_group = -1;      // that m_codec encodes
+    std::int64_t m_shown = -1;      // index of the frame that was encoded last
+    std::int64_t m_lastWritten = 0; // when the frame begins whose packet was written last [ticks]
 };
 
 Error FFmpegFilm::EncodeError(int status) const
@@ -119,7 +114,7 @@ Result<void> FFmpegFilm::Open()
     {
         return done;
     }
-    return m_settings.resume ? Resume() : OpenMuxer();
+    return m_settings.resume && !IsAnimation(m_format) ? Resume() : OpenMuxer();
 }
 
 /// What is left of a film that was stopped stays until what can be kept of it has been copied.
@@ -146,8 +141,13 @@ Result<void> FFmpegFilm::OpenFile()
 
 Result<void> FFmpegFilm::OpenMuxer()
 {
-    const FFmpegOwner<AVCodecParameters> parameters = m_codec->MakeParameters();
-    const MuxerStream stream{parameters.get(), m_tick, m_codec->Context().framerate};
+    const Result<FFmpegOwner<AVCodecParameters>> parameters =
+        m_codec->MakeParameters(m_plan, m_settings, Name());
+    if (!parameters)
+    {
+        return parameters.GetError();
+    }
+    const MuxerStream stream{parameters->get(), m_tick, m_codec->Context().framerate};
     Result<FFmpegMuxer> muxer =
         FFmpegMuxer::Open(*m_output, m_plan.muxer, m_plan.muxerOptions, stream, Name());
     if (!muxer)
@@ -160,16 +160,14 @@ Result<void> FFmpegFilm::OpenMuxer()
 
 Result<void> FFmpegFilm::OpenPicture()
 {
-    if (!IsGif())
+    Result<FrameToPicture> converter =
+        FrameToPicture::Create(m_settings.width, m_settings.height, m_codec->Context().pix_fmt,
+                               m_codec->Context().colorspace);
+    if (!converter)
     {
-        Result<FrameToPicture> converter =
-            FrameToPicture::Create(m_settings.width, m_settings.height, m_codec->Context().pix_fmt);
-        if (!converter)
-        {
-            return converter.GetError();
-        }
-        m_converter.emplace(std::move(*converter));
+        return converter.GetError();
     }
+    m_converter.emplace(std::move(*converter));
     Result<FFmpegOwner<AVFrame>> picture = m_codec->MakePicture();
     if (!picture)
     {
@@ -205,19 +203,17 @@ Result<void> FFmpegFilm::Resume()
 Result<void> FFmpegFilm::Append(const Frame& frame, std::span<const PixelBounds> changed)
 {
     ++m_frames;
-    m_isLastFrameDue = true;
     if (Result<void> filled = Fill(frame, changed); !filled)
     {
         return filled;
     }
-    return m_frameTimes.IsKept(Last()) ? Show(Last()) : Result<void>();
+    return Show(Last());
 }
 
 Result<void> FFmpegFilm::Repeat()
 {
     ++m_frames;
-    const bool isKept = m_frameTimes.IsKept(Last());
-    return isKept && (m_isLastFrameDue || MustShow(Last())) ? Show(Last()) : Result<void>();
+    return MustShow(Last()) ? Show(Last()) : Result<void>();
 }
 
 Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> changed)
@@ -234,10 +230,6 @@ Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> c
         m_picture = std::move(*picture);
         m_isPictureWhole = false;
     }
-    if (IsGif())
-    {
-        return FillIndexed(frame);
-    }
     if (m_isPictureWhole)
     {
         m_converter->Convert(frame, changed, *m_picture);
@@ -247,27 +239,6 @@ Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> c
         m_converter->Convert(frame, *m_picture);
     }
     m_isPictureWhole = true;
-    return {};
-}
-
-Result<void> FFmpegFilm::FillIndexed(const Frame& frame)
-{
-    const bool isFirst = Last() == m_resumed;
-    if (isFirst || m_frameTimes.GroupOf(Last()) != m_frameTimes.GroupOf(Last() - 1))
-    {
-        m_palette = GifPalette(); // a group knows nothing of the one before
-    }
-    const bool exact =
-        m_palette.Map(frame, m_picture->data[0], std::size_t(m_picture->linesize[0]));
-    if (!exact && m_settings.quality == Quality::Lossless)
-    {
-        return Error{ErrorKind::Unusable,
-                     Name() + " cannot be lossless, frame " +
-                         std::to_string(m_frameTimes.NumberOf(Last())) +
-                         " has more than 256 colours; use .mkv or frames-####.png."};
-    }
-    std::memcpy(m_picture->data[1], m_palette.Colors().data(),
-                sizeof(std::uint32_t) * GifPalette::kSize);
     return {};
 }
 
@@ -291,10 +262,12 @@ Result<void> FFmpegFilm::Show(std::int64_t index)
     {
         return started;
     }
-    m_isLastFrameDue = false;
     m_shown = index;
     m_picture->pts = m_frameTimes.TimeOf(index);
-    m_decodingTimes->Show(m_picture->pts);
+    if (m_plan.needsGroups)
+    {
+        m_decodingTimes->Show(m_picture->pts);
+    }
     if (Result<void> encoded = Encode(); !encoded)
     {
         return encoded;
@@ -426,7 +399,9 @@ Result<void> FFmpegFilm::Write(Packets& packets)
     const StageTimer timer(m_settings.stages, Stage::Write);
     for (const FFmpegOwner<AVPacket>& packet : packets)
     {
-        packet->dts = m_decodingTimes->Next();
+        // An animated PNG's encoder gives none for a frame that is equal to the one before.
+        packet->dts = m_plan.needsGroups ? m_decodingTimes->Next() : packet->pts;
+        m_lastWritten = packet->pts;
         packet->duration = 1;
         if (Result<void> written = m_muxer->Write(*packet); !written)
         {
@@ -445,7 +420,7 @@ Result<void> FFmpegFilm::Finish()
         return m_muxer->Finish();
     }
     const bool isLastShown = m_shown == Last();
-    if (!isLastShown && !IsAnimation())
+    if (!isLastShown && !IsAnimation(m_format))
     {
         if (Result<void> shown = Show(Last()); !shown) // it says how long the one before stays
         {
@@ -461,11 +436,9 @@ Result<void> FFmpegFilm::Finish()
     {
         return written;
     }
-    if (IsAnimation())
+    if (m_format == VideoFormat::Apng)
     {
-        const std::int64_t end = m_frameTimes.TimeOf(Last() + 1);
-        m_muxer->SetFinalDelay(
-            std::max<std::int64_t>(end - m_frameTimes.TimeOf(m_shown), IsGif() ? 2 : 1));
+        m_muxer->SetFinalDelay(m_frameTimes.TimeOf(Last() + 1) - m_lastWritten);
     }
     const StageTimer timer(m_settings.stages, Stage::Write);
     return m_muxer->Finish();

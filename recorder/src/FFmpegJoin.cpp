@@ -119,7 +119,7 @@ Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     {
         return plan.GetError();
     }
-    const AVRational tick = TickOf(*plan, settings.framesPerSecond);
+    const AVRational tick = TickOf(settings.framesPerSecond);
     VideoSettings whole = settings;
     whole.frames = FrameRange(FrameRun{.first = films.front().firstFrame});
     Result<std::vector<Part>> parts = LookAt(films, FrameTimes(format, whole), tick);

@@ -40,6 +40,7 @@ namespace boxreel
     X(av_log_get_level)                                                                            \
     X(av_log_set_level)                                                                            \
     X(av_malloc)                                                                                   \
+    X(av_mallocz)                                                                                  \
     X(av_opt_set_int)                                                                              \
     X(av_opt_set_q)                                                                                \
     X(av_pix_fmt_desc_get)                                                                         \
@@ -58,6 +59,7 @@ namespace boxreel
 #define BOXREEL_AVCODEC_FUNCTIONS(X)                                                               \
     X(av_packet_alloc)                                                                             \
     X(av_packet_free)                                                                              \
+    X(av_packet_get_side_data)                                                                     \
     X(av_packet_make_writable)                                                                     \
     X(av_packet_rescale_ts)                                                                        \
     X(av_packet_unref)                                                                             \

@@ -29,6 +29,11 @@ Result<FFmpegMuxer> FFmpegMuxer::Open(FFmpegOutput& output, const std::string& m
     }
     opened.m_context.reset(context);
     context->flags |= AVFMT_FLAG_BITEXACT; // no dates, no versions, no random numbers
+    if (muxer == "apng")
+    {
+        context->flags |=
+            AVFMT_FLAG_FLUSH_PACKETS; // there are few; a run that is killed leaves them
+    }
     output.AttachTo(*context);
     opened.m_tick = stream.tick;
     opened.m_stream = FFmpeg().avformat_new_stream(context, nullptr);
@@ -68,7 +73,7 @@ FFmpegMuxer::~FFmpegMuxer()
 {
     if (m_context && m_isTrailerDue)
     {
-        // libav's muxers of animations let go of their last packet only here; the file itself is
+        // libav's muxer of animated PNGs lets go of its last packet only here; the file itself is
         // discarded.
         FFmpeg().av_write_trailer(m_context.get());
     }
@@ -85,16 +90,8 @@ Result<void> FFmpegMuxer::Write(AVPacket& packet)
 
 void FFmpegMuxer::SetFinalDelay(std::int64_t ticks)
 {
-    const std::string name = m_context->oformat->name;
-    if (name == "gif")
-    {
-        FFmpeg().av_opt_set_int(m_context->priv_data, "final_delay", ticks, 0);
-    }
-    if (name == "apng")
-    {
-        const AVRational delay{int(ticks * m_tick.num), m_tick.den};
-        FFmpeg().av_opt_set_q(m_context->priv_data, "final_delay", delay, 0);
-    }
+    const AVRational delay{int(ticks * m_tick.num), m_tick.den};
+    FFmpeg().av_opt_set_q(m_context->priv_data, "final_delay", delay, 0);
 }
 
 Result<void> FFmpegMuxer::Finish()

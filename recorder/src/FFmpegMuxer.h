@@ -37,7 +37,7 @@ public:
     /// Writes what the muxer still holds, and its index. Nothing may follow.
     Result<void> Finish();
 
-    /// How long the last frame of a GIF or an animated PNG stays [ticks]; before Finish.
+    /// How long the last frame of an animated PNG stays [ticks]; before Finish.
     void SetFinalDelay(std::int64_t ticks);
 
 private:

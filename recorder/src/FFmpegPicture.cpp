@@ -30,7 +30,9 @@ void SetColours(SwsContext* context, int sourceSpace, bool sourceFull, int targe
 /// swscale's number for the matrix of a picture.
 int MatrixOf(const AVFrame& picture)
 {
-    switch (picture.colorspace)
+    const bool isNamed =
+        picture.colorspace != AVCOL_SPC_UNSPECIFIED && picture.colorspace != AVCOL_SPC_RGB;
+    switch (isNamed ? picture.colorspace : UntaggedSpace(picture.height))
     {
     case AVCOL_SPC_BT709:
         return SWS_CS_ITU709;
@@ -45,7 +47,7 @@ int MatrixOf(const AVFrame& picture)
     case AVCOL_SPC_BT2020_CL:
         return SWS_CS_BT2020;
     default:
-        return picture.height >= 720 ? SWS_CS_ITU709 : SWS_CS_ITU601;
+        return SWS_CS_ITU709; // of none that boxreel writes
     }
 }
 
@@ -108,7 +110,14 @@ void PlaceChroma(SwsContext* context, const AVFrame& picture)
 
 } // namespace
 
-Result<FrameToPicture> FrameToPicture::Create(int width, int height, AVPixelFormat format)
+AVColorSpace UntaggedSpace(int height)
+{
+    constexpr int kHdLines = 720; // of the smallest picture of high definition
+    return height >= kHdLines ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
+}
+
+Result<FrameToPicture> FrameToPicture::Create(int width, int height, AVPixelFormat format,
+                                              AVColorSpace space)
 {
     const std::optional<PlaneFormat> planes = PlanesOf(format);
     if (!planes)
@@ -117,11 +126,12 @@ Result<FrameToPicture> FrameToPicture::Create(int width, int height, AVPixelForm
                      std::string("Frames cannot become pictures of the kind ") + NameOf(format) +
                          "; use yuv420p, yuv444p, gbrp, bgr0 or rgb24."};
     }
-    return FrameToPicture(width, height, *planes);
+    const bool isBt601 = space == AVCOL_SPC_SMPTE170M;
+    return FrameToPicture(width, height, *planes, isBt601 ? YuvMatrix::Bt601 : YuvMatrix::Bt709);
 }
 
-FrameToPicture::FrameToPicture(int width, int height, PlaneFormat format)
-    : m_width(width), m_height(height), m_format(format)
+FrameToPicture::FrameToPicture(int width, int height, PlaneFormat format, YuvMatrix matrix)
+    : m_width(width), m_height(height), m_format(format), m_matrix(matrix)
 {}
 
 void FrameToPicture::Convert(const Frame& frame, AVFrame& picture) const
@@ -136,7 +146,7 @@ void FrameToPicture::Convert(const Frame& frame, std::span<const PixelBounds> ch
     assert(frame.width == m_width && frame.height == m_height && "the size of Create");
     assert(picture.width == m_width && picture.height == m_height && "the size of Create");
     assert(PlanesOf(AVPixelFormat(picture.format)) == m_format && "the format of Create");
-    PicturePlanes planes{.format = m_format};
+    PicturePlanes planes{.format = m_format, .matrix = m_matrix};
     for (int i = 0; i < 3; ++i)
     {
         planes.data[i] = picture.data[i];

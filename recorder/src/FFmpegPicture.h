@@ -15,12 +15,13 @@ namespace boxreel
 {
 
 /// Frame -> picture of a fixed size and pixel format: yuv420p with chroma to the left or yuv444p,
-/// both by the bt709 matrix in limited range; gbrp or bgr0.
+/// both in limited range by the matrix that `space` names, bt709 or bt601; gbrp, bgr0 or rgb24.
 class FrameToPicture
 {
 public:
     /// An Error (Unusable) for another format.
-    static Result<FrameToPicture> Create(int width, int height, AVPixelFormat format);
+    static Result<FrameToPicture> Create(int width, int height, AVPixelFormat format,
+                                         AVColorSpace space = AVCOL_SPC_BT709);
 
     /// Writes into `picture`, which must be writable and of that size and format.
     void Convert(const Frame& frame, AVFrame& picture) const;
@@ -29,10 +30,11 @@ public:
     void Convert(const Frame& frame, std::span<const PixelBounds> changed, AVFrame& picture) const;
 
 private:
-    FrameToPicture(int width, int height, PlaneFormat format);
+    FrameToPicture(int width, int height, PlaneFormat format, YuvMatrix matrix);
     int m_width;
     int m_height;
     PlaneFormat m_format;
+    YuvMatrix m_matrix;
 };
 
 /// Picture -> frame, by the picture's own tags. Untagged YUV is taken as players take it: bt709
@@ -54,5 +56,8 @@ private:
     int m_range = -1;
     int m_chromaLocation = -1;
 };
+
+/// The matrix that players take YUV for which does not name its own: y4m.
+AVColorSpace UntaggedSpace(int height);
 
 } // namespace boxreel

@@ -5,7 +5,10 @@
 #include "FFmpegPicture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -43,6 +46,8 @@ private:
     void FillInfo();
     Result<void> Feed();
     Result<bool> End();
+    bool HasEnd() const;
+    double PlaceEvenly(double seconds, double length);
     Error Damaged(const std::string& why) const;
 
     std::filesystem::path m_path;
@@ -53,7 +58,9 @@ private:
     FFmpegOwner<AVFrame> m_picture;
     PictureToFrame m_converter;
     std::int64_t m_frames = 0;
-    double m_end = 0.0; // of the last frame [s]
+    double m_end = 0.0;         // of the last frame [s]
+    std::int64_t m_periods = 0; // of an animated PNG that were shown
+    bool m_isEven = true;       // each of its frames stayed for whole ones
     bool m_isDraining = false;
 };
 
@@ -201,12 +208,29 @@ Result<void> FFmpegReader::Feed()
     return {};
 }
 
+/// Whether an animation ends as it should; its header promises nothing.
+bool FFmpegReader::HasEnd() const
+{
+    constexpr std::string_view kEndOfPng("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+    const bool isGif = info.container == "gif";
+    const std::string_view expected = isGif ? std::string_view(";") : kEndOfPng;
+    std::ifstream file(m_path, std::ios::binary);
+    file.seekg(-std::streamoff(expected.size()), std::ios::end);
+    std::string end(expected.size(), ' ');
+    file.read(end.data(), std::streamsize(end.size()));
+    return (!isGif && info.container != "apng") || (file && end == expected);
+}
+
 /// After the last picture: whether the film holds what its header promised.
 Result<bool> FFmpegReader::End()
 {
     if (m_frames == 0)
     {
         return Damaged("it holds no picture");
+    }
+    if (!HasEnd())
+    {
+        return Damaged("its end is missing");
     }
     if (m_stream->nb_frames > 0 && m_frames < m_stream->nb_frames)
     {
@@ -222,6 +246,19 @@ Result<bool> FFmpegReader::End()
         return Damaged(std::to_string(promised) + " s were promised");
     }
     return false;
+}
+
+/// When a frame of an animated PNG is shown. libav rounds how long each stays and adds that up, so
+/// it drifts by a frame in some thousand; where all stay for whole periods, these are counted.
+double FFmpegReader::PlaceEvenly(double seconds, double length)
+{
+    constexpr double kRounded = 1e-5; // half of libav's tick, and what it may round [s]
+    const Rational& rate = info.framesPerSecond;
+    const std::int64_t before = m_periods;
+    const std::int64_t periods = std::llround(length * rate.ToDouble());
+    m_isEven = m_isEven && std::abs(double(periods) / rate.ToDouble() - length) < kRounded;
+    m_periods += periods;
+    return m_isEven ? double(before * rate.den) / double(rate.num) : seconds;
 }
 
 Result<bool> FFmpegReader::Next(StoredFrame& stored)
@@ -254,6 +291,10 @@ Result<bool> FFmpegReader::Next(StoredFrame& stored)
     const AVRational base = m_stream->time_base;
     stored.seconds = double(m_picture->best_effort_timestamp * base.num) / double(base.den);
     stored.length = double(m_picture->pkt_duration * base.num) / double(base.den);
+    if (info.container == "apng")
+    {
+        stored.seconds = PlaceEvenly(stored.seconds, stored.length);
+    }
     m_end = stored.seconds + std::max(stored.length, 1.0 / info.framesPerSecond.ToDouble());
     ++m_frames;
     FFmpeg().av_frame_unref(m_picture.get());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <recorder/JoinFilms.h>
 
+#include "AnimationCopy.h"
 #include "FFmpegJoin.h"
 #include "VideoFormat.h"
 
@@ -30,10 +31,13 @@ Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem
     if (IsPipe(path) || !HasParts(format) || format == VideoFormat::PngSequence)
     {
         return Error{ErrorKind::Unusable, path.string() +
-                                              " is of a kind that cannot be joined; make parts as "
-                                              ".mp4, .mkv or .webm. Parts of "
-                                              "frames-####.png need no joining: put them into one "
-                                              "folder."};
+                                              " is of a kind that cannot be joined; make parts of "
+                                              "another. Parts of frames-####.png need no joining: "
+                                              "put them into one folder."};
+    }
+    if (IsAnimation(format))
+    {
+        return JoinAnimations(parts, path, settings);
     }
     return JoinFFmpegFilms(parts, path, format, settings);
 }

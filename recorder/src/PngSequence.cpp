@@ -284,16 +284,7 @@ public:
         {
             return first.GetError();
         }
-        info.width = first->width;
-        info.height = first->height;
-        info.framesPerSecond = Rational{60, 1};
-        info.container = "png sequence";
-        info.codec = "png";
-        info.pixelFormat = "rgba";
-        info.colorSpace = "gbr";
-        info.colorPrimaries = "bt709";
-        info.colorTransfer = "iec61966-2-1";
-        info.colorRange = "pc";
+        info = RgbInfo(first->width, first->height, Rational{60, 1}, "png sequence", "png");
         return {};
     }
 

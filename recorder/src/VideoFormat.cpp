@@ -164,35 +164,27 @@ Result<void> CheckNumbers(const VideoSettings& settings)
     return CheckSize(settings);
 }
 
-/// Which libav's muxer does not take from another film.
-bool IsAv1InWebM(VideoFormat format, const VideoSettings& settings)
-{
-    return format == VideoFormat::WebM && settings.codec == "av1";
-}
-
 /// Settings that ask for what the format does not have.
 Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
                          const VideoSettings& settings)
 {
-    const bool isAnimation =
-        format == VideoFormat::Gif || format == VideoFormat::Apng || format == VideoFormat::WebP;
-    if (settings.plays != 0 && !isAnimation)
+    if (settings.plays != 0 && !IsAnimation(format))
     {
         return Error{ErrorKind::Unusable,
                      path.string() + " cannot say how often it plays, its player does; leave "
                                      "--loop out, or write .gif, .apng or .webp."};
     }
-    const bool isWhole = IsPipe(path) || !HasParts(format) || IsAv1InWebM(format, settings);
+    const bool isWhole = IsPipe(path) || !HasParts(format);
     if (settings.resume && isWhole)
     {
         return Error{ErrorKind::Unusable, "A film written to " + path.string() +
                                               " cannot be continued; leave --resume out, or write "
-                                              ".mp4, .mkv, .webm or frames-####.png."};
+                                              "a file of another kind."};
     }
-    if (format == VideoFormat::PngSequence || format == VideoFormat::WebP)
+    if (!IsOfLibav(format))
     {
         const bool asksCodec = !settings.codec.empty() || settings.chroma != Chroma::Half;
-        if (asksCodec || (format == VideoFormat::PngSequence && !settings.codecOptions.empty()))
+        if (asksCodec || (format != VideoFormat::WebP && !settings.codecOptions.empty()))
         {
             return Error{ErrorKind::Unusable, path.string() +
                                                   " has neither a choice of codecs nor of chroma; "
@@ -238,9 +230,18 @@ std::optional<VideoFormat> FormatOf(const std::filesystem::path& path,
 
 bool HasParts(VideoFormat format)
 {
-    // libav's muxers of animations do not take packets of two encoders.
-    return format == VideoFormat::Mp4 || format == VideoFormat::Matroska ||
-           format == VideoFormat::WebM || format == VideoFormat::PngSequence;
+    return format != VideoFormat::Y4m && format != VideoFormat::Nut;
+}
+
+bool IsAnimation(VideoFormat format)
+{
+    return format == VideoFormat::Gif || format == VideoFormat::Apng || format == VideoFormat::WebP;
+}
+
+bool IsOfLibav(VideoFormat format)
+{
+    return format != VideoFormat::Gif && format != VideoFormat::WebP &&
+           format != VideoFormat::PngSequence;
 }
 
 std::int64_t GifFrameStep(const Rational& framesPerSecond)
@@ -285,11 +286,12 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
 std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& settings)
 {
     const std::optional<VideoFormat> format = FormatOf(path, settings);
-    if (!format || IsPipe(path) || !HasParts(*format) || IsAv1InWebM(*format, settings))
+    if (!format || IsPipe(path) || !HasParts(*format))
     {
         return 0;
     }
-    return settings.groupFrames;
+    const bool isGif = *format == VideoFormat::Gif;
+    return settings.groupFrames * (isGif ? GifFrameStep(settings.framesPerSecond) : 1);
 }
 
 Rational StoredFrameRate(const std::filesystem::path& path, const Rational& framesPerSecond)

@@ -33,8 +33,15 @@ bool IsPipe(const std::filesystem::path& path);
 std::optional<VideoFormat> FormatOf(const std::filesystem::path& path,
                                     const VideoSettings& settings);
 
+/// Whether libav writes it.
+bool IsOfLibav(VideoFormat format);
+
 /// Whether a film of this format may be kept unfinished and continued, and be a part of another.
 bool HasParts(VideoFormat format);
+
+/// Whether frames come back from it as they were written, so that such a film is continued and
+/// joined by writing them once more.
+bool IsAnimation(VideoFormat format);
 
 /// A GIF keeps every n-th frame: its delays are whole centiseconds and players slow anything below
 /// two down.

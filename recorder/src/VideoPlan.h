@@ -26,7 +26,7 @@ struct EncoderPlan
 };
 
 /// An Error (Unusable) when the format has no such codec, or the codec no such quality or chroma.
-/// For every format but PngSequence and WebP.
+/// For formats that libav writes.
 Result<EncoderPlan> PlanFor(VideoFormat format, const VideoSettings& settings);
 
 } // namespace boxreel

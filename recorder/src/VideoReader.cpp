@@ -7,6 +7,8 @@
 #include "VideoSource.h"
 #include "WebPReader.h"
 
+#include <render/Png.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,6 +16,73 @@
 
 namespace boxreel
 {
+
+namespace
+{
+
+/// An animated PNG that never moves is a plain one, which libav takes for none.
+class StillReader final : public VideoSource
+{
+public:
+    explicit StillReader(Frame frame) : m_frame(std::move(frame))
+    {
+        info = RgbInfo(m_frame->width, m_frame->height, Rational{1, 1}, "apng", "png");
+    }
+
+    Result<bool> Next(StoredFrame& stored) override
+    {
+        if (!m_frame)
+        {
+            return false;
+        }
+        stored.frame = *std::exchange(m_frame, std::nullopt);
+        return true;
+    }
+
+private:
+    std::optional<Frame> m_frame; // until it was given
+};
+
+Result<std::unique_ptr<VideoSource>> OpenApng(const std::filesystem::path& path)
+{
+    Result<std::unique_ptr<VideoSource>> film = OpenFFmpegReader(path);
+    if (film)
+    {
+        return film;
+    }
+    Result<Frame> still = ReadPng(path);
+    if (!still)
+    {
+        return film.GetError();
+    }
+    return std::unique_ptr<VideoSource>(std::make_unique<StillReader>(std::move(*still)));
+}
+
+} // namespace
+
+VideoInfo RgbInfo(int width, int height, const Rational& framesPerSecond,
+                  const std::string& container, const std::string& codec)
+{
+    return {.width = width,
+            .height = height,
+            .framesPerSecond = framesPerSecond,
+            .container = container,
+            .codec = codec,
+            .pixelFormat = "rgba",
+            .colorSpace = "gbr",
+            .colorPrimaries = "bt709",
+            .colorTransfer = "iec61966-2-1",
+            .colorRange = "pc"};
+}
+
+Result<std::unique_ptr<VideoSource>> OpenVideoSource(const std::filesystem::path& path)
+{
+    const std::optional<VideoFormat> format = FormatOf(path, {});
+    return format == VideoFormat::Apng          ? OpenApng(path)
+           : format == VideoFormat::PngSequence ? OpenPngSequenceSource(path)
+           : format == VideoFormat::WebP        ? OpenWebPReader(path)
+                                                : OpenFFmpegReader(path);
+}
 
 struct VideoReader::Impl
 {
@@ -75,11 +144,7 @@ VideoReader::~VideoReader() = default;
 
 Result<VideoReader> VideoReader::Open(const std::filesystem::path& path, Frames frames)
 {
-    const std::optional<VideoFormat> format = FormatOf(path, {});
-    Result<std::unique_ptr<VideoSource>> source =
-        format == VideoFormat::PngSequence ? OpenPngSequenceSource(path)
-        : format == VideoFormat::WebP      ? OpenWebPReader(path)
-                                           : OpenFFmpegReader(path);
+    Result<std::unique_ptr<VideoSource>> source = OpenVideoSource(path);
     if (!source)
     {
         return source.GetError();
@@ -87,7 +152,7 @@ Result<VideoReader> VideoReader::Open(const std::filesystem::path& path, Frames 
     auto impl = std::make_unique<Impl>();
     impl->source = std::move(*source);
     // The rate of an animated WebP is not known: its frames come once each.
-    impl->frames = format == VideoFormat::WebP ? Frames::Stored : frames;
+    impl->frames = FormatOf(path, {}) == VideoFormat::WebP ? Frames::Stored : frames;
     return VideoReader(std::move(impl));
 }
 

@@ -22,6 +22,10 @@ public:
     /// `changed`: where the frame may differ from the last one; all of it for the first.
     virtual Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) = 0;
     virtual Result<void> Repeat() = 0; ///< the last appended frame once more
+    /// Of an animation with VideoSettings::resume: what was appended so far is all that is kept of
+    /// what was left, whose place it takes.
+    virtual Result<void> TakePlace() { return {}; }
+
     virtual Result<void> Close() = 0;
     virtual Result<void> Suspend() = 0; ///< ends it so that it can be shown, and continued
 };

@@ -5,6 +5,10 @@
 #include <recorder/VideoReader.h>
 #include <render/Frame.h>
 
+#include <filesystem>
+#include <memory>
+#include <string>
+
 /// What a VideoReader takes its frames from: one implementation per way of storing them.
 namespace boxreel
 {
@@ -25,5 +29,12 @@ public:
 
     VideoInfo info;
 };
+
+/// Of pictures that are stored as they are, in RGB.
+VideoInfo RgbInfo(int width, int height, const Rational& framesPerSecond,
+                  const std::string& container, const std::string& codec);
+
+/// By the name's end. An Error when it is not there or no film.
+Result<std::unique_ptr<VideoSource>> OpenVideoSource(const std::filesystem::path& path);
 
 } // namespace boxreel

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <recorder/VideoWriter.h>
 
+#include "AnimationCopy.h"
 #include "FFmpegFilm.h"
+#include "GifFilm.h"
 #include "PngSequence.h"
 #include "VideoFormat.h"
 #include "VideoSink.h"
 #include "WebPFilm.h"
+
+#include <debugdraw/AtomicFile.h>
 
 #include <cassert>
 #include <string>
@@ -19,7 +23,8 @@ struct VideoWriter::Impl
     std::unique_ptr<VideoSink> sink; ///< none after Close or an Error
     int width = 0;
     int height = 0;
-    bool isEmpty = true; ///< nothing was appended
+    bool isEmpty = true;      ///< nothing was appended
+    std::int64_t resumed = 0; ///< frames of an animation that were written once more
 
     /// After an Error the sink goes, and with it what it wrote.
     Result<void> Keep(Result<void> result)
@@ -42,6 +47,8 @@ Result<std::unique_ptr<VideoSink>> OpenSink(const std::filesystem::path& path, V
     {
     case VideoFormat::PngSequence:
         return OpenPngSequence(path, settings);
+    case VideoFormat::Gif:
+        return OpenGifFilm(path, settings);
     case VideoFormat::WebP:
         return OpenWebPFilm(path, settings);
     default:
@@ -72,12 +79,35 @@ Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
     impl->sink = std::move(*sink);
     impl->width = settings.width;
     impl->height = settings.height;
-    return VideoWriter(std::move(impl));
+    VideoWriter writer(std::move(impl));
+    if (settings.resume && IsAnimation(*FormatOf(path, settings)))
+    {
+        if (Result<void> resumed = writer.Resume(PartPath(path), settings); !resumed)
+        {
+            return resumed.GetError();
+        }
+    }
+    return writer;
+}
+
+/// Begins with the frames that can be kept of what was left.
+Result<void> VideoWriter::Resume(const std::filesystem::path& left, const VideoSettings& settings)
+{
+    const std::int64_t count = CountWholeAnimation(left, settings);
+    if (count > 0)
+    {
+        if (Result<void> copied = CopyAnimation(left, settings, count, *this); !copied)
+        {
+            return copied;
+        }
+    }
+    m_impl->resumed = count;
+    return m_impl->sink->TakePlace();
 }
 
 std::int64_t VideoWriter::ResumedFrames() const
 {
-    return m_impl->sink ? m_impl->sink->ResumedFrames() : 0;
+    return m_impl->sink ? m_impl->resumed + m_impl->sink->ResumedFrames() : 0;
 }
 
 Result<void> VideoWriter::Append(const Frame& frame)

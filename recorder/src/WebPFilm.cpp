@@ -153,6 +153,7 @@ public:
     Result<void> Open();
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
     Result<void> Repeat() override;
+    Result<void> TakePlace() override { return m_file->Mark("part"); }
     Result<void> Close() override;
     Result<void> Suspend() override;
 
@@ -215,8 +216,11 @@ Result<void> WebPFilm::Open()
     {
         return done;
     }
-    Result<AtomicFile> file = AtomicFile::Create(
-        m_path, {.overwrite = m_settings.overwrite, .replacesLeftover = m_settings.overwrite});
+    const bool isResumed = m_settings.resume;
+    Result<AtomicFile> file =
+        AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
+                                    .mark = isResumed ? "resume" : "part",
+                                    .replacesLeftover = m_settings.overwrite || isResumed});
     if (!file)
     {
         return file.GetError();

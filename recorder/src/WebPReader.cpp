@@ -97,16 +97,8 @@ Result<void> WebPReader::Open()
                                                             "is damaged, cut short or of another "
                                                             "kind."};
     }
-    info.width = int(m_info.canvas_width);
-    info.height = int(m_info.canvas_height);
-    info.framesPerSecond = Rational{1000, 1}; // what its times are multiples of is not stored
-    info.container = "webp";
-    info.codec = "webp";
-    info.pixelFormat = "rgba";
-    info.colorSpace = "gbr";
-    info.colorPrimaries = "bt709";
-    info.colorTransfer = "iec61966-2-1";
-    info.colorRange = "pc";
+    const Rational unknown{1000, 1}; // what its times are multiples of is not stored
+    info = RgbInfo(int(m_info.canvas_width), int(m_info.canvas_height), unknown, "webp", "webp");
     return {};
 }
 

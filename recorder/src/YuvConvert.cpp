@@ -29,27 +29,53 @@ struct Weights
     std::uint32_t offset;
 };
 
+constexpr std::uint32_t kRoundedZero = (128u << 24) + (1u << 23);
+
+// Sums of pixels that weigh sixteen together take four bits of the weights and one for what a
+// filter may overshoot: / 2^23, and above by kOvershoot.
+constexpr std::uint32_t kOvershoot = 64; // chroma comes to -40 at least and 296 at most
+constexpr std::uint32_t kZeroOfSums = ((128u + kOvershoot) << 23) + (1u << 22);
+
+struct Matrix
+{
+    Weights y;
+    Weights cb; ///< of one pixel
+    Weights cr;
+    Weights cbOfSums;
+    Weights crOfSums;
+};
+
 // All integers within 5 of the real weights were tried against the exact results near halves;
 // YuvConvertTest goes through all 2^24 colours. These of Cb and Cr are right for every one. None of
 // Y is, for its sum fills 32 bits with just these 24 behind the point; this one takes 7 colours,
 // within 2.4e-6 of a half, to the other side.
-constexpr Weights kY = {3063283u, 10305079u, 1040306u, (16u << 24) + (1u << 23) - 19u};
-constexpr Weights kCb = {-1688522u, -5680295u, 7368817u, (128u << 24) + (1u << 23)};
-constexpr Weights kCr = {7368816u, -6693138u, -675678u, (128u << 24) + (1u << 23)};
+constexpr Matrix kBt709 = {
+    {3063283u, 10305079u, 1040306u, (16u << 24) + (1u << 23) - 19u},
+    {-1688522u, -5680295u, 7368817u, kRoundedZero},
+    {7368816u, -6693138u, -675678u, kRoundedZero},
+    {-52766u, -177509u, 230275u, kZeroOfSums},
+    {230276u, -209161u, -21115u, kZeroOfSums},
+};
 
-/// The same for sums of pixels that weigh sixteen together, which takes four bits of the weights,
-/// and with room for what a filter may overshoot: / 2^23, and above by kOvershoot.
-constexpr std::uint32_t kOvershoot = 64; // chroma comes to -40 at least and 296 at most
-constexpr std::uint32_t kZeroOfSums = ((128u + kOvershoot) << 23) + (1u << 22);
-constexpr Weights kCbOfSums = {-52766u, -177509u, 230275u, kZeroOfSums};
-constexpr Weights kCrOfSums = {230276u, -209161u, -21115u, kZeroOfSums};
+// The nearest integers, or next to them where a row of chroma must come to nothing.
+constexpr Matrix kBt601 = {
+    {4308192u, 8457888u, 1642588u, (16u << 24) + (1u << 23)},
+    {-2486768u, -4882049u, 7368817u, kRoundedZero},
+    {7368816u, -6170464u, -1198352u, kRoundedZero},
+    {-77711u, -152564u, 230275u, kZeroOfSums},
+    {230276u, -192827u, -37449u, kZeroOfSums},
+};
 
 // Grey has no colour, whatever its brightness.
 constexpr bool IsNeutral(const Weights& w)
 {
     return w.red + w.green + w.blue == 0;
 }
-static_assert(IsNeutral(kCb) && IsNeutral(kCr) && IsNeutral(kCbOfSums) && IsNeutral(kCrOfSums));
+constexpr bool IsNeutral(const Matrix& m)
+{
+    return IsNeutral(m.cb) && IsNeutral(m.cr) && IsNeutral(m.cbOfSums) && IsNeutral(m.crOfSums);
+}
+static_assert(IsNeutral(kBt709) && IsNeutral(kBt601));
 
 constexpr int kBlockWidth = 512; // so what is kept between two loops stays in the fastest memory
 static_assert(kBlockWidth % 2 == 0);
@@ -183,8 +209,8 @@ BOXREEL_INLINE std::uint8_t Chroma(std::uint32_t sum)
     return std::uint8_t(std::clamp(int(sum >> 23) - int(kOvershoot), 1, 254));
 }
 
-BOXREEL_INLINE void WeighColumns(const ColumnSums& sums, int count, std::uint8_t* __restrict cb,
-                                 std::uint8_t* __restrict cr)
+BOXREEL_INLINE void WeighColumns(const Matrix& matrix, const ColumnSums& sums, int count,
+                                 std::uint8_t* __restrict cb, std::uint8_t* __restrict cr)
 {
     // Added to each colour, it changes no chroma, and then no half of a number is negative.
     constexpr std::uint32_t bias = 1024;
@@ -195,8 +221,8 @@ BOXREEL_INLINE void WeighColumns(const ColumnSums& sums, int count, std::uint8_t
         const std::uint32_t green = LowPass(sums.even.green, sums.odd.green, x) + bias;
         const std::uint32_t red = redBlue & 0xffff;
         const std::uint32_t blue = redBlue >> 16;
-        cb[x] = Chroma(Weigh(kCbOfSums, red, green, blue));
-        cr[x] = Chroma(Weigh(kCrOfSums, red, green, blue));
+        cb[x] = Chroma(Weigh(matrix.cbOfSums, red, green, blue));
+        cr[x] = Chroma(Weigh(matrix.crOfSums, red, green, blue));
     }
 }
 
@@ -232,20 +258,20 @@ BOXREEL_INLINE void AddColumns(const Frame& frame, int x0, int x1, int y, int yB
 
 /// Of two rows from `y`, an even one, the columns from `x0`, an even one, to `x1`: at most a block;
 /// it may end on an odd column only where the frame ends.
-BOXREEL_INLINE void ConvertBlock420(const Frame& frame, int x0, int x1, int y,
+BOXREEL_INLINE void ConvertBlock420(const Matrix& matrix, const Frame& frame, int x0, int x1, int y,
                                     const PicturePlanes& picture)
 {
     const int yBelow = std::min(y + 1, frame.height - 1);
-    WeighRow(kY, frame.Pixel(x0, y), x1 - x0, Sample(picture, 0, x0, y));
-    WeighRow(kY, frame.Pixel(x0, yBelow), x1 - x0, Sample(picture, 0, x0, yBelow));
+    WeighRow(matrix.y, frame.Pixel(x0, y), x1 - x0, Sample(picture, 0, x0, y));
+    WeighRow(matrix.y, frame.Pixel(x0, yBelow), x1 - x0, Sample(picture, 0, x0, yBelow));
     ColumnSums sums;
     AddColumns(frame, x0, x1, y, yBelow, sums);
-    WeighColumns(sums, (x1 - x0 + 1) / 2, Sample(picture, 1, x0 / 2, y / 2),
+    WeighColumns(matrix, sums, (x1 - x0 + 1) / 2, Sample(picture, 1, x0 / 2, y / 2),
                  Sample(picture, 2, x0 / 2, y / 2));
 }
 
 /// Whole pairs of rows and columns: all whose samples reach the part, two columns to either side.
-BOXREEL_INLINE void Convert420(const Frame& frame, const PixelBounds& part,
+BOXREEL_INLINE void Convert420(const Matrix& matrix, const Frame& frame, const PixelBounds& part,
                                const PicturePlanes& picture)
 {
     const int start = std::max(part.x0 - 1, 0) / 2 * 2;
@@ -254,22 +280,22 @@ BOXREEL_INLINE void Convert420(const Frame& frame, const PixelBounds& part,
     {
         for (int x = start; x < end; x += kBlockWidth)
         {
-            ConvertBlock420(frame, x, std::min(x + kBlockWidth, end), y, picture);
+            ConvertBlock420(matrix, frame, x, std::min(x + kBlockWidth, end), y, picture);
         }
     }
 }
 
-BOXREEL_INLINE void ConvertRow(const std::uint8_t* rgba, int count, int x, int y,
-                               const PicturePlanes& picture)
+BOXREEL_INLINE void ConvertRow(const Matrix& matrix, const std::uint8_t* rgba, int count, int x,
+                               int y, const PicturePlanes& picture)
 {
     switch (picture.format)
     {
     case PlaneFormat::Yuv420:
         break; // not row by row
     case PlaneFormat::Yuv444:
-        WeighRow(kY, rgba, count, Sample(picture, 0, x, y));
-        WeighRow(kCb, rgba, count, Sample(picture, 1, x, y));
-        WeighRow(kCr, rgba, count, Sample(picture, 2, x, y));
+        WeighRow(matrix.y, rgba, count, Sample(picture, 0, x, y));
+        WeighRow(matrix.cb, rgba, count, Sample(picture, 1, x, y));
+        WeighRow(matrix.cr, rgba, count, Sample(picture, 2, x, y));
         break;
     case PlaneFormat::Gbr:
         SplitRow(rgba, count, Sample(picture, 0, x, y), Sample(picture, 1, x, y),
@@ -284,17 +310,31 @@ BOXREEL_INLINE void ConvertRow(const std::uint8_t* rgba, int count, int x, int y
     }
 }
 
-BOXREEL_INLINE void ConvertPart(const Frame& frame, const PixelBounds& part,
-                                const PicturePlanes& picture)
+BOXREEL_INLINE void ConvertBy(const Matrix& matrix, const Frame& frame, const PixelBounds& part,
+                              const PicturePlanes& picture)
 {
     if (picture.format == PlaneFormat::Yuv420)
     {
-        Convert420(frame, part, picture);
+        Convert420(matrix, frame, part, picture);
         return;
     }
     for (int y = part.y0; y < part.y1; ++y)
     {
-        ConvertRow(frame.Pixel(part.x0, y), part.x1 - part.x0, part.x0, y, picture);
+        ConvertRow(matrix, frame.Pixel(part.x0, y), part.x1 - part.x0, part.x0, y, picture);
+    }
+}
+
+/// Once for each matrix, whose weights are constants in the loops.
+BOXREEL_INLINE void ConvertPart(const Frame& frame, const PixelBounds& part,
+                                const PicturePlanes& picture)
+{
+    if (picture.matrix == YuvMatrix::Bt601)
+    {
+        ConvertBy(kBt601, frame, part, picture);
+    }
+    else
+    {
+        ConvertBy(kBt709, frame, part, picture);
     }
 }
 

@@ -8,28 +8,40 @@ namespace
 
 constexpr std::int64_t kMostFrames = 10'000'000; // 46 hours at 60 frames a second
 
-/// "crf=20": libav's name and value.
-void AddCodecOptions(CLI::App& command, VideoSettings& film)
+/// An option that may be given several times; `parse` turns each text into one more of `values`.
+template <class Value, class Parse>
+CLI::Option* AddRepeated(CLI::App& command, const std::string& name, const std::string& unit,
+                         std::vector<Value>& values, Parse parse, const std::string& help)
 {
-    const auto read = [&film](const std::vector<std::string>& texts) {
+    const auto read = [&values, parse, name](const std::vector<std::string>& texts) {
         for (const std::string& text : texts)
         {
-            const std::size_t sign = text.find('=');
-            if (sign == 0 || sign == std::string::npos || sign + 1 == text.size())
+            Result<Value> value = parse(name, text);
+            if (!value)
             {
-                throw CLI::ValidationError("--codec-option '" + text +
-                                           "': give a name and a value, such as crf=20.");
+                throw CLI::ValidationError(value.GetError().message);
             }
-            film.codecOptions.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+            values.push_back(std::move(*value));
         }
     };
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--codec-option", read, "An option of the encoder, such as crf=20; may be repeated")
-        ->type_name("NAME=VALUE")
+    return command.add_option_function<std::vector<std::string>>(name, read, help)
+        ->type_name(unit)
         ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->group("Format");
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+using NameAndValue = std::pair<std::string, std::string>;
+
+/// "crf=20": libav's name and value.
+Result<NameAndValue> ParseCodecOption(const std::string& option, const std::string& text)
+{
+    const std::size_t sign = text.find('=');
+    if (sign == 0 || sign == std::string::npos || sign + 1 == text.size())
+    {
+        return Error{ErrorKind::Unusable,
+                     option + " '" + text + "': give a name and a value, such as crf=20."};
+    }
+    return NameAndValue{text.substr(0, sign), text.substr(sign + 1)};
 }
 
 /// How it is encoded.
@@ -51,7 +63,9 @@ void AddFormat(CLI::App& command, VideoSettings& film)
              OneOf<Chroma>({{"420", Chroma::Half}, {"444", Chroma::Full}}),
              "420: plays everywhere; 444: coloured lines stay sharp (420)")
         ->group("Format");
-    AddCodecOptions(command, film);
+    AddRepeated(command, "--codec-option", "NAME=VALUE", film.codecOptions, ParseCodecOption,
+                "An option of the encoder, such as crf=20; may be repeated")
+        ->group("Format");
     AddValue(command, "--format", "NAME", film.format,
              OneOf<std::string>({{"y4m", "y4m"}, {"nut", "nut"}, {"mkv", "mkv"}, {"webm", "webm"}}),
              "Of -o -, the standard output: y4m, nut, mkv, webm")
@@ -73,25 +87,9 @@ void AddFormat(CLI::App& command, VideoSettings& film)
 
 void AddUntil(CLI::App& command, std::vector<Condition>& until)
 {
-    const auto read = [&until](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts)
-        {
-            Result<Condition> condition = Condition::Parse("--until", text);
-            if (!condition)
-            {
-                throw CLI::ValidationError(condition.GetError().message);
-            }
-            until.push_back(std::move(*condition));
-        }
-    };
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--until", read,
-            "End when this holds: \"17.y < -10\", \"all.speed < 0.01\",\n\"awake == 0\"; may be "
-            "repeated: whichever comes first")
-        ->type_name("CONDITION")
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+    AddRepeated(command, "--until", "CONDITION", until, Condition::Parse,
+                "End when this holds: \"17.y < -10\", \"all.speed < 0.01\",\n\"awake == 0\"; may "
+                "be repeated: whichever comes first")
         ->group("Time");
     command
         .add_flag_callback(

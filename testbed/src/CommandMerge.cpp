@@ -31,7 +31,8 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
                                                               "`boxreel record --frame-range` "
                                                               "made."};
         }
-        Result<FilmPapers> papers = ReadPapers(path);
+        Result<FilmPapers> papers =
+            ReadPapers(path, "it lies beside each part, bring it along or make that part anew");
         if (!papers)
         {
             return papers.GetError();
@@ -81,6 +82,14 @@ Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
     return {};
 }
 
+/// How many of the frames that it keeps a film encodes together: a GIF's groups hold more.
+int GroupOf(const FilmPapers& papers, const std::filesystem::path& film)
+{
+    const VideoSettings ofOne{.framesPerSecond = papers.framesPerSecond, .groupFrames = 1};
+    const std::int64_t length = PartLength(film, ofOne);
+    return static_cast<int>(length > 0 ? papers.groupFrames / length : papers.groupFrames);
+}
+
 } // namespace
 
 Result<int> RunMerge(const MergeOptions& options)
@@ -100,12 +109,15 @@ Result<int> RunMerge(const MergeOptions& options)
                 return seam.GetError();
             }
         }
-        films.push_back({(*parts)[i].path, (*parts)[i].papers.first});
+        const FilmPapers& papers = (*parts)[i].papers;
+        films.push_back({(*parts)[i].path, papers.first, papers.end - papers.first});
     }
     const FilmPapers& first = parts->front().papers;
     VideoSettings settings;
     settings.framesPerSecond = first.framesPerSecond;
     settings.overwrite = options.force;
+    settings.plays = first.plays;
+    settings.groupFrames = GroupOf(first, options.output);
     if (Result<void> joined = JoinFilms(films, options.output, settings); !joined)
     {
         return joined.GetError();

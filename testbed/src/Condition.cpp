@@ -212,7 +212,7 @@ bool Condition::Compare(double value) const
     case Relation::Equal:
         return value == m_value;
     default:
-        return value != m_value;
+        return value < m_value || value > m_value; // not what is no number
     }
 }
 

@@ -24,7 +24,8 @@ public:
     /// names what is not understood. `option`: for the message.
     static Result<Condition> Parse(std::string_view option, std::string_view text);
 
-    /// `seconds`: simulated so far. A body that is not there meets no condition.
+    /// `seconds`: simulated so far. A body that is not there meets no condition, nor
+    /// does what is not a number.
     bool Holds(const b2World& world, const std::map<std::uint32_t, std::string>& names,
                double seconds) const;
 

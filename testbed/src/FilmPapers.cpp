@@ -66,6 +66,7 @@ json ToJson(const FilmPapers& papers)
             {"command", papers.command},
             {"fps", {papers.framesPerSecond.num, papers.framesPerSecond.den}},
             {"group", papers.groupFrames},
+            {"loop", papers.plays},
             {"frames", papers.frameCount},
             {"first", papers.first},
             {"end", papers.end},
@@ -80,6 +81,7 @@ FilmPapers FromJson(const json& object)
     papers.framesPerSecond = {object.at("fps").at(0).get<std::int64_t>(),
                               object.at("fps").at(1).get<std::int64_t>()};
     papers.groupFrames = object.at("group").get<std::int64_t>();
+    papers.plays = object.at("loop").get<int>();
     papers.frameCount = object.at("frames").get<std::int64_t>();
     papers.first = object.at("first").get<std::int64_t>();
     papers.end = object.at("end").get<std::int64_t>();
@@ -88,6 +90,14 @@ FilmPapers FromJson(const json& object)
         papers.states[std::stoll(frame)] = state.get<std::string>();
     }
     return papers;
+}
+
+/// Whether the numbers can be those of a film.
+bool IsSound(const FilmPapers& papers)
+{
+    const Rational& rate = papers.framesPerSecond;
+    return rate.num >= 1 && rate.den >= 1 && papers.groupFrames >= 1 && papers.plays >= 0 &&
+           papers.first >= 0 && papers.end > papers.first && papers.frameCount >= papers.end;
 }
 
 } // namespace
@@ -104,26 +114,30 @@ Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& pa
     return WriteWhole(PapersPath(film), ToJson(papers).dump(1) + "\n", true);
 }
 
-Result<FilmPapers> ReadPapers(const std::filesystem::path& film)
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy)
 {
     const std::filesystem::path path = PapersPath(film);
     std::ifstream file(path);
     if (!file)
     {
         return Error{ErrorKind::Unusable, path.string() + ", which says how " + film.string() +
-                                              " was made, cannot be read; it lies beside every "
-                                              "part and must come along."};
+                                              " was made, cannot be read; " + remedy + "."};
     }
     try
     {
-        return FromJson(json::parse(file));
+        FilmPapers papers = FromJson(json::parse(file));
+        if (IsSound(papers))
+        {
+            return papers;
+        }
     }
     catch (const std::exception&)
     {
-        return Error{ErrorKind::Unusable, path.string() + " is damaged, or of another version of "
-                                                          "this program; make the film anew "
-                                                          "(--force)."};
+        // Said below, as what has other faults.
     }
+    return Error{ErrorKind::Unusable, path.string() +
+                                          " is damaged, or of another version of this program; " +
+                                          remedy + "."};
 }
 
 std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments)

@@ -22,6 +22,7 @@ struct FilmPapers
     std::vector<std::string> command; ///< what the user asked for, without where it goes
     Rational framesPerSecond;
     std::int64_t groupFrames = 100;
+    int plays = 0;               ///< how often an animation plays; 0: for ever
     std::int64_t frameCount = 0; ///< of the whole film
     std::int64_t first = 0;      ///< number of this part's first frame
     std::int64_t end = 0;        ///< one more than that of its last
@@ -35,8 +36,8 @@ std::filesystem::path PapersPath(const std::filesystem::path& film);
 /// Replaces what is there.
 Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers);
 
-/// An Error (Unusable) when there are none, or they are not readable.
-Result<FilmPapers> ReadPapers(const std::filesystem::path& film);
+/// An Error (Unusable) when there are none, or they are not readable. `remedy`: what to do then.
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy);
 
 /// The command without the options that do not change a frame: where it goes, how it is reported,
 /// which part it is, that it goes on.

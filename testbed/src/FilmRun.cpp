@@ -107,6 +107,7 @@ Result<void> FilmRun::OpenPapers()
                 .command = CommandOfFilm(m_options.arguments),
                 .framesPerSecond = m_plan.film.framesPerSecond,
                 .groupFrames = m_plan.groupFrames,
+                .plays = m_plan.film.plays,
                 .frameCount = m_plan.frameCount,
                 .first = m_plan.frames.First(),
                 .end = m_plan.frames.Last() + 1,
@@ -124,7 +125,7 @@ Result<void> FilmRun::OpenPapers()
         return Error{ErrorKind::Failed, "Cannot go on with " + Part().string() +
                                             ": another program is writing it; wait for it."};
     }
-    Result<FilmPapers> left = ReadPapers(Part());
+    Result<FilmPapers> left = ReadPapers(Part(), "begin anew with --force");
     if (!left)
     {
         return left.GetError();
@@ -148,14 +149,6 @@ Result<void> FilmRun::Open(SceneSource source)
     {
         return opened;
     }
-    m_plan.film.stages = Stages();
-    Result<VideoWriter> writer = VideoWriter::Open(m_options.output, m_plan.film);
-    if (!writer)
-    {
-        return writer.GetError();
-    }
-    m_resumed = m_filmed = writer->ResumedFrames();
-    m_writer.emplace(std::move(*writer));
     Result<Renderer> renderer = Renderer::Create({.width = m_options.look.width,
                                                   .height = m_options.look.height,
                                                   .theme = m_options.look.theme,
@@ -171,6 +164,16 @@ Result<void> FilmRun::Open(SceneSource source)
         return session.GetError();
     }
     m_session.emplace(std::move(*session));
+    // The last, for a writer that goes on with what was left takes that with it when it is given
+    // up.
+    m_plan.film.stages = Stages();
+    Result<VideoWriter> writer = VideoWriter::Open(m_options.output, m_plan.film);
+    if (!writer)
+    {
+        return writer.GetError();
+    }
+    m_resumed = m_filmed = writer->ResumedFrames();
+    m_writer.emplace(std::move(*writer));
     m_clock = {m_plan.film.framesPerSecond, m_session->StepsPerSecond(), m_options.speed};
     BeginSimulation();
     return {};
@@ -295,6 +298,7 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
 Result<void> FilmRun::FinishPapers()
 {
     std::error_code ignored;
+    std::filesystem::remove(PapersPath(Part()), ignored);
     if (m_hasPapers && m_options.range)
     {
         m_papers.end = m_plan.frames.First() + m_filmed;
@@ -309,7 +313,6 @@ Result<void> FilmRun::FinishPapers()
             return written;
         }
     }
-    std::filesystem::remove(PapersPath(Part()), ignored);
     return {};
 }
 

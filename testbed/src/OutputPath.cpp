@@ -35,8 +35,8 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFor
     }
     if (access(folder.c_str(), W_OK | X_OK) != 0)
     {
-        return Error{ErrorKind::Unusable, "Cannot write to the folder '" + folder.string() +
-                                              "': " + std::strerror(errno) + "; choose another."};
+        return Error{ErrorKind::Failed, "Cannot write to the folder '" + folder.string() +
+                                            "': " + std::strerror(errno) + "; choose another."};
     }
     if (!force && std::filesystem::exists(path, ignored))
     {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "../debugdraw/TemporaryFolder.h"
+#include "ShownFrames.h"
 #include "TestFilm.h"
 
 #include "GifPalette.h"
 
+#include <recorder/JoinFilms.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <filesystem>
 
 namespace
 {
@@ -135,8 +139,134 @@ TEST(GifPalette, TakesAColourThatTurnsUpLaterWhenItFillsAnArea)
 class GifFilm : public testing::Test
 {
 protected:
+    std::uintmax_t SizeOf(const std::string& name, const boxreel::VideoSettings& settings,
+                          const std::vector<Frame>& frames) const
+    {
+        WriteFilm(m_folder / name, settings, frames);
+        return std::filesystem::file_size(m_folder / name);
+    }
+
     TemporaryFolder m_folder;
 };
+
+/// `count` colours all over the picture, in an order that fills LZW's table over and over.
+Frame Speckled(int width, int height, int number, int count)
+{
+    Frame frame = Noise(width, height, number);
+    for (std::size_t i = 0; i < frame.rgba.size(); i += 4)
+    {
+        const int n = frame.rgba[i] % count;
+        frame.rgba[i] = std::uint8_t(n);
+        frame.rgba[i + 1] = std::uint8_t(255 - n);
+        frame.rgba[i + 2] = std::uint8_t(n * 7);
+    }
+    return frame;
+}
+
+TEST_F(GifFilm, FramesOfAnyNumberOfColoursComeBackExactly)
+{
+    for (const int colors : {1, 2, 3, 4, 5, 16, 17, 255, 256})
+    {
+        SCOPED_TRACE(colors);
+        std::vector<Frame> frames;
+        for (int k = 0; k < 4; ++k)
+        {
+            frames.push_back(Speckled(251, 97, k, colors));
+        }
+        WriteFilm(m_folder / "film.gif",
+                  {.framesPerSecond = {25, 1}, .quality = Quality::Lossless, .overwrite = true},
+                  frames);
+        EXPECT_EQ(ReadShown(m_folder / "film.gif", {25, 1}), frames);
+    }
+}
+
+/// A box that moves over a picture, and in every frame a colour that no frame before had.
+std::vector<Frame> EverNewColours(int count)
+{
+    std::vector<Frame> frames(std::size_t(count), Speckled(320, 180, 0, 100));
+    for (int k = 0; k < count; ++k)
+    {
+        FillRect(frames[std::size_t(k)], k % 250, 20, k % 250 + 20, 40, kOutline);
+        const int n = k % 250;
+        FillRect(frames[std::size_t(k)], 300, 100, 310, 110,
+                 {std::uint8_t(n), std::uint8_t(k / 250), 77});
+    }
+    return frames;
+}
+
+TEST_F(GifFilm, AFrameCostsWhatItChangesHoweverOftenThePaletteDoes)
+{
+    const std::uintmax_t one = SizeOf("one.gif", {}, EverNewColours(1));
+    const std::uintmax_t all =
+        SizeOf("all.gif", {.framesPerSecond = {25, 1}, .groupFrames = 1000}, EverNewColours(300));
+    EXPECT_LT(all, 10 * one) << "whole frames are stored";
+}
+
+TEST_F(GifFilm, GroupsThatKnowNothingOfEachOtherCostAFrameEach)
+{
+    const std::vector<Frame> frames = EverNewColours(300);
+    const boxreel::VideoSettings inGroups{.framesPerSecond = {25, 1}, .groupFrames = 100};
+    const boxreel::VideoSettings asOne{.framesPerSecond = {25, 1}, .groupFrames = 1000};
+    const std::uintmax_t one = SizeOf("one.gif", {}, {frames.back()});
+    EXPECT_LE(SizeOf("groups.gif", inGroups, frames), SizeOf("whole.gif", asOne, frames) + 2 * one);
+}
+
+TEST_F(GifFilm, AFrameThatStaysForLongerThanAGifCanSayKeepsItsTime)
+{
+    const boxreel::VideoSettings settings{
+        .width = 64, .height = 48, .framesPerSecond = {1, 1}, .groupFrames = 100000};
+    VideoWriter writer = *VideoWriter::Open(m_folder / "film.gif", settings);
+    ASSERT_TRUE(writer.Append(Drawing(64, 48, 0)));
+    for (int k = 1; k < 2000; ++k)
+    {
+        ASSERT_TRUE(writer.Repeat());
+    }
+    ASSERT_TRUE(writer.Append(Drawing(64, 48, 9)));
+    ASSERT_TRUE(writer.Close());
+    const std::vector<Frame> shown = ReadShown(m_folder / "film.gif", {1, 1});
+    ASSERT_EQ(shown.size(), 2001u);
+    EXPECT_EQ(std::count(shown.begin(), shown.end(), Drawing(64, 48, 0)), 2000);
+    EXPECT_EQ(shown.back(), Drawing(64, 48, 9));
+}
+
+TEST_F(GifFilm, PlaysAsOftenAsItIsAsked)
+{
+    const struct
+    {
+        int plays;
+        std::string written;
+    } cases[] = {{0, std::string("\3\1\0\0\0", 5)}, {2, std::string("\3\1\1\0\0", 5)}, {1, ""}};
+    for (const auto& c : cases)
+    {
+        WriteFilm(m_folder / "film.gif", {.plays = c.plays, .overwrite = true},
+                  Drawings(64, 48, 2));
+        const std::string bytes = ReadBytes(m_folder / "film.gif");
+        const std::size_t at = bytes.find("NETSCAPE2.0");
+        EXPECT_EQ(at == std::string::npos ? "" : bytes.substr(at + 11, 5), c.written) << c.plays;
+    }
+}
+
+TEST_F(GifFilm, PartsOfAFastOneAreJoinedToTheFramesOfTheWhole)
+{
+    const boxreel::Rational rate{60, 1}; // of which every second is kept
+    const std::vector<Frame> frames = Drawings(64, 48, 47);
+    const auto write = [&](const std::string& name, int first, int end) {
+        WriteFilm(m_folder / name,
+                  {.framesPerSecond = rate,
+                   .groupFrames = 10,
+                   .frames = boxreel::FrameRange({first, end - 1, 1})},
+                  {frames.begin() + first, frames.begin() + end});
+    };
+    EXPECT_EQ(boxreel::PartLength("film.gif", {.framesPerSecond = rate, .groupFrames = 10}), 20);
+    write("whole.gif", 0, 47);
+    write("a.gif", 0, 20);
+    write("b.gif", 20, 47);
+    const Result<void> joined =
+        boxreel::JoinFilms({{m_folder / "a.gif", 0}, {m_folder / "b.gif", 20}},
+                           m_folder / "film.gif", {.framesPerSecond = rate, .groupFrames = 10});
+    ASSERT_TRUE(joined) << joined.GetError().message;
+    EXPECT_EQ(ReadBytes(m_folder / "film.gif"), ReadBytes(m_folder / "whole.gif"));
+}
 
 TEST_F(GifFilm, TimesAreRoundedOneByOneAndNeverDrift)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../debugdraw/TemporaryFolder.h"
+#include "ShownFrames.h"
 #include "TestFilm.h"
 
 #include <recorder/VideoWriter.h>
@@ -138,9 +139,9 @@ TEST_P(VideoFile, ARepeatedFrameIsTheFrameBeforeOnceMore)
     ASSERT_TRUE(writer.Repeat());
     ASSERT_TRUE(writer.Repeat());
     ASSERT_TRUE(writer.Close());
-    const Film film = ReadFilm(m_folder / ("film" + extension));
-    EXPECT_THAT(film.frames, ElementsAre(Drawing(64, 48, 0), Drawing(64, 48, 0), Drawing(64, 48, 5),
-                                         Drawing(64, 48, 5), Drawing(64, 48, 5)));
+    EXPECT_THAT(ReadShown(m_folder / ("film" + extension), settings.framesPerSecond),
+                ElementsAre(Drawing(64, 48, 0), Drawing(64, 48, 0), Drawing(64, 48, 5),
+                            Drawing(64, 48, 5), Drawing(64, 48, 5)));
 }
 
 TEST_P(VideoFile, MayHaveAnyName)
@@ -155,7 +156,7 @@ TEST_P(VideoFile, MayHaveAnyName)
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryContainer, VideoFile,
-                         testing::Values(".mp4", ".mkv", ".webm", ".gif"),
+                         testing::Values(".mp4", ".mkv", ".webm", ".gif", ".apng", ".webp"),
                          [](const testing::TestParamInfo<const char*>& test) {
                              return std::string(test.param + 1);
                          });

@@ -193,6 +193,27 @@ TEST_F(VideoReaderTest, AnMp4HasExactTimesAtAnyRate)
     }
 }
 
+/// libav rounds how long each frame stays to 1/100000 s and adds that up.
+TEST_F(VideoReaderTest, AnAnimatedPngDoesNotDrift)
+{
+    constexpr int kFrames = 6000; // in which that comes to more than a frame
+    WriteFilm(m_folder / "film.apng", {.framesPerSecond = {60, 1}, .quality = Quality::Draft},
+              Drawings(40, 32, kFrames));
+    const Film film = ReadFilm(m_folder / "film.apng");
+    ASSERT_EQ(film.times.size(), std::size_t(kFrames));
+    EXPECT_EQ(film.times.back(), double(kFrames - 1) / 60.0);
+}
+
+/// Its encoder leaves them out.
+TEST_F(VideoReaderTest, EqualFramesOfAnAnimatedPngKeepTheirTimes)
+{
+    std::vector<Frame> frames = Drawings(64, 48, 12);
+    frames[3] = frames[4] = frames[2];
+    frames[10] = frames[11] = frames[9];
+    WriteFilm(m_folder / "film.apng", {.framesPerSecond = {25, 1}}, frames);
+    EXPECT_EQ(ReadFilm(m_folder / "film.apng").frames, frames);
+}
+
 TEST_F(VideoReaderTest, AMissingFilmAFolderAndAForeignFileAreNamed)
 {
     WriteBytes(m_folder / "text.mp4", "this is no film, whatever its name says\n");
@@ -215,7 +236,8 @@ TEST_F(VideoReaderTest, AMissingFilmAFolderAndAForeignFileAreNamed)
 /// cut.
 TEST_F(VideoReaderTest, ATruncatedFilmIsNeverTakenForAWholeOne)
 {
-    for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
+    for (const char* name :
+         {"film.mp4", "film.mkv", "film.webm", "film.gif", "film.apng", "film.webp"})
     {
         WriteFilm(m_folder / name, {.framesPerSecond = {25, 1}, .quality = Quality::Lossless},
                   Drawings(64, 48, 30));

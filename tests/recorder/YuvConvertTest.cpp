@@ -23,6 +23,7 @@ using boxreel::Instructions;
 using boxreel::PicturePlanes;
 using boxreel::PixelBounds;
 using boxreel::PlaneFormat;
+using boxreel::YuvMatrix;
 using testfilm::FillRect;
 using testfilm::Noise;
 using testing::Each;
@@ -95,6 +96,15 @@ private:
     std::array<int, 3> m_heights{};
 };
 
+Picture Converted(const Frame& frame, PlaneFormat format, YuvMatrix matrix)
+{
+    Picture picture(format, frame.width, frame.height);
+    PicturePlanes planes = picture.Planes();
+    planes.matrix = matrix;
+    ConvertPixels(frame, {0, 0, frame.width, frame.height}, planes);
+    return picture;
+}
+
 Picture Converted(const Frame& frame, PlaneFormat format,
                   Instructions instructions = Instructions::Widest)
 {
@@ -165,6 +175,56 @@ Frame EveryGreenAndBlue(int red, int repeats)
         }
     }
     return frame;
+}
+
+constexpr Exact kExactOf601[3] = {
+    {16, 219 * 299, 219 * 587, 219 * 114, 255 * 1000},
+    {128, -224 * 299, -224 * 587, 224 * (1000 - 114), 255 * 1772},
+    {128, 224 * (1000 - 299), -224 * 587, -224 * 114, 255 * 1402},
+};
+
+TEST(YuvConvert, EveryColourOfAPixelBecomesTheNearestValueOfBt601)
+{
+    double worst = 0.0;
+    for (int red = 0; red < 256; ++red)
+    {
+        const Picture picture =
+            Converted(EveryGreenAndBlue(red, 1), PlaneFormat::Yuv444, YuvMatrix::Bt601);
+        for (int green = 0; green < 256; ++green)
+        {
+            for (int blue = 0; blue < 256; ++blue)
+            {
+                for (int i = 0; i < 3; ++i)
+                {
+                    const int sample = picture.At(i, blue, green);
+                    worst = std::max(worst, kExactOf601[i].Error(sample, red, green, blue));
+                }
+            }
+        }
+    }
+    EXPECT_LE(worst, 0.50001);
+}
+
+TEST(YuvConvert, FlatAreasHaveTheirValuesOfBt601In420)
+{
+    const struct
+    {
+        int rgb[3];
+        int ycc[3];
+    } cases[] = {
+        {{0, 0, 0}, {16, 128, 128}},   {{255, 255, 255}, {235, 128, 128}},
+        {{255, 0, 0}, {81, 90, 240}},  {{0, 255, 0}, {145, 54, 34}},
+        {{0, 0, 255}, {41, 240, 110}}, {{90, 90, 90}, {93, 128, 128}},
+    };
+    for (const auto& c : cases)
+    {
+        const Picture picture = Converted(Flat(4, 4, c.rgb[0], c.rgb[1], c.rgb[2]),
+                                          PlaneFormat::Yuv420, YuvMatrix::Bt601);
+        for (int i = 0; i < 3; ++i)
+        {
+            EXPECT_EQ(picture.At(i, 1, 1), c.ycc[i]);
+        }
+    }
 }
 
 TEST(YuvConvert, EveryColourOfAPixelBecomesTheNearestValue)

@@ -237,7 +237,7 @@ void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
 
 TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
 {
-    for (const int signal : {SIGINT, SIGTERM, SIGQUIT})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     {
         const Outcome outcome = RunBoxreel(
             {"record", "pyramid", "--frames", "10000000", "-o", "film.mkv", "--size", "160x90"},
@@ -247,6 +247,22 @@ TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
         EXPECT_THAT(outcome.errors, HasSubstr("--resume"));
         EXPECT_THAT(folder.Files(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
         EXPECT_GE(Decode("film.part.mkv").size(), 100u);
+        for (const std::string& name : folder.Files())
+        {
+            std::filesystem::remove(folder / name);
+        }
+    }
+}
+
+TEST_F(Film, ASignalLeavesAnAnimationThatCanBePlayed)
+{
+    for (const std::string kind : {".gif", ".apng", ".webp"})
+    {
+        const Outcome outcome = RunBoxreel(
+            {"record", "tumbler", "--frames", "1000000", "-o", "film" + kind, "--size", "32x18"},
+            folder.Path(), [&](int process) { StopAfterGroups(process, SIGINT); });
+        EXPECT_EQ(outcome.code, 75) << outcome.errors;
+        EXPECT_GE(Decode("film.part" + kind).size(), 50u) << kind;
         for (const std::string& name : folder.Files())
         {
             std::filesystem::remove(folder / name);
@@ -267,6 +283,7 @@ TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesThePart)
         });
     EXPECT_TRUE(outcome.code == 128 + SIGINT || outcome.code == 128 + SIGTERM) << outcome.code;
     EXPECT_THAT(outcome.errors, Not(HasSubstr("Stopped")));
+    EXPECT_THAT(folder.Files(), testing::Contains("film.part.mp4"));
     EXPECT_THAT(folder.Files(), Not(testing::Contains("film.mp4")));
 }
 
@@ -293,6 +310,36 @@ TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
     EXPECT_EQ(Decode("film.mp4"), Decode("whole.mp4"));
     EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "whole.mp4"));
+}
+
+TEST_F(Film, AnAnimationIsContinuedAndJoinedToTheFramesOfAnUninterruptedOne)
+{
+    for (const std::string kind : {".gif", ".apng", ".webp"})
+    {
+        SCOPED_TRACE(kind);
+        const auto make = [&](const std::string& name, std::vector<std::string> more) {
+            std::vector<std::string> command{"record",  "tumbler", "--frames", "60",       "--size",
+                                             "96x54",   "--fps",   "20",       "--loop",   "3",
+                                             "--group", "20",      "-o",       name + kind};
+            command.insert(command.end(), more.begin(), more.end());
+            return Run(command);
+        };
+        ASSERT_EQ(make("whole", {}).code, 0);
+        ASSERT_EQ(make("a", {"--frame-range", "0-19"}).code, 0);
+        ASSERT_EQ(make("b", {"--frame-range", "20-59"}).code, 0);
+        const Outcome merged = Run({"merge", "a" + kind, "b" + kind, "-o", "film" + kind});
+        ASSERT_EQ(merged.code, 0) << merged.errors;
+        EXPECT_EQ(Decode("film" + kind), Decode("whole" + kind));
+        // What a run leaves that was stopped after 40 frames.
+        std::filesystem::rename(folder / ("b" + kind), folder / ("c" + kind));
+        ASSERT_EQ(make("b", {"--frame-range", "0-39"}).code, 0);
+        std::filesystem::rename(folder / ("b" + kind), folder / ("left.part" + kind));
+        std::filesystem::rename(folder / ("b" + kind + ".json"),
+                                folder / ("left.part" + kind + ".json"));
+        const Outcome resumed = make("left", {"--resume"});
+        ASSERT_EQ(resumed.code, 0) << resumed.errors;
+        EXPECT_EQ(Decode("left" + kind), Decode("whole" + kind));
+    }
 }
 
 TEST_F(Film, PartsAreJoinedToTheFramesOfTheWhole)
@@ -358,6 +405,40 @@ TEST_F(Film, GoesThroughAPipe)
     std::ofstream(folder / "film.y4m", std::ios::binary) << outcome.output;
     EXPECT_EQ(Decode("film.y4m").size(), 3u);
     EXPECT_THAT(folder.Files(), ElementsAre("film.y4m"));
+}
+
+TEST_F(Film, OfAv1GoesThroughAPipe)
+{
+    const Outcome outcome = Run({"record", "pyramid", "-o", "-", "--format", "mkv", "--codec",
+                                 "av1", "--frames", "3", "--size", "32x18"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    std::ofstream(folder / "film.mkv", std::ios::binary) << outcome.output;
+    EXPECT_EQ(Decode("film.mkv").size(), 3u);
+}
+
+TEST_F(Film, WhatIsLeftStaysWhereNothingCanBeDrawn)
+{
+    const std::vector<std::string> command{"record", "pyramid", "--frames", "200",     "--size",
+                                           "64x36",  "-o",      "film.mkv", "--resume"};
+    ASSERT_EQ(Run(command).code, 0);
+    ASSERT_EQ(Run({"record", "pyramid", "--frames", "200", "--size", "64x36", "-o", "a.mkv",
+                   "--frame-range", "0-99"})
+                  .code,
+              0);
+    std::filesystem::remove(folder / "film.mkv");
+    std::filesystem::rename(folder / "a.mkv", folder / "film.part.mkv");
+    std::filesystem::rename(folder / "a.mkv.json", folder / "film.part.mkv.json");
+    const TemporaryFolder broken;
+    for (const char* library : {"libOSMesa.so.8", "libOSMesa.so.6", "libEGL.so.1"})
+    {
+        std::ofstream(broken / library) << "no library";
+    }
+    const char* const before = std::getenv("LD_LIBRARY_PATH");
+    setenv("LD_LIBRARY_PATH", broken.Path().c_str(), 1);
+    const Outcome failed = Run(command);
+    before != nullptr ? setenv("LD_LIBRARY_PATH", before, 1) : unsetenv("LD_LIBRARY_PATH");
+    EXPECT_EQ(failed.code, 3) << failed.errors;
+    EXPECT_THAT(folder.Files(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
 }
 
 /// Every line is one that Open Job Description's agents know: "openjd_progress: 0 to 100",

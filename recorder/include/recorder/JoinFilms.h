@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <vector>
 
-/// Parts of a film become the whole, without encoding a frame again. libav is loaded when called.
+/// Parts of a film become the whole, without encoding a frame again; of a gif, apng or webp, which
+/// lose nothing by it, with. libav is loaded when called.
 namespace boxreel
 {
 
@@ -15,12 +16,13 @@ struct FilmPart
 {
     std::filesystem::path path;
     std::int64_t firstFrame = 0; ///< its number in the whole film
+    std::int64_t frames = 0;     ///< how many; 0: as many as it says, or up to the next part
 };
 
 /// `parts`: in their order, each beginning where the one before ends, made with the same settings
 /// and with groups of frames that end where a part does. Of `settings` count framesPerSecond
-/// and overwrite. An Error (Unusable) when `path` is of a kind that cannot be joined, or the parts
-/// are not coded alike.
+/// and overwrite, and of animations groupFrames and plays. An Error (Unusable) when `path` is of a
+/// kind that cannot be joined, or the parts are not coded alike.
 Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
                        const VideoSettings& settings);
 

@@ -35,7 +35,8 @@
 ///
 /// - Films have no transparency: the frame's premultiplied colours are taken as they are, so what
 ///   is see-through lies on black.
-/// - YUV has the matrix, primaries and transfer of bt709, limited range, and says so. The transfer
+/// - YUV has the matrix, primaries and transfer of bt709, limited range, and says so; only y4m
+///   cannot, and has the matrix of bt601 below 720 lines, as others read it. The transfer
 ///   is tagged bt709 although frames are sRGB: it is what players expect of HD and show unchanged,
 ///   while the sRGB tag makes some of them convert or give up their fast path.
 /// - Lossless stores RGB: .mkv FFV1, .mp4 H.264 of the profile High 4:4:4 Predictive (mpv, VLC and
@@ -49,6 +50,8 @@
 /// - A GIF stores times in 1/100 s: each is rounded by itself and never drifts. Frames shorter than
 ///   1/50 s are not shown by browsers, so above 50 frames a second every n-th frame is kept
 ///   (StoredFrameRate says what is left: 60 becomes 30).
+/// - Gif, apng and webp lose nothing when they are read and written again, which is how these are
+///   continued and joined.
 /// - Matroska and WebM store times in 1/1000 s, rounded in the same way; MP4 stores them exactly.
 /// - Pictures are numbered as VideoSettings::frames says, with as many digits as there are # (more
 ///   when the number needs them), and each is there whole or not at all.
@@ -84,8 +87,9 @@ struct VideoSettings
     int plays = 0;   ///< how often a gif, apng or webp plays; 0: for ever
     int threads = 0; ///< of the encoder, at most 64; 0: two. H.264's bytes depend on it, the film's
                      ///< look does not.
-    bool constantRate = false; ///< every frame is encoded, also one that shows the same
-    int groupFrames = 100;     ///< length of a group; at least 1 [frames]
+    bool constantRate = false; ///< every frame is encoded, also one that shows the same; apng and
+                               ///< webp cannot
+    int groupFrames = 100;     ///< length of a group; at least 1 [frames that are kept]
     /// The numbers of the frames that are appended, in the film of which this one may be a part:
     /// groups begin at multiples of their length, and pictures are called by them.
     FrameRange frames{};
@@ -141,6 +145,7 @@ public:
 private:
     struct Impl;
     explicit VideoWriter(std::unique_ptr<Impl> impl);
+    Result<void> Resume(const std::filesystem::path& left, const VideoSettings& settings);
     Result<void> End(Result<void> (VideoSink::*end)());
     std::unique_ptr<Impl> m_impl;
 };

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "AnimationCopy.h"
+
+#include "FrameTimes.h"
+#include "VideoSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace boxreel
+{
+
+namespace
+{
+
+/// A film's stored frames, and for which frames of the recording each of them stands.
+class StoredFrames
+{
+public:
+    static Result<StoredFrames> Open(const std::filesystem::path& path,
+                                     const VideoSettings& settings);
+
+    const VideoInfo& Info() const { return m_source->info; }
+    const FrameTimes& Times() const { return m_times; }
+
+    Result<bool> Next(); ///< false after the last
+
+    const boxreel::Frame& Frame() const { return m_stored.frame; }
+    std::int64_t First() const { return m_first; } ///< index of the first that looks like this
+    std::int64_t End() const { return m_end; }     ///< and of the first that does no more
+
+private:
+    StoredFrames(VideoFormat format, const VideoSettings& settings)
+        : m_format(format), m_rate(settings.framesPerSecond), m_times(format, settings)
+    {}
+    std::int64_t IndexAt(double seconds) const;
+
+    VideoFormat m_format;
+    Rational m_rate;
+    FrameTimes m_times;
+    std::unique_ptr<VideoSource> m_source;
+    StoredFrame m_stored;
+    std::int64_t m_first = 0;
+    std::int64_t m_end = 0;
+};
+
+Result<StoredFrames> StoredFrames::Open(const std::filesystem::path& path,
+                                        const VideoSettings& settings)
+{
+    StoredFrames frames(*FormatOf(path, {}), settings);
+    Result<std::unique_ptr<VideoSource>> source = OpenVideoSource(path);
+    if (!source)
+    {
+        return source.GetError();
+    }
+    frames.m_source = std::move(*source);
+    return frames;
+}
+
+/// Of the frame that is shown from then on. A GIF begins with the first frame that it keeps.
+std::int64_t StoredFrames::IndexAt(double seconds) const
+{
+    if (m_format != VideoFormat::Gif)
+    {
+        return std::llround(seconds * m_rate.ToDouble());
+    }
+    std::int64_t begin = 0;
+    while (!m_times.IsKept(begin))
+    {
+        ++begin;
+    }
+    std::int64_t index = m_times.IndexAt(std::llround(seconds * 100.0) + m_times.TimeOf(begin));
+    while (!m_times.IsKept(index)) // several frames may begin in the same 1/100 s
+    {
+        --index;
+    }
+    return index;
+}
+
+Result<bool> StoredFrames::Next()
+{
+    Result<bool> more = m_source->Next(m_stored);
+    if (!more || !*more)
+    {
+        return more;
+    }
+    const bool isApng = m_format == VideoFormat::Apng;
+    // libav rounds how long each frame of an animated PNG stays, and adds that up.
+    m_first = isApng ? m_end : IndexAt(m_stored.seconds);
+    m_end = isApng ? m_first + std::llround(m_stored.length * m_rate.ToDouble())
+                   : IndexAt(m_stored.seconds + m_stored.length);
+    m_end = std::max(m_end, m_first + 1);
+    return true;
+}
+
+Error CutShort(const std::filesystem::path& path, std::int64_t frames)
+{
+    return Error{ErrorKind::Unusable, path.string() + " ends after " + std::to_string(frames) +
+                                          " frames, before the next part begins; make it anew."};
+}
+
+/// The last frame once more until `count` are appended.
+Result<void> RepeatUntil(std::int64_t count, std::int64_t appended, VideoWriter& to)
+{
+    Result<void> done;
+    for (; appended < count && done; ++appended)
+    {
+        done = to.Repeat();
+    }
+    return done;
+}
+
+/// `settings` of a part that begins with this frame of the whole.
+VideoSettings PartOf(VideoSettings settings, std::int64_t firstFrame)
+{
+    settings.frames = FrameRange(FrameRun{.first = firstFrame});
+    return settings;
+}
+
+} // namespace
+
+Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSettings& settings,
+                           std::optional<std::int64_t> count, VideoWriter& to)
+{
+    Result<StoredFrames> frames = StoredFrames::Open(from, settings);
+    if (!frames)
+    {
+        return frames.GetError();
+    }
+    if (frames->Info().width != settings.width || frames->Info().height != settings.height)
+    {
+        return Error{ErrorKind::Unusable, from.string() + " has another size than the film that "
+                                                          "it is a part of; make it anew."};
+    }
+    const std::int64_t end = count.value_or(std::numeric_limits<std::int64_t>::max());
+    std::int64_t appended = 0;
+    while (appended < end)
+    {
+        const Result<bool> more = frames->Next();
+        if (!more)
+        {
+            return more.GetError();
+        }
+        if (!*more && count && appended > 1)
+        {
+            return CutShort(from, appended);
+        }
+        if (!*more) // a film of one picture does not say for how long it is shown
+        {
+            return count ? RepeatUntil(*count, appended, to) : Result<void>();
+        }
+        // What a GIF that begins with a frame it leaves out has for it.
+        for (; appended < std::min(frames->First() + 1, end); ++appended)
+        {
+            if (Result<void> done = to.Append(frames->Frame()); !done)
+            {
+                return done;
+            }
+        }
+        if (Result<void> done = RepeatUntil(std::min(frames->End(), end), appended, to); !done)
+        {
+            return done;
+        }
+        appended = std::max(appended, std::min(frames->End(), end));
+    }
+    return {};
+}
+
+std::int64_t CountWholeAnimation(const std::filesystem::path& left, const VideoSettings& settings)
+{
+    Result<StoredFrames> frames = StoredFrames::Open(left, settings);
+    if (!frames || frames->Info().width != settings.width ||
+        frames->Info().height != settings.height)
+    {
+        return 0;
+    }
+    std::int64_t last = -1;
+    for (Result<bool> more = frames->Next(); more && *more; more = frames->Next())
+    {
+        last = frames->End() - 1;
+    }
+    const FrameTimes& times = frames->Times();
+    return last < 0 ? 0 : std::max<std::int64_t>(0, times.FirstIndexOf(times.GroupOf(last)));
+}
+
+Result<void> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                            const VideoSettings& settings)
+{
+    Result<StoredFrames> first = StoredFrames::Open(parts.front().path, settings);
+    if (!first)
+    {
+        return first.GetError();
+    }
+    VideoSettings whole = PartOf(settings, parts.front().firstFrame);
+    whole.width = first->Info().width;
+    whole.height = first->Info().height;
+    Result<VideoWriter> writer = VideoWriter::Open(path, whole);
+    if (!writer)
+    {
+        return writer.GetError();
+    }
+    for (auto part = parts.begin(); part != parts.end(); ++part)
+    {
+        const auto next = part + 1;
+        const std::optional<std::int64_t> count =
+            part->frames > 0      ? std::optional(part->frames)
+            : next != parts.end() ? std::optional(next->firstFrame - part->firstFrame)
+                                  : std::nullopt;
+        const Result<void> copied =
+            CopyAnimation(part->path, PartOf(whole, part->firstFrame), count, *writer);
+        if (!copied)
+        {
+            return copied;
+        }
+    }
+    return writer->Close();
+}
+
+} // namespace boxreel

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "GifLzw.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+namespace boxreel
+{
+
+namespace
+{
+
+constexpr int kMostBits = 12;
+// The table is begun anew one code before it is full, for some readers stumble over the last one.
+constexpr std::uint32_t kMostCodes = (1u << kMostBits) - 1;
+
+/// Numbers of any width, the lowest bit first, in blocks that begin with their length.
+class BlockWriter
+{
+public:
+    explicit BlockWriter(std::vector<std::uint8_t>& out) : m_out(out) {}
+
+    void Put(std::uint32_t code, int width)
+    {
+        m_bits |= code << m_count;
+        m_count += width;
+        while (m_count >= 8)
+        {
+            PutByte(std::uint8_t(m_bits));
+            m_bits >>= 8;
+            m_count -= 8;
+        }
+    }
+
+    void Finish()
+    {
+        if (m_count > 0)
+        {
+            PutByte(std::uint8_t(m_bits));
+        }
+        EndBlock();
+        m_out.push_back(0);
+    }
+
+private:
+    void PutByte(std::uint8_t byte)
+    {
+        m_block[m_size++] = byte;
+        if (m_size == m_block.size())
+        {
+            EndBlock();
+        }
+    }
+
+    void EndBlock()
+    {
+        if (m_size > 0)
+        {
+            m_out.push_back(std::uint8_t(m_size));
+            m_out.insert(m_out.end(), m_block.begin(), m_block.begin() + std::ptrdiff_t(m_size));
+            m_size = 0;
+        }
+    }
+
+    std::vector<std::uint8_t>& m_out;
+    std::uint32_t m_bits = 0;
+    int m_count = 0;
+    std::array<std::uint8_t, 255> m_block{};
+    std::size_t m_size = 0;
+};
+
+/// Codes of runs of indices: that of a run and the index after it lead to that of the longer run.
+class RunTable
+{
+public:
+    RunTable() { Clear(); }
+
+    void Clear() { m_slots.fill(Slot{}); }
+
+    struct Slot
+    {
+        std::uint32_t key = kNone;
+        std::uint32_t code = 0;
+        bool IsEmpty() const { return key == kNone; }
+    };
+
+    /// That of this run, or the empty one where it belongs.
+    Slot& Find(std::uint32_t key)
+    {
+        std::size_t at = (key * 0x9e3779b1u) >> (32 - kSlotBits);
+        while (m_slots[at].key != key && !m_slots[at].IsEmpty())
+        {
+            at = (at + 1) % m_slots.size();
+        }
+        return m_slots[at];
+    }
+
+private:
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    static constexpr int kSlotBits = 13; // twice the codes, so that few runs meet
+    std::array<Slot, 1u << kSlotBits> m_slots;
+};
+
+} // namespace
+
+void AppendGifLzw(std::span<const std::uint8_t> indices, int bits, std::vector<std::uint8_t>& out)
+{
+    assert(!indices.empty() && bits >= 2 && bits <= 8 && "as GIF can hold them");
+    const std::uint32_t clear = 1u << bits;
+    const std::uint32_t end = clear + 1;
+    out.push_back(std::uint8_t(bits));
+    BlockWriter writer(out);
+    RunTable runs;
+    std::uint32_t next = end + 1;
+    int width = bits + 1;
+    writer.Put(clear, width);
+    std::uint32_t run = indices.front();
+    for (const std::uint8_t index : indices.subspan(1))
+    {
+        const std::uint32_t key = run << 8 | index;
+        RunTable::Slot& slot = runs.Find(key);
+        if (!slot.IsEmpty())
+        {
+            run = slot.code;
+            continue;
+        }
+        writer.Put(run, width);
+        run = index;
+        if (next == kMostCodes)
+        {
+            writer.Put(clear, width);
+            runs.Clear();
+            next = end + 1;
+            width = bits + 1;
+            continue;
+        }
+        slot = {key, next};
+        width += next == 1u << width ? 1 : 0;
+        ++next;
+    }
+    writer.Put(run, width);
+    width += next == 1u << width ? 1 : 0; // a reader has made a code of this run, too
+    writer.Put(end, width);
+    writer.Finish();
+}
+
+} // namespace boxreel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "VideoSource.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+/// Films by what they show at each moment, of which some formats store less, and some not how
+/// often.
+namespace testfilm
+{
+
+/// What a film of this rate shows in each of its periods.
+inline std::vector<boxreel::Frame> ReadShown(const std::filesystem::path& path,
+                                             const boxreel::Rational& rate)
+{
+    const auto source = boxreel::OpenVideoSource(path);
+    EXPECT_TRUE(source) << (source ? "" : source.GetError().message);
+    std::vector<boxreel::Frame> shown;
+    const auto fillUntil = [&](double seconds) {
+        while (!shown.empty() && double(shown.size()) + 0.4 < seconds * rate.ToDouble())
+        {
+            shown.push_back(shown.back());
+        }
+    };
+    boxreel::StoredFrame stored;
+    while (source)
+    {
+        const boxreel::Result<bool> more = (*source)->Next(stored);
+        EXPECT_TRUE(more) << (more ? "" : more.GetError().message);
+        if (!more || !*more)
+        {
+            break;
+        }
+        fillUntil(stored.seconds);
+        EXPECT_NEAR(double(shown.size()), stored.seconds * rate.ToDouble(), 0.4);
+        shown.push_back(stored.frame);
+    }
+    fillUntil(stored.seconds + stored.length);
+    return shown;
+}
+
+} // namespace testfilm

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Films when the world outside fails: disks, folders, pipes. One sentence, the right exit code, and
+// nothing left behind.
+#include "Subprocess.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+const std::string kEvery[] = {"film.mp4",  "film.mkv", "film.webm", "film.gif", "film.apng",
+                              "film.webp", "film.y4m", "film.nut",  "f-###.png"};
+
+/// One line, and it is a message of this program.
+void ExpectOneSentence(const std::string& errors)
+{
+    EXPECT_THAT(errors, StartsWith("boxreel: "));
+    EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+}
+
+std::vector<std::string> Record(const std::string& name, std::vector<std::string> more = {})
+{
+    std::vector<std::string> command{"record",  "tumbler", "--frames", "400",        "--size",
+                                     "320x180", "-o",      name,       "--progress", "none"};
+    command.insert(command.end(), more.begin(), more.end());
+    return command;
+}
+
+/// While one exists, files of this process and its children may not become larger.
+class SmallFiles
+{
+public:
+    explicit SmallFiles(rlim_t bytes)
+    {
+        m_handler = signal(SIGXFSZ, SIG_IGN); // and so it stays in a program that is started
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit limit{bytes, m_before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~SmallFiles()
+    {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        signal(SIGXFSZ, m_handler);
+    }
+    SmallFiles(const SmallFiles&) = delete;
+    SmallFiles& operator=(const SmallFiles&) = delete;
+
+private:
+    rlimit m_before{};
+    sighandler_t m_handler = SIG_DFL;
+};
+
+/// A file system of its own, where that may be made.
+class SmallDisk
+{
+public:
+    /// `options`: of tmpfs.
+    explicit SmallDisk(const std::string& options)
+        : m_isMounted(mount("none", m_folder.Path().c_str(), "tmpfs", 0, options.c_str()) == 0)
+    {}
+    ~SmallDisk()
+    {
+        if (m_isMounted)
+        {
+            umount2(m_folder.Path().c_str(), MNT_DETACH);
+        }
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+
+    bool IsMounted() const { return m_isMounted; }
+    const TemporaryFolder& Folder() const { return m_folder; }
+
+    void MakeReadOnly() const
+    {
+        mount("none", m_folder.Path().c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, nullptr);
+    }
+
+private:
+    TemporaryFolder m_folder;
+    bool m_isMounted;
+};
+
+#define BOXREEL_NEEDS(disk)                                                                        \
+    if (!(disk).IsMounted())                                                                       \
+    GTEST_SKIP() << "only the superuser may make a file system for a test; limits of file sizes "  \
+                    "are tested in its place"
+
+class FilmFailures : public testing::Test
+{
+protected:
+    TemporaryFolder folder;
+};
+
+TEST_F(FilmFailures, AFileThatMayNotGrowIsOneSentenceInEveryFormat)
+{
+    for (const std::string& name : kEvery)
+    {
+        SCOPED_TRACE(name);
+        const bool isPictures = name.ends_with(".png");
+        const SmallFiles limit(isPictures ? 500 : 30000);
+        const Outcome outcome = RunBoxreel(Record(name), folder.Path());
+        EXPECT_EQ(outcome.code, 4) << outcome.errors;
+        ExpectOneSentence(outcome.errors);
+        EXPECT_THAT(outcome.errors, HasSubstr("the disk is full or the file too large"));
+        EXPECT_THAT(folder.Files(), IsEmpty());
+    }
+}
+
+TEST_F(FilmFailures, AFullDiskIsOneSentenceInEveryFormat)
+{
+    const SmallDisk disk("size=64k");
+    BOXREEL_NEEDS(disk);
+    for (const std::string& name : kEvery)
+    {
+        SCOPED_TRACE(name);
+        const Outcome outcome = RunBoxreel(Record(name), disk.Folder().Path());
+        EXPECT_EQ(outcome.code, 4) << outcome.errors;
+        ExpectOneSentence(outcome.errors);
+        EXPECT_THAT(outcome.errors, HasSubstr("the disk is full"));
+        EXPECT_THAT(disk.Folder().Files(), IsEmpty());
+    }
+}
+
+TEST_F(FilmFailures, ADiskWithoutRoomForThePapersIsOneSentence)
+{
+    const SmallDisk disk("size=64m,nr_inodes=2"); // the folder itself and the film
+    BOXREEL_NEEDS(disk);
+    const Outcome outcome = RunBoxreel(Record("film.mkv"), disk.Folder().Path());
+    EXPECT_EQ(outcome.code, 4) << outcome.errors;
+    ExpectOneSentence(outcome.errors);
+    EXPECT_THAT(outcome.errors, HasSubstr("film.part.mkv.json"));
+    EXPECT_THAT(disk.Folder().Files(), IsEmpty());
+}
+
+TEST_F(FilmFailures, AThumbnailThatCannotBeWrittenIsOneSentenceAndTheFilmIsWhole)
+{
+    const SmallFiles limit(60000);
+    const Outcome outcome =
+        RunBoxreel({"record", "tumbler", "--frames", "3", "--size", "1600x900", "-o", "film.webm",
+                    "--progress", "none", "--quality", "draft", "--thumbnail", "film.png"},
+                   folder.Path());
+    EXPECT_EQ(outcome.code, 4) << outcome.errors;
+    ExpectOneSentence(outcome.errors);
+    EXPECT_THAT(outcome.errors, HasSubstr("film.png"));
+    EXPECT_THAT(folder.Files(), ElementsAre("film.webm"));
+}
+
+TEST_F(FilmFailures, AMergedFilmThatHasNoRoomIsOneSentenceAndThePartsStay)
+{
+    for (const std::string kind : {".mp4", ".mkv", ".webm", ".gif", ".apng", ".webp"})
+    {
+        SCOPED_TRACE(kind);
+        const TemporaryFolder parts;
+        const auto part = [&](const std::string& name, const std::string& range) {
+            return RunBoxreel({"record", "tumbler", "--frames", "60", "--size", "160x90", "--fps",
+                               "30", "--group", "30", "--frame-range", range, "-o", name + kind},
+                              parts.Path())
+                .code;
+        };
+        ASSERT_EQ(part("a", "0-29"), 0);
+        ASSERT_EQ(part("b", "30-59"), 0);
+        const std::vector<std::string> before = parts.Files();
+        const SmallFiles limit(9000);
+        const Outcome outcome =
+            RunBoxreel({"merge", "a" + kind, "b" + kind, "-o", "film" + kind}, parts.Path());
+        EXPECT_EQ(outcome.code, 4) << outcome.errors;
+        ExpectOneSentence(outcome.errors);
+        EXPECT_EQ(parts.Files(), before);
+    }
+}
+
+TEST_F(FilmFailures, AFolderThatMayOnlyBeReadIsOneSentenceInEveryFormat)
+{
+    const SmallDisk disk("size=64k");
+    BOXREEL_NEEDS(disk);
+    disk.MakeReadOnly();
+    for (const std::string& name : kEvery)
+    {
+        SCOPED_TRACE(name);
+        const Outcome outcome = RunBoxreel(Record(name), disk.Folder().Path());
+        EXPECT_EQ(outcome.code, 4) << outcome.errors;
+        ExpectOneSentence(outcome.errors);
+        EXPECT_THAT(outcome.errors, HasSubstr("no permission to write"));
+        EXPECT_THAT(disk.Folder().Files(), IsEmpty());
+    }
+    const std::string elsewhere = (folder / "film.mkv").string();
+    const Outcome outcome =
+        RunBoxreel(Record(elsewhere, {"--thumbnail", "film.png"}), disk.Folder().Path());
+    EXPECT_EQ(outcome.code, 4) << outcome.errors;
+    ExpectOneSentence(outcome.errors);
+    EXPECT_THAT(folder.Files(), IsEmpty());
+}
+
+/// The exit code of a film that is piped to something that reads a little; `errors`: what it said.
+int PipeToHead(const std::string& format, const TemporaryFolder& folder, std::string& errors)
+{
+    const std::string command = "cd '" + folder.Path().string() +
+                                "' && { '" BOXREEL_PROGRAM
+                                "' record tumbler --frames 400 --size 320x180 -o - --format " +
+                                format +
+                                " --progress none 2> errors; echo $? > code; } | head -c 1000 > "
+                                "/dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    errors = ReadFile(folder / "errors");
+    return std::atoi(ReadFile(folder / "code").c_str());
+}
+
+TEST_F(FilmFailures, APipeThatIsClosedIsOneSentence)
+{
+    for (const std::string format : {"y4m", "nut", "mkv", "webm"})
+    {
+        SCOPED_TRACE(format);
+        std::string errors;
+        EXPECT_EQ(PipeToHead(format, folder, errors), 4);
+        ExpectOneSentence(errors);
+        EXPECT_THAT(errors, HasSubstr("has stopped reading"));
+        EXPECT_THAT(folder.Files(), ElementsAre("code", "errors"));
+    }
+}
+
+TEST_F(FilmFailures, TheStandardOutputOnAFullDiskIsOneSentence)
+{
+    const std::string command = "'" BOXREEL_PROGRAM
+                                "' record tumbler --frames 100 --size 320x180 -o - --format y4m "
+                                "--progress none > /dev/full 2> '" +
+                                (folder / "errors").string() + "'; test $? -eq 4";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    const std::string errors = ReadFile(folder / "errors");
+    ExpectOneSentence(errors);
+    EXPECT_THAT(errors, HasSubstr("No space left on device"));
+}
+
+} // namespace
+} // namespace boxreel
