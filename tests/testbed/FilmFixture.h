@@ -52,8 +52,9 @@ protected:
         {
             for (const auto& entry : std::filesystem::directory_iterator(folder.Path()))
             {
-                const bool isPapers = entry.path().string().ends_with(".part.mkv.json") ||
-                                      entry.path().string().ends_with(".part.mp4.json");
+                const std::string name = entry.path().filename().string();
+                const bool isPapers =
+                    name.ends_with(".json") && name.find(".part.") != std::string::npos;
                 if (isPapers && ReadFile(entry.path()).find(named) != std::string::npos)
                 {
                     kill(process, signal);
