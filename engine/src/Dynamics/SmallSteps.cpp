@@ -222,8 +222,9 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_arrays.jointSystem.Update(m_world.graph);
     m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
                                m_world.inverseStep, m_arrays.kicks.data());
-    m_arrays.contactSystem.Begin(m_world);
-    m_arrays.carryGuard.Begin(m_world, m_arrays);
+    m_arrays.islands.Find(m_world);
+    m_arrays.contactSystem.Begin(m_arrays);
+    m_arrays.carryGuard.Begin(m_arrays);
     m_arrays.jointSystem.ForTreeBodies([this](const BodyData& body) {
         m_arrays.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
     });
@@ -290,7 +291,8 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
     if (guards && guard.HasWon(m_world, m_arrays))
     {
         guard.TakeBack(m_arrays);
-        joints.StartAgain(kick, [&](const RowSides& sides) { return guard.HasWon(sides); });
+        joints.StartAgain(kick,
+                          [&](const RowSides& sides) { return guard.HasWon(m_arrays, sides); });
         Sweep(b2Max(iterations, kSweepsFromNothing));
     }
     ++m_kick;
