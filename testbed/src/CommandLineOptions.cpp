@@ -181,7 +181,8 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         ->type_name("");
     command->add_flag("--list", bench.list, "Only say which scenes there are");
     command->add_flag("--curve", bench.curve,
-                      "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies");
+                      "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies,\nthe "
+                      "latter with 1 and 4 sub-steps");
     command->add_flag("--accuracy", bench.accuracy,
                       "Run cases of known truth instead: error against time");
     command->add_flag("--render", bench.render,
