@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "AccuracySweep.h"
-#include "JsonFields.h"
+#include "FieldRange.h"
 
 #include <cmath>
 
@@ -8,6 +8,13 @@ namespace boxreel
 {
 namespace
 {
+
+/// The errors of what bursts are large, those of what is exact small.
+constexpr FieldRange kRanges[] = {{"cpuSecondsOfAStep", kSmallest, kLongest},
+                                  {"error", 1e-100, 1e100},
+                                  {"goal", 1e-100, 1e100},
+                                  {"least", 1e-100, 1e100},
+                                  {"most", 1e-100, 1e100}};
 
 Json NumberOrNull(double value)
 {
@@ -193,6 +200,12 @@ Result<std::vector<AccuracyResult>> ParseAccuracyJson(const std::string& text,
         return Error{ErrorKind::Unusable,
                      "'" + name +
                          "' is not what `boxreel bench --accuracy --json` prints; make it again."};
+    }
+    if (const Result<void> sound =
+            CheckFields(json, kRanges, name, "boxreel bench --accuracy --json");
+        !sound)
+    {
+        return sound.GetError();
     }
     return results;
 }
