@@ -56,6 +56,7 @@ AccuracyFigures RunFrom(const Json& json, const char* cpu)
     run.engine = Text(json, "engine");
     run.failure = Text(json, "failure");
     run.cpu = Number(json, cpu, 0.0);
+    run.steps = Integer(json, "steps", 0);
     run.settings = {Integer(json, "velocityIterations", 0), Integer(json, "positionIterations", 0),
                     Integer(json, "hz", 60), Integer(json, "subSteps", 1)};
     run.each = {Integer(json, "velocityIterationsOfASubStep", 0),
@@ -108,6 +109,14 @@ std::string WrongNumberOf(const Json& json, const AccuracyResult& result)
     return "";
 }
 
+/// A library may talk before.
+std::string LastLine(const std::string& output)
+{
+    const std::size_t end = output.find_last_not_of('\n');
+    const std::size_t start = output.rfind('\n', end);
+    return output.substr(start == std::string::npos ? 0 : start + 1);
+}
+
 /// No name, or no runs: it is not a case.
 AccuracyResult CaseFrom(const Json& json)
 {
@@ -138,15 +147,24 @@ AccuracyResult CaseFrom(const Json& json)
 
 Result<AccuracyFigures> ParseAccuracyFigures(const std::string& output)
 {
-    const std::size_t end = output.find_last_not_of('\n');
-    const std::size_t start = output.rfind('\n', end);
-    const std::string line = output.substr(start == std::string::npos ? 0 : start + 1);
+    const std::string line = LastLine(output);
     AccuracyFigures figures = RunFrom(Json::parse(line, nullptr, false), "cpu");
     if (!IsRun(figures) || !figures.failure.empty())
     {
         return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
     }
     return figures;
+}
+
+Result<double> ParseAccuracyTime(const std::string& output)
+{
+    const std::string line = LastLine(output);
+    const double cpu = Number(Json::parse(line, nullptr, false), "cpu", 0.0);
+    if (!(cpu > 0.0))
+    {
+        return Error{ErrorKind::Failed, "A benchmark program printed no time: '" + line + "'."};
+    }
+    return cpu;
 }
 
 std::string AccuracyJson(const std::vector<AccuracyResult>& results)
