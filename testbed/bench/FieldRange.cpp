@@ -10,7 +10,7 @@ namespace boxreel
 namespace
 {
 
-constexpr int kDeepest = 16; ///< nobody reads what is nested deeper
+constexpr int kDeepest = 16; ///< copies of what is nested deeper could run out of stack
 
 /// The control characters of ASCII, and U+0080 to U+009F, which terminals obey too.
 bool HasControls(const std::string& text)
@@ -52,9 +52,13 @@ std::string WrongIn(const Json& json, const std::string& name, std::span<const F
     {
         return WrongNumber(name, json.get<double>(), ranges);
     }
-    if (!json.is_structured() || depth == kDeepest)
+    if (!json.is_structured())
     {
         return "";
+    }
+    if (depth == kDeepest)
+    {
+        return " is nested too deep";
     }
     for (const auto& [key, value] : json.items())
     {

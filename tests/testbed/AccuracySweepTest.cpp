@@ -328,7 +328,7 @@ TEST(AccuracySweep, RefusesNumbersThatCannotBe)
                 HasSubstr("'a.json' has a goal for 'X-walls' that is no number"));
     EXPECT_THAT(with("\"least\": 98.0", "\"least\": null"), HasSubstr("no number"));
     EXPECT_THAT(with("\"error\": 0.0", "\"error\": -5"),
-                HasSubstr("has an error below 0 for 'X-walls' and ours"));
+                HasSubstr("'a.json' has 'error' of -5, which is no number from "));
     EXPECT_THAT(with("\"hz\": 60", "\"hz\": 1e300"), HasSubstr("is not what"));
 }
 
