@@ -65,6 +65,20 @@ TEST(AwakeIslands, AreLookedAtAgainWhenTheyWake)
     row.ExpectLookedAt(1);
 }
 
+TEST(AwakeIslands, AreNotLookedForWhereNothingIsHeld)
+{
+    Row row(1);
+    row.boxes[0]->SetTransform(b2Vec2(0.0f, 50.0f), 0.0f);
+    row.scene.Step();
+    row.ExpectLookedAt(0);
+    row.boxes[0]->SetTransform(b2Vec2(0.0f, 0.51f), 0.0f);
+    row.scene.Step(3);
+    row.ExpectLookedAt(1);
+    row.boxes[0]->SetTransform(b2Vec2(0.0f, 50.0f), 0.0f);
+    row.scene.Step(2);
+    EXPECT_EQ(row.Arrays().contactSystem.Count(), 0u);
+}
+
 TEST(AwakeIslands, AreNumberedFromZeroOn)
 {
     Row row(5);

@@ -186,6 +186,12 @@ void ContactSystem::ForContacts(SolverArrays& arrays, Function&& function) const
 
 void ContactSystem::Begin(SolverArrays& arrays)
 {
+    if (arrays.colorCount == 0)
+    {
+        m_free.insert(m_free.end(), m_used.begin(), m_used.end());
+        m_used.clear();
+        return;
+    }
     m_contacts.assign(std::size_t(arrays.islands.Count()), 0);
     CountContacts(arrays);
     ChoosePiles(arrays.islands);

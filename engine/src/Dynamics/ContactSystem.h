@@ -18,8 +18,8 @@ struct SolverArrays;
 class ContactSystem
 {
 public:
-    /// Once a step, when the blocks are prepared, the joints have begun and the awake islands have
-    /// been found: which islands are small enough.
+    /// Once a step, when the blocks are prepared, the joints have begun and, where there are
+    /// contacts, the awake islands have been found: which islands are small enough.
     void Begin(SolverArrays& arrays);
     /// How many are.
     std::size_t Count() const { return m_used.size(); }
