@@ -153,7 +153,7 @@ CurveLook LookOf(const std::string& curve)
 {
     constexpr CurveLook kLooks[] = {{"static", "static", ChartStroke::Solid},
                                     {"asleep", "asleep", ChartStroke::Dashed},
-                                    {"small-asleep", "asleep, 4 sub-steps", ChartStroke::Dotted}};
+                                    {"asleep4", "asleep, 4 sub-steps", ChartStroke::Dotted}};
     for (const CurveLook& look : kLooks)
     {
         if (curve == look.curve)
@@ -217,8 +217,8 @@ Result<LineChart> CurveChart(const std::vector<BenchResult>& results)
                            "static boxes, or of boxes asleep";
     chart.frame.notes = {
         "At the end of each line: the time at its last point over the time at its first. Steps of "
-        "1/60 s; 8 velocity and 3 position iterations, Chipmunk 10. Engines that know no sub-steps "
-        "take one where 4 are named."};
+        "1/60 s; 8 velocity and 3 position iterations, Chipmunk 10.",
+        "Engines that know no sub-steps take one step where 4 are named."};
     chart.x = {"static boxes, or boxes asleep", true};
     chart.y = {"CPU time of a step [\u00b5s]", true};
     return chart;

@@ -407,14 +407,14 @@ void AddCurves(Scenes& scenes)
                                   Make(
                                       "", "", [count](Sim& sim) { BuildAsleep(sim, count); }, 300),
                                   0.0);
-            scene.name = (small ? "small-asleep-" : "asleep-") + std::to_string(count);
+            scene.name = (small ? "asleep4-" : "asleep-") + std::to_string(count);
             scene.what = Words(count) + " boxes asleep beside 200 that move" +
                          (small ? ", 4 sub-steps where there are any" : "");
             scene.settings.sleep = true;
             scene.settings.subSteps = small ? std::min(4, MostSubSteps()) : 1;
             scene.warmup = 60;
             scene.sleepers = count;
-            scene.curve = small ? "small-asleep" : "asleep";
+            scene.curve = small ? "asleep4" : "asleep";
             scene.count = count;
             scene.onlyForCurve = true;
         }

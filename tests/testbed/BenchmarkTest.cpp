@@ -404,7 +404,7 @@ TEST(BenchChart, ShowsALineAnEngineAndKindInTheOrderOfTheCounts)
     EXPECT_EQ(chart->lines[2].series.stroke, ChartStroke::Dashed);
     EXPECT_FALSE(CurveChart({Rain()}));
     const Result<LineChart> small =
-        CurveChart({Point("static", 200, 1e-6, 2e-6), Point("small-asleep", 200, 1e-6, 2e-6),
+        CurveChart({Point("static", 200, 1e-6, 2e-6), Point("asleep4", 200, 1e-6, 2e-6),
                     Point("of later", 200, 1e-6, 2e-6)});
     ASSERT_TRUE(small);
     EXPECT_EQ(small->lines[2].series.name, "boxreel 1.0, asleep, 4 sub-steps");
