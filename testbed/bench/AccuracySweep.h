@@ -56,6 +56,7 @@ struct AccuracyFigures
     SubStepIterations each;
     double error = kNoValue; ///< kNoValue: there is none
     double cpu = 0.0;        ///< of a step [s]
+    int steps = 0;           ///< that the run took: fewer than it should when it broke; 0: not said
     bool held = false;       ///< all numbers stayed finite
     std::string ending;      ///< "falls", "bursts": what no error tells; empty: as it should
     std::vector<std::pair<std::string, double>> remarks; ///< more numbers, units in their names
@@ -76,6 +77,8 @@ struct AccuracyResult
 AccuracyCase ParseAccuracyCase(const std::string& line);
 /// The line of JSON that `accuracy` prints, whatever stands before it.
 Result<AccuracyFigures> ParseAccuracyFigures(const std::string& output);
+/// The CPU time of a step, where nothing else was to be looked at [s].
+Result<double> ParseAccuracyTime(const std::string& output);
 
 /// The cases of one program, with the sub-steps of its engine.
 Result<std::vector<AccuracyCase>> ListAccuracyCases(const std::filesystem::path& program);
@@ -84,8 +87,12 @@ Result<std::vector<AccuracyCase>> ListAccuracyCases(const std::filesystem::path&
 /// 16 sub-steps as far as the engine has them.
 std::vector<AccuracySettings> AccuracySweep(int mostSubSteps);
 
-AccuracyFigures RunAccuracyCase(const std::filesystem::path& program, const std::string& name,
-                                const AccuracySettings& settings);
+/// All settings of all engines: each in turn, `rounds` times, engine by engine within a round. The
+/// error is that of the first, for all are the same; the CPU time is the least, for what makes the
+/// others longer is the machine's, which may have slow spells longer than a run. What takes long
+/// by itself is timed once.
+Result<AccuracyResult> RunAccuracySweep(const std::vector<std::filesystem::path>& programs,
+                                        const AccuracyCase& info, int rounds);
 
 /// Whether the run ended as it should with numbers for everything.
 bool HasFigures(const AccuracyFigures& run);

@@ -138,6 +138,34 @@ Result<BarChart> RatioChart(const std::vector<BenchResult>& results)
     return chart;
 }
 
+namespace
+{
+
+struct CurveLook
+{
+    const char* curve;
+    const char* words;
+    ChartStroke stroke;
+};
+
+/// One that is not known, of another version's file, looks like what sleeps.
+CurveLook LookOf(const std::string& curve)
+{
+    constexpr CurveLook kLooks[] = {{"static", "static", ChartStroke::Solid},
+                                    {"asleep", "asleep", ChartStroke::Dashed},
+                                    {"asleep4", "asleep, 4 sub-steps", ChartStroke::Dotted}};
+    for (const CurveLook& look : kLooks)
+    {
+        if (curve == look.curve)
+        {
+            return look;
+        }
+    }
+    return {curve.c_str(), curve.c_str(), ChartStroke::Dashed};
+}
+
+} // namespace
+
 Result<LineChart> CurveChart(const std::vector<BenchResult>& results)
 {
     LineChart chart;
@@ -155,17 +183,15 @@ Result<LineChart> CurveChart(const std::vector<BenchResult>& results)
             {
                 engines.push_back(engine.engine);
             }
-            const std::string name = engine.engine + ", " + result.scene.curve;
+            const CurveLook look = LookOf(result.scene.curve);
+            const std::string name = engine.engine + ", " + look.words;
             auto line =
                 std::find_if(chart.lines.begin(), chart.lines.end(),
                              [&name](const ChartLine& known) { return known.series.name == name; });
             if (line == chart.lines.end())
             {
                 const auto color = std::find(engines.begin(), engines.end(), engine.engine);
-                chart.lines.push_back(
-                    {{name, int(color - engines.begin()),
-                      result.scene.curve == "static" ? ChartStroke::Solid : ChartStroke::Dashed},
-                     {}});
+                chart.lines.push_back({{name, int(color - engines.begin()), look.stroke}, {}});
                 line = chart.lines.end() - 1;
             }
             line->points.push_back({result.scene.count, engine.cpu * 1e6, ""});
@@ -191,7 +217,8 @@ Result<LineChart> CurveChart(const std::vector<BenchResult>& results)
                            "static boxes, or of boxes asleep";
     chart.frame.notes = {
         "At the end of each line: the time at its last point over the time at its first. Steps of "
-        "1/60 s; 8 velocity and 3 position iterations, Chipmunk 10."};
+        "1/60 s; 8 velocity and 3 position iterations, Chipmunk 10.",
+        "Engines that know no sub-steps take one step where 4 are named."};
     chart.x = {"static boxes, or boxes asleep", true};
     chart.y = {"CPU time of a step [\u00b5s]", true};
     return chart;

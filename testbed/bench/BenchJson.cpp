@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Benchmark.h"
-#include "JsonFields.h"
+#include "FieldRange.h"
 
 #include <cmath>
 
@@ -8,6 +8,24 @@ namespace boxreel
 {
 namespace
 {
+
+/// Of a world that burst overlap, height and speed may be anything.
+constexpr FieldRange kRanges[] = {{"meanSeconds", kSmallest, kLongest},
+                                  {"medianSeconds", kSmallest, kLongest},
+                                  {"p99Seconds", kSmallest, kLongest},
+                                  {"cpuSeconds", kSmallest, kLongest},
+                                  {"threads", 1.0, 1e6},
+                                  {"contacts", kSmallest, kMostOf},
+                                  {"memoryKilobytes", -kLargest, kLargest},
+                                  {"escaped", kSmallest, kMostOf},
+                                  {"awake", kSmallest, kMostOf},
+                                  {"bodies", kSmallest, kMostOf},
+                                  {"found", kSmallest, kLargest},
+                                  {"count", 1.0, kMostOf},
+                                  {"goalTimesFaster", kSmallest, kLargest},
+                                  {"goalSeconds", kSmallest, kLongest},
+                                  {"goalSpeedUpOfTwoThreads", kSmallest, kLargest},
+                                  {"goalMemoryKilobytes", kSmallest, kLargest}};
 
 bool Flag(const Json& json, const char* name)
 {
@@ -199,6 +217,10 @@ std::string BenchJson(const std::vector<BenchResult>& results)
 Result<std::vector<BenchResult>> ParseBenchJson(const std::string& text, const std::string& name)
 {
     const Json json = Json::parse(text, nullptr, false);
+    if (const Result<void> sound = CheckFields(json, kRanges, name, "boxreel bench --json"); !sound)
+    {
+        return sound.GetError();
+    }
     const bool isOurs = json.is_object() && json.contains("scenes") && json["scenes"].is_array();
     std::vector<BenchResult> results;
     for (const Json& scene : isOurs ? json["scenes"] : Json::array())

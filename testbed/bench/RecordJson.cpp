@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "JsonFields.h"
+#include "FieldRange.h"
 #include "RecordBench.h"
 
 #include <algorithm>
@@ -26,6 +26,22 @@ constexpr std::pair<const char*, double RecordCase::*> kGoals[] = {
     {"goalTimesFaster", &RecordCase::goalTimesFaster},
     {"goalMemoryBytes", &RecordCase::goalMemory},
     {"goalGrowthBytes", &RecordCase::goalGrowth}};
+
+constexpr FieldRange kRanges[] = {{"wallSeconds", kSmallest, kLongest},
+                                  {"cpuSeconds", kSmallest, kLongest},
+                                  {"fromSeconds", kSmallest, kLongest},
+                                  {"memoryBytes", 1.0, kLargest},
+                                  {"filmBytes", 1.0, kLargest},
+                                  {"cached", kSmallest, kLargest},
+                                  {"frames", 1.0, kMostOf},
+                                  {"width", 1.0, kMostOf},
+                                  {"height", 1.0, kMostOf},
+                                  {"goalOverEncoding", kSmallest, kLargest},
+                                  {"goalOverImmediate", kSmallest, kLargest},
+                                  {"goalFramesPerSecond", kSmallest, kLargest},
+                                  {"goalTimesFaster", kSmallest, kLargest},
+                                  {"goalMemoryBytes", kSmallest, kLargest},
+                                  {"goalGrowthBytes", kSmallest, kLargest}};
 
 constexpr const char* kDefinition =
     "processes from a cold start to a closed film, medians; memory: most that was resident at "
@@ -249,6 +265,12 @@ std::string RecordJson(const std::vector<RecordResult>& results)
 Result<std::vector<RecordResult>> ParseRecordJson(const std::string& text, const std::string& name)
 {
     const Json json = Json::parse(text, nullptr, false);
+    if (const Result<void> sound =
+            CheckFields(json, kRanges, name, "boxreel bench --record --json");
+        !sound)
+    {
+        return sound.GetError();
+    }
     std::vector<RecordResult> results;
     bool isGood = true;
     for (const Json& entry : Array(json, "cases"))

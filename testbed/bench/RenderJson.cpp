@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "JsonFields.h"
+#include "FieldRange.h"
 #include "RenderBench.h"
 
 #include <algorithm>
@@ -32,6 +32,22 @@ constexpr std::pair<const char*, double RenderCase::*> kGoals[] = {
 
 constexpr std::pair<const char*, int RenderCase::*> kSizes[] = {
     {"shapes", &RenderCase::count}, {"width", &RenderCase::width}, {"height", &RenderCase::height}};
+
+constexpr FieldRange kRanges[] = {{"cpuSeconds", kSmallest, kLongest},
+                                  {"wallSeconds", kSmallest, kLongest},
+                                  {"submitSeconds", kSmallest, kLongest},
+                                  {"readSeconds", kSmallest, kLongest},
+                                  {"goalFullSeconds", kSmallest, kLongest},
+                                  {"goalChangedSeconds", kSmallest, kLongest},
+                                  {"goalUnchangedSeconds", kSmallest, kLongest},
+                                  {"goalEmptyOverFloor", kSmallest, kLargest},
+                                  {"goalRms", kSmallest, kLargest},
+                                  {"rms", kSmallest, kLargest},
+                                  {"most", kSmallest, kLargest},
+                                  {"edgePixels", 1.0, kLargest},
+                                  {"shapes", 1.0, kMostOf},
+                                  {"width", 1.0, kMostOf},
+                                  {"height", 1.0, kMostOf}};
 
 constexpr const char* kDefinition =
     "rms: root mean square of the differences from 16 x 16 supersampling, over the red, green and "
@@ -206,6 +222,12 @@ std::string RenderJson(const std::vector<RenderResult>& results)
 Result<std::vector<RenderResult>> ParseRenderJson(const std::string& text, const std::string& name)
 {
     const Json json = Json::parse(text, nullptr, false);
+    if (const Result<void> sound =
+            CheckFields(json, kRanges, name, "boxreel bench --render --json");
+        !sound)
+    {
+        return sound.GetError();
+    }
     const Json& cases = Member(json, "cases");
     std::vector<RenderResult> results;
     for (const Json& entry : cases.is_array() ? cases : Json::array())

@@ -45,28 +45,6 @@ Result<void> WriteCharts(const BenchOptions& options, const AccuracyResult& resu
     return {};
 }
 
-/// All settings of all engines. Every program knows all cases, but not the same sub-steps.
-Result<AccuracyResult> RunCase(const std::vector<std::filesystem::path>& programs,
-                               const AccuracyCase& info)
-{
-    AccuracyResult result{info, {}};
-    for (const std::filesystem::path& program : programs)
-    {
-        const Result<std::vector<AccuracyCase>> cases = ListAccuracyCases(program);
-        if (!cases || cases->empty())
-        {
-            return cases ? Error{ErrorKind::Failed,
-                                 program.string() + " lists no accuracy case; build it again."}
-                         : cases.GetError();
-        }
-        for (const AccuracySettings& settings : AccuracySweep(cases->front().mostSubSteps))
-        {
-            result.runs.push_back(RunAccuracyCase(program, info.name, settings));
-        }
-    }
-    return result;
-}
-
 Result<int> Show(const BenchOptions& options, const std::vector<AccuracyResult>& results)
 {
     const Result<void> written =
@@ -90,7 +68,7 @@ Result<int> RunCases(const BenchOptions& options,
     for (const AccuracyCase& info : cases)
     {
         WriteMessage(info.name + ": " + info.what);
-        const Result<AccuracyResult> result = RunCase(programs, info);
+        const Result<AccuracyResult> result = RunAccuracySweep(programs, info, options.rounds);
         if (!result)
         {
             return result.GetError();

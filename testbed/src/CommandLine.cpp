@@ -310,10 +310,13 @@ Result<Request> CheckDiff(DiffOptions options)
     return Request(std::move(options));
 }
 
-Result<Request> CheckBench(BenchOptions options)
+/// `command`: as it was parsed; an option that says what would be done anyhow was given all the
+/// same.
+Result<Request> CheckBench(BenchOptions options, const CLI::App& command)
 {
-    if (options.record && (options.curve || options.accuracy || options.render ||
-                           options.threads != BenchOptions().threads))
+    const bool namesThreads = command.count("--threads") > 0;
+    const bool namesRounds = command.count("--rounds") > 0;
+    if (options.record && (options.curve || options.accuracy || options.render || namesThreads))
     {
         return Unusable("--record goes with --list, --rounds, --frames, --size, --json, --from, "
                         "--chart and --force; leave --accuracy, --render, --curve and --threads "
@@ -331,18 +334,16 @@ Result<Request> CheckBench(BenchOptions options)
                         std::to_string(options.size->height) +
                         ": films are compared in a format whose sides are even; give such.");
     }
-    if (options.render &&
-        (options.curve || options.accuracy || options.threads != BenchOptions().threads))
+    if (options.render && (options.curve || options.accuracy || namesThreads))
     {
         return Unusable("--render goes with --list, --rounds, --json, --from, --chart and --force; "
                         "leave --accuracy, --curve and --threads out (Mesa's threads are set by "
                         "LP_NUM_THREADS).");
     }
-    if (options.accuracy && (options.curve || options.rounds != BenchOptions().rounds ||
-                             options.threads != BenchOptions().threads))
+    if (options.accuracy && (options.curve || namesThreads))
     {
-        return Unusable("--accuracy goes with --list, --json, --from, --chart and --force; leave "
-                        "--curve, --rounds and --threads out.");
+        return Unusable("--accuracy goes with --list, --rounds, --json, --from, --chart and "
+                        "--force; leave --curve and --threads out.");
     }
     if (options.curve && !options.scenes.empty())
     {
@@ -355,8 +356,7 @@ Result<Request> CheckBench(BenchOptions options)
         return Unusable("--from shows all that was run before; leave '" + options.scenes.front() +
                         "' out, or --from.");
     }
-    if (!options.from.empty() &&
-        (options.rounds != BenchOptions().rounds || options.threads != BenchOptions().threads))
+    if (!options.from.empty() && (namesRounds || namesThreads))
     {
         return Unusable("--from shows what was run before; leave --rounds and --threads out, or "
                         "--from.");
@@ -389,7 +389,7 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     }
     if (name == "bench")
     {
-        return CheckBench(std::move(parsed.bench));
+        return CheckBench(std::move(parsed.bench), *program.get_subcommand("bench"));
     }
     return Request(parsed.list);
 }

@@ -181,7 +181,8 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         ->type_name("");
     command->add_flag("--list", bench.list, "Only say which scenes there are");
     command->add_flag("--curve", bench.curve,
-                      "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies");
+                      "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies,\nthe "
+                      "latter with 1 and 4 sub-steps");
     command->add_flag("--accuracy", bench.accuracy,
                       "Run cases of known truth instead: error against time");
     command->add_flag("--render", bench.render,
@@ -189,7 +190,8 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
     command->add_flag("--record", bench.record,
                       "Time recording instead, beside ffmpeg and immediate mode");
     AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
-             "How often each engine runs, in turn; figures are medians (3)");
+             "How often each engine runs, in turn; figures are medians, those of\n--accuracy the "
+             "least (3)");
     AddValue(*command, "--frames", "N", bench.frames, WholeBetween(2, 100000),
              "Of the films of --record (600)");
     AddValue(*command, "--size", "WxH", bench.size, ParseSize,
@@ -218,8 +220,9 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "goal. Peers are those whose packages were there when the tests were built: libbox2d-dev,\n"
         "libchipmunk-dev. Wall times mean little while other programs run.\n"
         "--accuracy runs each case with many settings, for minutes, and charts error against CPU\n"
-        "time. Iterations are those of a step; what each sub-step gets of them is in table and "
-        "JSON.\n"
+        "time: the least of the rounds, in which engines and settings come in turn. What takes\n"
+        "long by itself is timed once. Iterations are those of a step; what each sub-step gets of\n"
+        "them is in table and JSON.\n"
         "--render draws 50, 1500 and 10,000 shapes at 720p and 1080p, wholly, when 5 % or nothing\n"
         "has changed, and none at all, with one raster thread and as LP_NUM_THREADS has it. The\n"
         "error is that of pixels at edges against 16 x 16 samples a pixel; a sign (!) marks a "

@@ -15,7 +15,7 @@ int ListAccuracy();
 
 /// Runs a case, first with a look after each step, then again, as often as the clock needs,
 /// without: only that is timed. `numbers`: velocity iterations, position iterations, steps a
-/// second, sub-steps. Prints one line of JSON.
+/// second, sub-steps, and perhaps how many steps are to be timed only. Prints one line of JSON.
 int RunAccuracy(const std::string& name, const std::vector<std::string>& numbers);
 
 } // namespace bench

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One engine's program: `list`, or `run SCENE [THREADS]`, which prints one line of JSON, and the
 // same for accuracy: `accuracy-list`, `accuracy CASE VELOCITY_ITERATIONS POSITION_ITERATIONS HZ
-// SUBSTEPS`. `boxreel bench` runs the programs of all engines in turn.
+// SUBSTEPS [STEPS]`, with the last only to time. `boxreel bench` runs the programs of all engines
+// in turn.
 #include "AccuracyRun.h"
 #include "Scenes.h"
 
@@ -352,13 +353,13 @@ int main(int count, char** words)
     {
         return bench::ListAccuracy();
     }
-    if (count == 7 && std::strcmp(words[1], "accuracy") == 0)
+    if ((count == 7 || count == 8) && std::strcmp(words[1], "accuracy") == 0)
     {
-        return bench::RunAccuracy(words[2], {words + 3, words + 7});
+        return bench::RunAccuracy(words[2], {words + 3, words + count});
     }
     std::fprintf(stderr,
                  "Usage: %s list | run SCENE [THREADS] | accuracy-list | accuracy CASE "
-                 "VELOCITY_ITERATIONS POSITION_ITERATIONS HZ SUBSTEPS\n",
+                 "VELOCITY_ITERATIONS POSITION_ITERATIONS HZ SUBSTEPS [STEPS]\n",
                  words[0]);
     return 1;
 }

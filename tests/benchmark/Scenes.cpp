@@ -399,20 +399,25 @@ void AddCurves(Scenes& scenes)
         scene.count = count;
         scene.onlyForCurve = count < 20000;
     }
-    for (const int count : counts)
+    for (const bool small : {false, true}) // steps, in engines that know small ones
     {
-        Scene& scene = Append(scenes,
-                              Make(
-                                  "", "", [count](Sim& sim) { BuildAsleep(sim, count); }, 300),
-                              0.0);
-        scene.name = "asleep-" + std::to_string(count);
-        scene.what = Words(count) + " boxes asleep beside 200 that move";
-        scene.settings.sleep = true;
-        scene.warmup = 60;
-        scene.sleepers = count;
-        scene.curve = "asleep";
-        scene.count = count;
-        scene.onlyForCurve = true;
+        for (const int count : counts)
+        {
+            Scene& scene = Append(scenes,
+                                  Make(
+                                      "", "", [count](Sim& sim) { BuildAsleep(sim, count); }, 300),
+                                  0.0);
+            scene.name = (small ? "asleep4-" : "asleep-") + std::to_string(count);
+            scene.what = Words(count) + " boxes asleep beside 200 that move" +
+                         (small ? ", 4 sub-steps where there are any" : "");
+            scene.settings.sleep = true;
+            scene.settings.subSteps = small ? std::min(4, MostSubSteps()) : 1;
+            scene.warmup = 60;
+            scene.sleepers = count;
+            scene.curve = small ? "asleep4" : "asleep";
+            scene.count = count;
+            scene.onlyForCurve = true;
+        }
     }
 }
 

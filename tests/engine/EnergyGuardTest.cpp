@@ -212,6 +212,23 @@ TEST(EnergyGuard, DoesNotLookAtWhatHasNoJoints)
     EXPECT_EQ(pair.At(other).v.y, 0.0f);
 }
 
+TEST(EnergyGuard, NoLongerLooksAtWhatHasLostItsJoint)
+{
+    Pair pair;
+    pair.Begin();
+    pair.scene.world.DestroyJoint(pair.hinge);
+    b2Body* other = pair.scene.Box(20.0f, 0.0f);
+    b2RevoluteJointDef def;
+    def.Initialize(pair.scene.Ground(), other, b2Vec2(20.0f, 8.0f));
+    pair.scene.world.CreateJoint(&def);
+    other->SetLinearVelocity(b2Vec2(1.0f, 0.0f));
+    pair.Begin(); // one account again, of another island
+    pair.At(pair.b).v.y = 50.0f;
+    pair.Balance();
+    EXPECT_EQ(pair.At(pair.b).v.y, 50.0f);
+    EXPECT_EQ(pair.At(other).v.x, 1.0f) << "pays for what is not its own";
+}
+
 /// Whether a gain is taken away.
 bool IsGuarded(Pair& pair)
 {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "Subprocess.h"
+
 #include <bench/AccuracySweep.h>
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 namespace boxreel
 {
@@ -105,6 +109,95 @@ AccuracyResult TwoSweeps()
                    Setting("ours", 20, 120, 1, 0.3),       Setting("Box2D 2.4.1", 8, 60, 1, 0.2),
                    Setting("Box2D 2.4.1", 8, 120, 1, 0.1), Setting("Box2D 2.4.1", 20, 60, 1, 0.2)};
     return result;
+}
+
+/// A program that says it takes `subSteps` and needs these seconds a step, a figure for each time
+/// that it is run with one setting; it writes down how it was run.
+std::filesystem::path Program(const std::filesystem::path& folder, const std::string& name,
+                              int subSteps, const std::string& seconds)
+{
+    std::filesystem::path program = folder / name;
+    std::ofstream(program)
+        << "#!/bin/sh\n"
+           "cd '"
+        << folder.string()
+        << "'\n"
+           "if [ $1 = accuracy-list ]; then\n"
+           "printf 'A\\twhat\\tunit=m goal=1 sub-steps="
+        << subSteps
+        << "\\n'\n"
+           "exit; fi\n"
+           "echo \""
+        << name
+        << " $*\" >> runs\n"
+           "n=$(grep -c \""
+        << name
+        << " accuracy $2 $3 $4 $5 $6\\( \\|$\\)\" runs)\n"
+           "cpu=$(echo '"
+        << seconds
+        << "' | cut -d ' ' -f $n)\n"
+           "[ $# = 7 ] && echo \"{\\\"cpu\\\":$cpu}\" && exit\n"
+           "echo \"{\\\"engine\\\":\\\""
+        << name
+        << "\\\",\\\"hz\\\":$5,\\\"subSteps\\\":$6,"
+           "\\\"velocityIterations\\\":$3,\\\"positionIterations\\\":$4,"
+           "\\\"error\\\":0.5,\\\"steps\\\":70,\\\"cpu\\\":$cpu,\\\"held\\\":true}\"\n";
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    return program;
+}
+
+std::vector<std::string> LinesOf(const std::filesystem::path& file)
+{
+    std::vector<std::string> lines;
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);)
+    {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+TEST(AccuracySweep, RunsAllEnginesInTurnAndKeepsTheLeastTimeOfTheRounds)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path ours = Program(folder.Path(), "ours", 2, "3e-6 1e-6 2e-6");
+    const std::filesystem::path peer = Program(folder.Path(), "peer", 1, "5e-6 6e-6 7e-6");
+    const auto result = RunAccuracySweep({ours, peer}, ParseAccuracyCase("A\twhat\tunit=m"), 3);
+    ASSERT_TRUE(result) << result.GetError().message;
+    ASSERT_EQ(result->runs.size(), 48u);
+    for (const AccuracyFigures& run : result->runs)
+    {
+        EXPECT_EQ(run.failure, "");
+        EXPECT_EQ(run.error, 0.5);
+        EXPECT_EQ(run.cpu, run.engine == "ours" ? 1e-6 : 5e-6);
+    }
+    EXPECT_EQ(result->runs[31].engine, "ours") << "together, though they ran in turn";
+    EXPECT_EQ(result->runs[32].engine, "peer");
+    const std::vector<std::string> lines = LinesOf(folder / "runs");
+    ASSERT_EQ(lines.size(), 144u);
+    EXPECT_EQ(lines[0], "ours accuracy A 4 2 60 1");
+    EXPECT_EQ(lines[1], "peer accuracy A 4 2 60 1");
+    EXPECT_EQ(lines[2], "ours accuracy A 4 2 60 2");
+    EXPECT_EQ(lines[3], "peer accuracy A 4 2 120 1");
+    EXPECT_EQ(lines[48], "ours accuracy A 4 2 60 1 70") << "as many steps as the run had";
+    EXPECT_EQ(lines[97], "peer accuracy A 4 2 60 1 70");
+}
+
+TEST(AccuracySweep, TimesWhatTakesLongOnce)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path slow = Program(folder.Path(), "slow", 1, "1 1");
+    ASSERT_TRUE(RunAccuracySweep({slow}, ParseAccuracyCase("A\twhat\tunit=m"), 2));
+    EXPECT_EQ(LinesOf(folder / "runs").size(), 16u);
+}
+
+TEST(AccuracySweep, FailsWhereAProgramFailsInAnyRound)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path once = Program(folder.Path(), "once", 1, "1e-6 none");
+    const auto result = RunAccuracySweep({once}, ParseAccuracyCase("A\twhat\tunit=m"), 2);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->runs[0].failure, "failed");
 }
 
 TEST(AccuracySweep, DrawsACurveForEachEngineAndEachThingThatVaries)
@@ -235,7 +328,7 @@ TEST(AccuracySweep, RefusesNumbersThatCannotBe)
                 HasSubstr("'a.json' has a goal for 'X-walls' that is no number"));
     EXPECT_THAT(with("\"least\": 98.0", "\"least\": null"), HasSubstr("no number"));
     EXPECT_THAT(with("\"error\": 0.0", "\"error\": -5"),
-                HasSubstr("has an error below 0 for 'X-walls' and ours"));
+                HasSubstr("'a.json' has 'error' of -5, which is no number from "));
     EXPECT_THAT(with("\"hz\": 60", "\"hz\": 1e300"), HasSubstr("is not what"));
 }
 

@@ -89,12 +89,19 @@ TEST_F(BenchCommand, RefusesFiguresThatAreNoFigures)
     std::ofstream(folder / "other.json") << "{}";
     ExpectRefusal({"--from", "other.json"}, "'other.json'");
     ExpectRefusal({"--from", "absent.json"}, "Cannot read 'absent.json'");
+    std::string text = kEarlierRun;
+    text.replace(text.find("\"cpuSeconds\":1e-5"), 17, "\"cpuSeconds\":-1");
+    std::ofstream(folder / "negative.json") << text;
+    ExpectRefusal({"--from", "negative.json"}, "'negative.json' has 'cpuSeconds' of -1");
+    ExpectRefusal({"--from", "negative.json", "--chart", "a.png"}, "'cpuSeconds' of -1");
 }
 
 TEST_F(BenchCommand, RefusesToRunWhatWasRunBefore)
 {
     ExpectRefusal({"--json", "--from", "run.json", "--rounds", "5"}, "leave --rounds");
     ExpectRefusal({"--from", "run.json", "--threads", "1,2"}, "leave --rounds and --threads out");
+    ExpectRefusal({"--from", "run.json", "--threads", "1"}, "leave --rounds and --threads out");
+    ExpectRefusal({"--from", "run.json", "--rounds", "3"}, "leave --rounds");
 }
 
 TEST_F(BenchCommand, DrawsAnEarlierRunInBothFormats)
@@ -136,7 +143,8 @@ TEST_F(BenchCommand, RunsASceneOnAllEnginesAndPrintsWhatItCanReadAgain)
 
 TEST_F(BenchCommand, SweepsAnAccuracyCaseOnAllEnginesAndDrawsIt)
 {
-    const Outcome outcome = Run({"--accuracy", "F-slope", "--json", "--chart", "e.svg"});
+    const Outcome outcome =
+        Run({"--accuracy", "F-slope", "--rounds", "2", "--json", "--chart", "e.svg"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("\"case\": \"F-slope\""));
     EXPECT_THAT(outcome.output, HasSubstr("\"engine\": \"boxreel "));
@@ -158,7 +166,8 @@ TEST_F(BenchCommand, RefusesWhatDoesNotGoWithAccuracy)
     std::ofstream(folder / "e-F-slope.svg") << "old";
     ExpectRefusal({"--accuracy", "F-slop"}, "Did you mean 'F-slope'?");
     ExpectRefusal({"--accuracy", "--curve"}, "--accuracy goes with");
-    ExpectRefusal({"--accuracy", "--rounds", "5"}, "--accuracy goes with");
+    ExpectRefusal({"--accuracy", "--threads", "1"}, "--accuracy goes with");
+    ExpectRefusal({"--accuracy", "--from", "run.json", "--rounds", "5"}, "leave --rounds");
     ExpectRefusal({"--accuracy", "F-slope", "--chart", "e.svg"}, "'e-F-slope.svg' exists");
     ExpectRefusal({"--accuracy", "--chart", "a.svg", "--chart", "a.svg"}, "'a.svg' twice");
     ExpectRefusal({"--accuracy", "--chart", "/proc/a.svg"}, "the folder /proc takes no files");

@@ -403,6 +403,13 @@ TEST(BenchChart, ShowsALineAnEngineAndKindInTheOrderOfTheCounts)
     EXPECT_EQ(chart->lines[2].series.color, chart->lines[0].series.color) << "both are ours";
     EXPECT_EQ(chart->lines[2].series.stroke, ChartStroke::Dashed);
     EXPECT_FALSE(CurveChart({Rain()}));
+    const Result<LineChart> small =
+        CurveChart({Point("static", 200, 1e-6, 2e-6), Point("asleep4", 200, 1e-6, 2e-6),
+                    Point("of later", 200, 1e-6, 2e-6)});
+    ASSERT_TRUE(small);
+    EXPECT_EQ(small->lines[2].series.name, "boxreel 1.0, asleep, 4 sub-steps");
+    EXPECT_EQ(small->lines[2].series.stroke, ChartStroke::Dotted);
+    EXPECT_EQ(small->lines[4].series.name, "boxreel 1.0, of later");
 }
 
 } // namespace

@@ -361,6 +361,13 @@ TEST(CommandLine, BenchTakesSeveralChartsAndThreadCountsAndLeavesScenesToThemsel
     EXPECT_THAT(Refusal("bench --render --curve"), HasSubstr("--render goes with"));
     EXPECT_THAT(Refusal("bench --render --accuracy"), HasSubstr("--render goes with"));
     EXPECT_THAT(Refusal("bench --render --threads 2"), HasSubstr("LP_NUM_THREADS"));
+    EXPECT_EQ(Parsed<BenchOptions>("bench --accuracy --rounds 5").rounds, 5);
+    // What would be done anyhow has been asked for all the same.
+    EXPECT_THAT(Refusal("bench --accuracy --threads 1"), HasSubstr("--threads out"));
+    EXPECT_THAT(Refusal("bench --render --threads 1"), HasSubstr("--threads out"));
+    EXPECT_THAT(Refusal("bench --record --threads 1"), HasSubstr("--threads out"));
+    EXPECT_THAT(Refusal("bench --from a.json --threads 1"), HasSubstr("--threads out"));
+    EXPECT_THAT(Refusal("bench --from a.json --rounds 3"), HasSubstr("leave --rounds"));
 }
 
 TEST(CommandLine, BenchRecordsFilmsOfACertainLengthAndSize)

@@ -44,6 +44,18 @@ void ForContacts(SolverArrays& arrays, Function&& function)
     }
 }
 
+int32 IslandOf(const SolverArrays& arrays, const RowSides& sides)
+{
+    for (int32 i = 0; i < sides.count; ++i)
+    {
+        if (sides.sides[i] != nullptr)
+        {
+            return arrays.islands.Of(sides.sides[i]->SolverIndex());
+        }
+    }
+    return -1;
+}
+
 } // namespace
 
 bool CarryGuard::Island::HasWon() const
@@ -51,26 +63,14 @@ bool CarryGuard::Island::HasWon() const
     return !exempt && after > (1.0 + kTolerance) * before;
 }
 
-int32 CarryGuard::IslandOf(const RowSides& sides) const
-{
-    for (int32 i = 0; i < sides.count; ++i)
-    {
-        if (sides.sides[i] != nullptr)
-        {
-            return m_islandOf[std::size_t(sides.sides[i]->SolverIndex())];
-        }
-    }
-    return -1;
-}
-
 bool CarryGuard::HasWon(int32 island) const
 {
     return island != -1 && m_islands[std::size_t(island)].HasWon();
 }
 
-bool CarryGuard::HasWon(const RowSides& sides) const
+bool CarryGuard::HasWon(const SolverArrays& arrays, const RowSides& sides) const
 {
-    return HasWon(IslandOf(sides));
+    return HasWon(IslandOf(arrays, sides));
 }
 
 void CarryGuard::Exempt(int32 island, bool really)
@@ -81,31 +81,27 @@ void CarryGuard::Exempt(int32 island, bool really)
     }
 }
 
-void CarryGuard::Begin(const World& world, SolverArrays& arrays)
+void CarryGuard::Begin(SolverArrays& arrays)
 {
-    const std::size_t count = world.awakeBodies.size() + 1;
-    m_before.resize(count);
-    m_islands.assign(std::size_t(world.islands.Size()), Island());
-    m_islandOf.assign(count, -1);
-    for (const b2Body* body : world.awakeBodies)
-    {
-        m_islandOf[std::size_t(Data(*body).SolverIndex())] = Data(*body).island;
-    }
+    const AwakeIslands& islands = arrays.islands;
+    m_before.resize(arrays.bodies.size());
+    m_islands.assign(std::size_t(islands.Count()), Island());
     ForContacts(arrays, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
-        const auto a = std::size_t(block.bodyA[lane]);
-        const auto b = std::size_t(block.bodyB[lane]);
+        const int32 a = islands.Of(block.bodyA[lane]);
+        const int32 b = islands.Of(block.bodyB[lane]);
         const bool belt = block.tangentSpeed[lane] != 0.0f;
-        Exempt(m_islandOf[a], belt || (m_islandOf[b] == -1 && Moves(arrays.bodies[b])));
-        Exempt(m_islandOf[b], belt || (m_islandOf[a] == -1 && Moves(arrays.bodies[a])));
+        const auto moves = [&](int32 body) { return Moves(arrays.bodies[std::size_t(body)]); };
+        Exempt(a, belt || (b == -1 && moves(block.bodyB[lane])));
+        Exempt(b, belt || (a == -1 && moves(block.bodyA[lane])));
     });
     const JointSystem& joints = arrays.jointSystem;
     joints.ForRowed([&](std::size_t joint, const JointRows&) {
-        const int32 island = IslandOf(joints.Sides(joint));
+        const int32 island = IslandOf(arrays, joints.Sides(joint));
         Exempt(island, !joints.IsExact(joint));
         for (b2Body* body : {joints.At(joint).GetBodyA(), joints.At(joint).GetBodyB()})
         {
-            const auto index = std::size_t(Data(*body).SolverIndex());
-            Exempt(island, m_islandOf[index] == -1 && Moves(arrays.bodies[index]));
+            const int32 index = Data(*body).SolverIndex();
+            Exempt(island, islands.Of(index) == -1 && Moves(arrays.bodies[std::size_t(index)]));
         }
     });
 }
@@ -120,9 +116,10 @@ void CarryGuard::Note(const World& world, const SolverArrays& arrays)
     for (const b2Body* body : world.awakeBodies)
     {
         const BodyData& data = Data(*body);
-        if (data.island != -1)
+        const int32 island = arrays.islands.Of(data.SolverIndex());
+        if (island != -1)
         {
-            m_islands[std::size_t(data.island)].before +=
+            m_islands[std::size_t(island)].before +=
                 KineticEnergyOf(data, arrays.bodies[std::size_t(data.SolverIndex())]);
         }
     }
@@ -133,9 +130,10 @@ bool CarryGuard::HasWon(const World& world, SolverArrays& arrays)
     for (const b2Body* body : world.awakeBodies)
     {
         const BodyData& data = Data(*body);
-        if (data.island != -1)
+        const int32 island = arrays.islands.Of(data.SolverIndex());
+        if (island != -1)
         {
-            m_islands[std::size_t(data.island)].after +=
+            m_islands[std::size_t(island)].after +=
                 KineticEnergyOf(data, arrays.bodies[std::size_t(data.SolverIndex())]);
         }
     }
@@ -144,7 +142,7 @@ bool CarryGuard::HasWon(const World& world, SolverArrays& arrays)
     start.bodies = m_before.data();
     end.bodies = arrays.bodies.data();
     joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
-        const int32 island = IslandOf(joints.Sides(joint));
+        const int32 island = IslandOf(arrays, joints.Sides(joint));
         if (rows.giving > 0 && island != -1)
         {
             m_islands[std::size_t(island)].before += joints.MostWork(joint, start, end);
@@ -158,15 +156,15 @@ void CarryGuard::TakeBack(SolverArrays& arrays) const
 {
     for (std::size_t i = 0; i < arrays.bodies.size(); ++i)
     {
-        if (HasWon(m_islandOf[i]))
+        if (HasWon(arrays.islands.Of(int32(i))))
         {
             arrays.bodies[i].v = m_before[i].v;
             arrays.bodies[i].w = m_before[i].w;
         }
     }
     ForContacts(arrays, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
-        if (!HasWon(m_islandOf[std::size_t(block.bodyA[lane])]) &&
-            !HasWon(m_islandOf[std::size_t(block.bodyB[lane])]))
+        if (!HasWon(arrays.islands.Of(block.bodyA[lane])) &&
+            !HasWon(arrays.islands.Of(block.bodyB[lane])))
         {
             return;
         }

@@ -17,8 +17,8 @@ class World;
 class CarryGuard
 {
 public:
-    /// Once a step, before its first kick.
-    void Begin(const World& world, SolverArrays& arrays);
+    /// Once a step, before its first kick, when the awake islands have been found.
+    void Begin(SolverArrays& arrays);
     /// Bodies having been kicked, before anything is carried over.
     void Note(const World& world, const SolverArrays& arrays);
     /// Whether an island has won energy that neither its motors and springs nor what moves by
@@ -28,7 +28,9 @@ public:
     /// impulses from their contacts.
     void TakeBack(SolverArrays& arrays) const;
     /// Whether the island of these bodies has.
-    bool HasWon(const RowSides& sides) const;
+    bool HasWon(const SolverArrays& arrays, const RowSides& sides) const;
+    /// How many islands it looks at.
+    std::size_t Count() const { return m_islands.size(); }
 
 private:
     struct Island
@@ -40,12 +42,10 @@ private:
         bool HasWon() const;
     };
 
-    int32 IslandOf(const RowSides& sides) const;
     bool HasWon(int32 island) const;
     void Exempt(int32 island, bool really);
 
-    Array<int32> m_islandOf; // by solver index; -1: of none
-    Array<Island> m_islands;
+    Array<Island> m_islands;    // by number of AwakeIslands
     Array<SolverBody> m_before; // by solver index
 };
 

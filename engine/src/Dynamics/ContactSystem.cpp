@@ -2,7 +2,6 @@
 #include "ContactSystem.h"
 
 #include "SolverArrays.h"
-#include "World.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -177,27 +176,28 @@ void ContactSystem::ForContacts(SolverArrays& arrays, Function&& function) const
             const ContactBlock& block = blocks.Contacts(k);
             for (int32 lane = 0; lane < block.count; ++lane)
             {
-                const int32 island = m_islandOf[std::size_t(block.bodyA[lane])];
-                function(island != -1 ? island : m_islandOf[std::size_t(block.bodyB[lane])],
+                const int32 island = arrays.islands.Of(block.bodyA[lane]);
+                function(island != -1 ? island : arrays.islands.Of(block.bodyB[lane]),
                          Place{color, k, lane});
             }
         }
     }
 }
 
-void ContactSystem::Begin(World& world)
+void ContactSystem::Begin(SolverArrays& arrays)
 {
-    m_islandOf.assign(world.awakeBodies.size() + 1, -1);
-    for (const b2Body* body : world.awakeBodies)
+    if (arrays.colorCount == 0)
     {
-        m_islandOf[std::size_t(Data(*body).SolverIndex())] = Data(*body).island;
+        m_free.insert(m_free.end(), m_used.begin(), m_used.end());
+        m_used.clear();
+        return;
     }
-    m_contacts.assign(std::size_t(world.islands.Size()), 0);
-    CountContacts(*world.solver);
-    ChoosePiles();
-    if (m_free.size() < m_piles.size())
+    m_contacts.assign(std::size_t(arrays.islands.Count()), 0);
+    CountContacts(arrays);
+    ChoosePiles(arrays.islands);
+    if (!m_used.empty())
     {
-        Gather(*world.solver);
+        Gather(arrays);
     }
 }
 
@@ -212,29 +212,42 @@ void ContactSystem::CountContacts(SolverArrays& arrays)
 }
 
 /// An island keeps its pile from step to step: its system may serve again, and has room enough.
-void ContactSystem::ChoosePiles()
+void ContactSystem::ChoosePiles(const AwakeIslands& islands)
 {
-    const auto isPile = [this](std::size_t i) {
-        return m_contacts[i] > 0 && m_contacts[i] <= kMostContacts;
+    const auto isPile = [this](int32 number) {
+        const int32 contacts = number != -1 ? m_contacts[std::size_t(number)] : 0;
+        return contacts > 0 && contacts <= kMostContacts;
     };
-    m_pileOf.resize(b2Max(m_pileOf.size(), m_contacts.size()), -1);
-    for (std::size_t i = 0; i < m_contacts.size(); ++i)
+    m_pileOf.assign(m_contacts.size(), -1);
+    std::size_t kept = 0;
+    for (const int32 index : m_used)
     {
-        if (m_pileOf[i] != -1 && !isPile(i))
+        Pile& pile = m_piles[std::size_t(index)];
+        const int32 number = islands.NumberOf(pile.island);
+        if (isPile(number))
         {
-            m_free.push_back(m_pileOf[i]);
-            m_pileOf[i] = -1;
+            m_pileOf[std::size_t(number)] = index;
+            m_used[kept++] = index;
+        }
+        else
+        {
+            m_free.push_back(index);
         }
     }
-    for (std::size_t i = 0; i < m_contacts.size(); ++i)
+    m_used.resize(kept);
+    for (int32 number = 0; number < islands.Count(); ++number)
     {
-        if (m_pileOf[i] == -1 && isPile(i))
+        int32& index = m_pileOf[std::size_t(number)];
+        if (index == -1 && isPile(number))
         {
-            m_pileOf[i] = TakePile();
+            index = TakePile();
+            m_piles[std::size_t(index)].island = islands.At(number);
+            m_used.push_back(index);
         }
     }
-    for (Pile& pile : m_piles)
+    for (const int32 index : m_used)
     {
+        Pile& pile = m_piles[std::size_t(index)];
         pile.contacts.clear();
         pile.joints.clear();
         pile.followed = false;
@@ -268,8 +281,8 @@ void ContactSystem::Gather(SolverArrays& arrays)
         const RowSides& sides = arrays.jointSystem.Sides(i);
         for (const BodyData* body : sides.sides)
         {
-            const int32 pile =
-                body != nullptr && body->island != -1 ? m_pileOf[std::size_t(body->island)] : -1;
+            const int32 island = body != nullptr ? arrays.islands.NumberOf(body->island) : -1;
+            const int32 pile = island != -1 ? m_pileOf[std::size_t(island)] : -1;
             if (pile != -1)
             {
                 m_piles[std::size_t(pile)].joints.push_back(int32(i));
@@ -326,8 +339,9 @@ bool ContactSystem::Follow(Pile& pile, SolverArrays& arrays)
 void ContactSystem::SolveVelocities(SolverArrays& arrays, const SolverContext& context,
                                     float32 tolerance)
 {
-    for (Pile& pile : m_piles) // those that are free have no contacts
+    for (const int32 index : m_used)
     {
+        Pile& pile = m_piles[std::size_t(index)];
         float32 off = 0.0f;
         for (const Place& place : pile.contacts)
         {
@@ -398,9 +412,10 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
 
 void ContactSystem::SolveOverlaps(SolverArrays& arrays, const SolverContext& context, PushPace pace)
 {
-    m_moves.resize(b2Max(m_moves.size(), m_islandOf.size()));
-    for (Pile& pile : m_piles)
+    m_moves.resize(b2Max(m_moves.size(), arrays.bodies.size()));
+    for (const int32 index : m_used)
     {
+        Pile& pile = m_piles[std::size_t(index)];
         float32 smallest = 0.0f;
         for (const Place& place : pile.contacts)
         {

@@ -11,16 +11,18 @@
 namespace box2d
 {
 
+class AwakeIslands;
 class JointSystem;
 struct SolverArrays;
-class World;
 
 class ContactSystem
 {
 public:
-    /// Once a step, when the blocks are prepared and the joints have begun: which islands are small
-    /// enough.
-    void Begin(World& world);
+    /// Once a step, when the blocks are prepared, the joints have begun and, where there are
+    /// contacts, the awake islands have been found: which islands are small enough.
+    void Begin(SolverArrays& arrays);
+    /// How many are.
+    std::size_t Count() const { return m_used.size(); }
     /// After sweeps over all contacts: the velocities of the islands in which a contact's normal
     /// speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverArrays& arrays, const SolverContext& context, float32 tolerance);
@@ -34,6 +36,7 @@ private:
     };
     struct Pile
     {
+        int32 island = -1; // of Islands; those that are free keep their last
         Array<Place> contacts;
         Array<int32> joints;   // of the JointSystem
         Array<RowSides> sides; // for which the system was built
@@ -42,7 +45,7 @@ private:
     };
 
     void CountContacts(SolverArrays& arrays);
-    void ChoosePiles();
+    void ChoosePiles(const AwakeIslands& islands);
     void Gather(SolverArrays& arrays);
     bool Follow(Pile& pile, SolverArrays& arrays);
     void SolveVelocities(Pile& pile, SolverArrays& arrays, const SolverContext& context,
@@ -51,15 +54,14 @@ private:
                        PushPace pace);
     int32 TakePile();
     void FindRoom(Pile& pile);
-    int32 PileOf(int32 bodyA, int32 bodyB) const;
     template <class Function>
     void ForContacts(SolverArrays& arrays, Function&& function) const;
 
-    Array<int32> m_islandOf; // by solver index
-    Array<int32> m_contacts; // number by island
-    Array<int32> m_pileOf;   // by island, -1: none, or too large
+    Array<int32> m_contacts; // how many, by number of AwakeIslands
+    Array<int32> m_pileOf;   // the same; -1: none, or too large
     Array<Pile> m_piles;
-    Array<int32> m_free;       // piles of no island
+    Array<int32> m_used;       // piles of this step
+    Array<int32> m_free;       // the others
     Array<RowSides> m_sides;   // scratch: of a pile
     Elimination m_elimination; // of piles
     Array<SolverBody> m_moves; // by solver index: in place of velocities when overlaps are solved

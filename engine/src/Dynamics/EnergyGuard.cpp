@@ -109,6 +109,10 @@ int32 EnergyGuard::AccountOf(const b2Joint& joint) const
 
 void EnergyGuard::Begin(const World& world, const SolverArrays& arrays, float32 timeStep)
 {
+    for (const Account& account : m_accounts)
+    {
+        m_accountOf[std::size_t(account.island)] = -1;
+    }
     m_accounts.clear();
     m_springs.clear();
     m_motors.clear();
@@ -121,7 +125,8 @@ void EnergyGuard::Begin(const World& world, const SolverArrays& arrays, float32 
     m_subSteps = world.subStepCount;
     m_gravity = world.gravity;
     m_leastFall = kLeastFall * m_gravity.Length();
-    m_accountOf.assign(std::size_t(world.islands.Size()), -1);
+    // Cleared above only where there was an account: most islands may be asleep.
+    m_accountOf.resize(b2Max(m_accountOf.size(), std::size_t(world.islands.Size())), -1);
     for (const b2Joint* joint : m_risky)
     {
         Open(*joint);

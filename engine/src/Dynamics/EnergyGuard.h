@@ -90,7 +90,7 @@ private:
     Array<const b2Joint*> m_risky;   // whose islands have accounts
     Array<const b2Joint*> m_sliding; // that may become so at any time
     int32 m_version = -1;            // of the graph's list
-    Array<int32> m_accountOf;        // by island; -1: none
+    Array<int32> m_accountOf;        // by island; -1: none, as of all that m_accounts does not name
     Array<Account> m_accounts;
     Array<Spring> m_springs;
     Array<Motor> m_motors;

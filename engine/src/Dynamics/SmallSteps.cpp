@@ -222,8 +222,12 @@ void StepSolver::BeginSmallSteps(int32 count)
     m_arrays.jointSystem.Update(m_world.graph);
     m_arrays.jointSystem.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
                                m_world.inverseStep, m_arrays.kicks.data());
-    m_arrays.contactSystem.Begin(m_world);
-    m_arrays.carryGuard.Begin(m_world, m_arrays);
+    if (AnyHeld())
+    {
+        m_arrays.islands.Find(m_world);
+        m_arrays.carryGuard.Begin(m_arrays);
+    }
+    m_arrays.contactSystem.Begin(m_arrays);
     m_arrays.jointSystem.ForTreeBodies([this](const BodyData& body) {
         m_arrays.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
     });
@@ -255,12 +259,17 @@ void StepSolver::Bounce()
     }
 }
 
+/// Whether there are contacts, or joints that are not in a tree.
+bool StepSolver::AnyHeld() const
+{
+    return m_arrays.colorCount > 0 || m_arrays.jointSystem.HasRows();
+}
+
 /// Whether anything goes small step by small step.
 bool StepSolver::AnyTogether() const
 {
-    return m_arrays.colorCount > 0 || m_arrays.jointSystem.HasRows() ||
-           std::find(m_arrays.ways.begin(), m_arrays.ways.end(), WayOfBody::Together) !=
-               m_arrays.ways.end();
+    return AnyHeld() || std::find(m_arrays.ways.begin(), m_arrays.ways.end(),
+                                  WayOfBody::Together) != m_arrays.ways.end();
 }
 
 void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
@@ -276,8 +285,7 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
         }
     });
     CarryGuard& guard = m_arrays.carryGuard;
-    const bool guards = m_arrays.colorCount > 0 || joints.HasRows();
-    if (guards)
+    if (AnyHeld())
     {
         guard.Note(m_world, m_arrays);
     }
@@ -287,10 +295,11 @@ void StepSolver::Kick(float32 duration, float32 share, int32 iterations)
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
     Sweep(iterations);
-    if (guards && guard.HasWon(m_world, m_arrays))
+    if (AnyHeld() && guard.HasWon(m_world, m_arrays))
     {
         guard.TakeBack(m_arrays);
-        joints.StartAgain(kick, [&](const RowSides& sides) { return guard.HasWon(sides); });
+        joints.StartAgain(kick,
+                          [&](const RowSides& sides) { return guard.HasWon(m_arrays, sides); });
         Sweep(b2Max(iterations, kSweepsFromNothing));
     }
     ++m_kick;

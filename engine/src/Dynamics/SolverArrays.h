@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "AwakeIslands.h"
 #include "BodyKick.h"
 #include "CarryGuard.h"
 #include "ConstraintGraph.h"
@@ -53,6 +54,7 @@ struct SolverArrays
     int32 colors[ConstraintGraph::kColorCount]; ///< that have contacts, in the order of solving
     int32 colorCount = 0;
     JointSchedule joints;
+    AwakeIslands islands;             ///< of small steps
     JointSystem jointSystem;          ///< of small steps
     ContactSystem contactSystem;      ///< of small steps
     FirstLoads firstLoads;            ///< of small steps

@@ -52,6 +52,7 @@ private:
     bool WriteBack(BodyData& body, SolverBody& moved) const;
     bool SolveContacts(Direction direction);
     float32 SolveOverlaps(Direction direction, PushPace pace);
+    bool AnyHeld() const;
     void Bounce();
     void Sweep(int32 iterations);
     void TurnAsSeen();
