@@ -22,6 +22,12 @@ double Limited(double value, double least, double most)
     return value < least ? least : (value > most ? most : value);
 }
 
+double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
+{
+    return double(c.x[row]) * double(s.v.x) + double(c.y[row]) * double(s.v.y) +
+           double(c.w[row]) * double(s.w);
+}
+
 /// The speed that bodies give a row which are moved by nothing.
 double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context)
 {
@@ -31,9 +37,7 @@ double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context
         const JointRows::Column& c = rows.columns[side];
         if (!Moves(c.invMass, c.invInertia))
         {
-            const SolverBody& s = context.bodies[c.body];
-            speed += double(c.x[row]) * double(s.v.x) + double(c.y[row]) * double(s.v.y) +
-                     double(c.w[row]) * double(s.w);
+            speed += SpeedFrom(c, row, context.bodies[c.body]);
         }
     }
     return speed;
@@ -127,10 +131,38 @@ void BoundedSystem::KeepIfBetter(const SolverContext& context)
 {
     if (!(Energy(context) <= m_markedEnergy))
     {
-        m_itemsBefore = m_marked;
-        m_before = m_markedBodies;
-        Restore(context);
+        GoBack(context);
     }
+}
+
+void BoundedSystem::GoBack(const SolverContext& context)
+{
+    m_itemsBefore = m_marked;
+    m_before = m_markedBodies;
+    Restore(context);
+}
+
+double BoundedSystem::FastestGiven(const SolverContext& context) const
+{
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < m_items.size(); ++i)
+    {
+        const JointRows& rows = m_system.Rows(i);
+        for (int32 side = 0; side < rows.bodies; ++side)
+        {
+            const JointRows::Column& c = rows.columns[side];
+            const SolverBody& s = context.bodies[c.body];
+            if (Moves(c.invMass, c.invInertia) || (s.v == b2Vec2_zero && s.w == 0.0f))
+            {
+                continue;
+            }
+            for (int32 row = 0; row < rows.rows; ++row)
+            {
+                fastest = std::max(fastest, std::abs(SpeedFrom(c, row, s)));
+            }
+        }
+    }
+    return fastest;
 }
 
 /// False when no bound was met: that is the solution.

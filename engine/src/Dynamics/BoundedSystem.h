@@ -43,6 +43,9 @@ public:
     /// Remembers velocities and impulses, and goes back to them if the energy is higher.
     void Mark(const SolverContext& context);
     void KeepIfBetter(const SolverContext& context);
+    void GoBack(const SolverContext& context);
+    /// The largest that a body which nothing moves, such as a platform, gives to a row [m/s].
+    double FastestGiven(const SolverContext& context) const;
 
 private:
     bool Improve(const SolverContext& context);

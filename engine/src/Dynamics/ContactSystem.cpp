@@ -20,6 +20,17 @@ constexpr int32 kMostUpdates = 16;   ///< a body of it, see RowPattern
 constexpr double kSticks = 0.9999;
 constexpr int32 kMostRounds = 2;  ///< of finding what friction can hold
 constexpr double kEndless = 1e30; ///< [Ns]
+/// What a platform or a pusher presses against something that does not move has no solution: no
+/// impulses are enough, and those of the least energy grow without end. Contacts of such a pile
+/// give way, each by this share of what its impulses would do to it alone, so that no impulse
+/// exceeds what stops its bodies from the pusher's speed by more than the share's inverse.
+constexpr float32 kJammedSoftness = 0.1f;
+/// They cannot be held when they come together by more than this share of the pusher's speed.
+constexpr double kHeld = 1e-3;
+/// Nor when they push by more than so many times what brings all of the pile to the pusher's speed
+/// and stops its weight, whose speed in a kick is so many tolerances.
+constexpr double kMostLoad = 10.0;
+constexpr double kTolerancesOfWeight = 100.0;
 /// Overlaps that sweeps leave above the one are brought to the other [m]: under any load less than
 /// a slop is left.
 constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
@@ -103,6 +114,15 @@ public:
         }
     }
 
+    /// Lets its points come together by so much of what their impulses would do to it alone.
+    void SetSoftness(JointRows& rows, float32 share) const
+    {
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            rows.laws[i].softness = share / m_block.points[i].normalMass[m_lane];
+        }
+    }
+
     /// How far a speed is from what it should be: across as long as friction can do more.
     float32 Off(const SolverBody* bodies)
     {
@@ -135,6 +155,59 @@ private:
     ContactBlock& m_block;
     int32 m_lane;
 };
+
+/// With the friction that the first `contacts` items can hold, which follows from what is found.
+template <class Holds>
+void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Holds& holds,
+                          const SolverContext& context, double tolerance)
+{
+    for (std::size_t i = 0; i < contacts; ++i)
+    {
+        (void)system.Limit(context, i, 2, holds(i));
+    }
+    for (int32 round = 0; round < kMostRounds; ++round)
+    {
+        system.Minimize(context, tolerance);
+        bool changed = false;
+        for (std::size_t i = 0; i < contacts; ++i)
+        {
+            changed = system.Limit(context, i, 2, holds(i)) || changed;
+        }
+        if (!changed)
+        {
+            break;
+        }
+    }
+}
+
+/// Whether the first `contacts` items were to hold what cannot be held: their points still come
+/// together, or push by more than what the pusher and weight ask for.
+bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
+              double tolerance)
+{
+    const double driven = system.FastestGiven(context);
+    if (!(driven > 0.0))
+    {
+        return false;
+    }
+    double mass = 0.0;
+    for (const BodyData* body : system.Bodies())
+    {
+        mass += 1.0 / double(body->SolverInvMass());
+    }
+    const double most = kMostLoad * mass * (driven + kTolerancesOfWeight * tolerance);
+    for (std::size_t i = 0; i < contacts; ++i)
+    {
+        const Vector3 speed = SpeedOf(context, system.Rows(i));
+        const Vector3& impulse = system.At(i).impulse;
+        if (b2Min(speed.at[0], speed.at[1]) < -(tolerance + kHeld * driven) ||
+            b2Max(impulse.at[0], impulse.at[1]) > most)
+        {
+            return true;
+        }
+    }
+    return false;
+}
 
 /// An overlap as an item: rows for its points, which are to move apart by a share of what exceeds
 /// the slop, and may come as near as that.
@@ -381,25 +454,28 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
         arrays.jointSystem.FillItem(std::size_t(pile.joints[i]), system.Rows(count + i),
                                     system.At(count + i));
     }
-    system.Mark(context);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        (void)system.Limit(context, i, 2, contact(i).Holds(system.At(i)));
-    }
-    for (int32 round = 0; round < kMostRounds; ++round)
-    {
-        system.Minimize(context, double(tolerance));
-        bool changed = false;
+    const auto holds = [&](std::size_t i) { return contact(i).Holds(system.At(i)); };
+    const auto soften = [&](float32 share) {
         for (std::size_t i = 0; i < count; ++i)
         {
-            changed = system.Limit(context, i, 2, contact(i).Holds(system.At(i))) || changed;
+            contact(i).SetSoftness(system.Rows(i), share);
         }
-        if (!changed)
-        {
-            break;
-        }
+    };
+    system.Mark(context);
+    MinimizeWithFriction(system, count, holds, context, double(tolerance));
+    const bool jammed = IsJammed(system, count, context, double(tolerance));
+    if (jammed)
+    {
+        system.GoBack(context);
+        soften(kJammedSoftness);
+        system.Mark(context); // what gives way stores energy
+        MinimizeWithFriction(system, count, holds, context, double(tolerance));
     }
     system.KeepIfBetter(context);
+    if (jammed)
+    {
+        soften(0.0f);
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
         contact(i).Take(system.At(i));
