@@ -78,9 +78,13 @@ void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies)
         sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + forms);
     if (most > m_contacts.size())
     {
-        // Some in reserve, for a colour that grows does so step by step.
-        m_contacts.resize(most + most / 8);
-        m_overlaps.resize(most + most / 8);
+        // Some in reserve, for a colour that grows does so step by step, a small one too.
+        const std::size_t reserve = b2Max<std::size_t>(most / 8, 2);
+        m_contacts.resize(most + reserve);
+        m_overlaps.resize(most + reserve);
+        const std::size_t room = contactCount + (reserve + 1) * kBlockLanes;
+        m_sorted.reserve(room);
+        m_buckets.reserve(room);
     }
     m_sorted.resize(contactCount);
     m_buckets.resize(contactCount);
