@@ -23,6 +23,14 @@ function(boxreel_configure target)
   endif()
 endfunction()
 
+# boxreel_precompile(TARGET HEADERS …): reads the standard headers that most sources include, and those
+# given, once for all of the target's: half of the time that a source takes to compile. A source still
+# includes what it uses; the matrix builds without (CMAKE_DISABLE_PRECOMPILE_HEADERS).
+function(boxreel_precompile target)
+  target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <limits> <memory> <optional>
+                            <span> <string> <utility> <vector> ${ARGN})
+endfunction()
+
 # boxreel_add_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]): the library boxreel::NAME of the
 # current folder; its public headers are in include/.
 function(boxreel_add_library name)
@@ -31,6 +39,7 @@ function(boxreel_add_library name)
   add_library(boxreel::${name} ALIAS boxreel_${name})
   set_target_properties(boxreel_${name} PROPERTIES EXPORT_NAME ${name})
   boxreel_configure(boxreel_${name})
+  boxreel_precompile(boxreel_${name})
   target_include_directories(boxreel_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include/boxreel>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
