@@ -23,7 +23,7 @@ struct Exempt
     bool hasValue;
 };
 
-constexpr std::array<Exempt, 11> kExempt = {{
+constexpr std::array<Exempt, 12> kExempt = {{
     {"-o", true},
     {"--output", true},
     {"--frame-range", true},
@@ -31,6 +31,7 @@ constexpr std::array<Exempt, 11> kExempt = {{
     {"--snapshots", true},
     {"--snapshot-every", true},
     {"--thumbnail", true},
+    {"--thumbnail-at", true},
     {"--backend", true},
     {"--resume", false},
     {"--force", false},

@@ -57,9 +57,9 @@ void FilmRun::BeginSimulation()
 {
     if (m_snapshots != nullptr)
     {
-        const bool isAllThere = m_resumed >= m_plan.frames.Count();
-        const std::int64_t frame =
-            isAllThere ? m_plan.frames.Last() + 1 : m_plan.frames.At(m_resumed);
+        const std::int64_t index = ThumbnailIsThere() ? ThumbnailFrame() : m_resumed;
+        const bool isAllThere = index >= m_plan.frames.Count();
+        const std::int64_t frame = isAllThere ? m_plan.frames.Last() + 1 : m_plan.frames.At(index);
         m_snapshots->Begin(*m_session, m_session->LatestStateFor(StepOf(frame)));
     }
     m_firstStep = m_session->Step();
@@ -231,8 +231,30 @@ Result<void> FilmRun::Fill(std::int64_t frame, FrameContent& content)
 
 std::int64_t FilmRun::ThumbnailFrame() const
 {
-    return m_options.thumbnailAt ? FramesIn(*m_options.thumbnailAt, m_plan.film.framesPerSecond)
-                                 : m_plan.frames.Count() / 2;
+    const std::int64_t count = m_plan.frames.Count();
+    return m_options.thumbnailAt
+               ? std::min(FramesIn(*m_options.thumbnailAt, m_plan.film.framesPerSecond), count - 1)
+               : count / 2;
+}
+
+/// Its frame is one of those that another run has filmed.
+bool FilmRun::ThumbnailIsThere() const
+{
+    return !m_options.thumbnail.empty() && ThumbnailFrame() < m_resumed;
+}
+
+/// On the way to the frame that the film goes on with.
+Result<void> FilmRun::DrawThumbnail()
+{
+    AdvanceTo(m_plan.frames.At(ThumbnailFrame()));
+    if (StopSignals::Caught() != 0)
+    {
+        return {};
+    }
+    FrameContent content;
+    Collect(content);
+    const Overlay* overlay = content.overlay.IsEmpty() ? nullptr : &content.overlay;
+    return m_renderer->Draw(content.list, content.camera, m_thumbnail, overlay);
 }
 
 void FilmRun::See(std::int64_t frame, const Frame& pixels)
@@ -245,6 +267,13 @@ void FilmRun::See(std::int64_t frame, const Frame& pixels)
 
 Result<RecordingEnd> FilmRun::Film()
 {
+    if (ThumbnailIsThere())
+    {
+        if (Result<void> drawn = DrawThumbnail(); !drawn)
+        {
+            return drawn.GetError();
+        }
+    }
     if (m_resumed == m_plan.frames.Count()) // it was stopped after its last frame
     {
         const Result<void> closed = m_writer->Close();

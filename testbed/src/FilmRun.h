@@ -46,7 +46,10 @@ private:
     void Collect(FrameContent& content);
     SimulationTotals Simulated() const;
     std::int64_t StepOf(std::int64_t number) const;
+    Result<void> DrawThumbnail();
+    /// Counted from the first that is filmed.
     std::int64_t ThumbnailFrame() const;
+    bool ThumbnailIsThere() const;
     /// Nobody is timed unless the figures are asked for.
     StageTimes* Stages() { return m_options.stats ? &m_stages : nullptr; }
     std::string StageText() const;

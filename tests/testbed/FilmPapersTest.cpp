@@ -95,7 +95,8 @@ TEST(FilmPapers, TheCommandIsWithoutWhatChangesNoFrame)
 {
     EXPECT_THAT(CommandOfFilm({"record", "pyramid", "-o", "a.mkv", "--force", "--resume",
                                "--frame-range=0-9", "--quality", "high", "--progress", "none",
-                               "--thumbnail", "a.png", "--stats", "--backend=osmesa"}),
+                               "--thumbnail", "a.png", "--thumbnail-at", "1s", "--stats",
+                               "--backend=osmesa"}),
                 ElementsAre("record", "pyramid", "--quality", "high"));
 }
 

@@ -289,27 +289,30 @@ TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesThePart)
 
 TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
 {
-    const std::vector<std::string> record{"record", "tumbler",  "--frames", "260", "--size",
+    const std::vector<std::string> record{"record", "tumbler",  "--frames", "360", "--size",
                                           "160x90", "--camera", "follow:3", "-o"};
     std::vector<std::string> whole = record;
-    whole.emplace_back("whole.mp4");
+    whole.insert(whole.end(), {"whole.mp4", "--thumbnail", "whole.png", "--thumbnail-at", "0.5"});
     ASSERT_EQ(Run(whole).code, 0);
     std::vector<std::string> command = record;
-    command.emplace_back("film.mp4");
-    const Outcome killed =
-        RunBoxreel(command, folder.Path(), [&](int process) { StopAfterGroups(process, SIGKILL); });
+    // Its frame is long filmed when the film is continued.
+    command.insert(command.end(), {"film.mp4", "--thumbnail", "film.png", "--thumbnail-at", "0.5"});
+    const Outcome killed = RunBoxreel(command, folder.Path(),
+                                      [&](int process) { StopAfterGroups(process, SIGKILL, 300); });
     ASSERT_EQ(killed.code, 128 + SIGKILL) << "it was over before it could be killed";
     const Outcome refused = Run(command);
     EXPECT_EQ(refused.code, 1);
     EXPECT_THAT(refused.errors, HasSubstr("--resume"));
-    std::vector<std::string> other{"record", "bridge",   "--frames", "260",
+    std::vector<std::string> other{"record", "bridge",   "--frames", "360",
                                    "-o",     "film.mp4", "--resume"};
     EXPECT_THAT(Run(other).errors, HasSubstr("left of another film"));
-    command.emplace_back("--resume");
+    command.insert(command.end(), {"--resume", "--stats"});
     const Outcome resumed = Run(command);
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    EXPECT_THAT(resumed.errors, Not(testing::ContainsRegex("frames +360 "))) << "none were there";
     EXPECT_EQ(Decode("film.mp4"), Decode("whole.mp4"));
-    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "whole.mp4"));
+    EXPECT_EQ(*ReadPng(folder / "film.png"), *ReadPng(folder / "whole.png"));
+    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "film.png", "whole.mp4", "whole.png"));
 }
 
 TEST_F(Film, AnAnimationIsContinuedAndJoinedToTheFramesOfAnUninterruptedOne)
