@@ -7,6 +7,7 @@
 #include <debugdraw/AtomicFile.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <unistd.h>
@@ -31,12 +32,49 @@ constexpr std::uintmax_t kMostBytes = 4'000'000'000;
 constexpr const char* kExtension = ".snapshot";
 constexpr int kStepDigits = 10;
 
-/// A name that no other process has, wherever it runs: for files that are not whole yet.
-std::string OwnMark()
+/// How files that are not whole yet are marked on this machine.
+std::string HostMark()
 {
     char host[256] = "";
     ::gethostname(host, sizeof host - 1);
-    return "part-" + SceneSlug(host) + "-" + std::to_string(::getpid());
+    return "part-" + SceneSlug(host) + "-";
+}
+
+/// A name that no other process has, wherever it runs.
+std::string OwnMark()
+{
+    return HostMark() + std::to_string(::getpid());
+}
+
+/// What a run left that was killed while it wrote. Whether a file is being written is only known on
+/// the same machine, and only a moment after it was made.
+bool IsLeftover(const std::filesystem::directory_entry& entry)
+{
+    constexpr std::chrono::minutes kMoment{1};
+    const std::string name = entry.path().filename().string();
+    std::error_code error;
+    const auto age = std::filesystem::file_time_type::clock::now() - entry.last_write_time(error);
+    return !error && name.ends_with(kExtension) &&
+           name.find("." + HostMark()) != std::string::npos && age > kMoment &&
+           !IsBeingWritten(entry.path());
+}
+
+void RemoveLeftovers(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    std::vector<std::filesystem::path> leftovers;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+    {
+        if (IsLeftover(*entry))
+        {
+            leftovers.push_back(entry->path());
+        }
+    }
+    for (const std::filesystem::path& leftover : leftovers)
+    {
+        std::filesystem::remove(leftover, error);
+    }
 }
 
 std::string WithDigits(std::int64_t step)
@@ -101,6 +139,7 @@ Result<SnapshotFolder> SnapshotFolder::Open(const std::filesystem::path& folder,
                                             "' of --snapshots takes no files; choose another, or "
                                             "see to its permissions and its disk."};
     }
+    RemoveLeftovers(folder);
     return SnapshotFolder(folder, every);
 }
 

@@ -26,7 +26,8 @@ bool IsSnapshotDue(std::int64_t step, std::optional<std::int64_t> every);
 class SnapshotFolder
 {
 public:
-    /// Makes the folder unless it is there. Failed, with a sentence, when it takes no files.
+    /// Makes the folder unless it is there, and removes what runs on this machine that were killed
+    /// have left half written. Failed, with a sentence, when it takes no files.
     static Result<SnapshotFolder> Open(const std::filesystem::path& folder,
                                        std::optional<std::int64_t> every);
 

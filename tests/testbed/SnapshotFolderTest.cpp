@@ -2,10 +2,19 @@
 // What a session leaves to the next one, and when. Whole films: SnapshotFilmTest.cpp.
 #include "SnapshotFolder.h"
 
+#include "../debugdraw/TemporaryFolder.h"
+#include "SceneSearch.h"
+
+#include <debugdraw/AtomicFile.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
 
 namespace boxreel
 {
@@ -30,6 +39,36 @@ TEST(SnapshotFolder, HasFewFilesOfALongFilmAndNoneIsFar)
     EXPECT_FALSE(IsSnapshotDue(0, 7));
     EXPECT_TRUE(IsSnapshotDue(7'000'007, 7));
     EXPECT_FALSE(IsSnapshotDue(7'000'008, 7));
+}
+
+TEST(SnapshotFolder, IsRidOfWhatKilledRunsOfThisMachineLeftHalfWritten)
+{
+    const TemporaryFolder folder;
+    char host[256] = "";
+    ASSERT_EQ(gethostname(host, sizeof host - 1), 0);
+    const std::string here = "part-" + SceneSlug(host) + "-";
+    const auto leave = [&](const std::string& name) { std::ofstream(folder / name) << "half"; };
+    const auto age = [&](const std::string& name) {
+        std::filesystem::last_write_time(
+            folder / name, std::filesystem::file_time_type::clock::now() - std::chrono::minutes(2));
+    };
+    const std::string others[] = {"a-1.part-elsewhere-1.snapshot", "a-1.snapshot", "a-1.png"};
+    for (const std::string& name : others)
+    {
+        leave(name);
+        age(name);
+    }
+    leave("a-1." + here + "11.snapshot");
+    age("a-1." + here + "11.snapshot");
+    leave("a-1." + here + "12.snapshot"); // perhaps just made by a run that goes on
+    const Result<AtomicFile> written =
+        AtomicFile::Create(folder / "a-1.snapshot", {.overwrite = true, .mark = here + "13"});
+    ASSERT_TRUE(written);
+    age("a-1." + here + "13.snapshot");
+    ASSERT_TRUE(SnapshotFolder::Open(folder / ".", std::nullopt));
+    EXPECT_THAT(folder.Names(), testing::UnorderedElementsAre(others[0], others[1], others[2],
+                                                              "a-1." + here + "12.snapshot",
+                                                              "a-1." + here + "13.snapshot"));
 }
 
 const ViewChoice kViews[] = {FitView{},
