@@ -122,6 +122,10 @@ void ContinuousCollision::Run()
         }
     }
     containment.Hold();
+    if (m_world.proxies.HasMoved())
+    {
+        m_world.FindNewContacts(); // where that has put bodies, as after all that moves them
+    }
     if (any)
     {
         m_arrays.energyGuard.ChargeImpacts();
