@@ -431,6 +431,31 @@ TEST(DynamicsContinuous, ATurningPlatformIsWhereItsBoxSaysBetweenThePartsOfAStep
     }
 }
 
+/// A sub-stepped world with a ball that hits a wall early in the first step, and so breaks it off.
+struct BrokenOff : public Scene
+{
+    BrokenOff() : Scene(b2Vec2(0.0f, 0.0f))
+    {
+        world.SetSubStepping(true);
+        Wall(-20.0f, 0.01f);
+        Ball(-19.8f, 0.0f, 0.05f)->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));
+    }
+};
+
+TEST(DynamicsContinuous, AStepThatWasBrokenOffIsOverWhenImpactsAreNoLongerLookedFor)
+{
+    BrokenOff scene;
+    b2Body* free = scene.Ball(0.0f, 0.0f, 0.05f);
+    free->SetLinearVelocity(b2Vec2(6.0f, 0.0f));
+    scene.Step();
+    EXPECT_FLOAT_EQ(free->GetPosition().x, 0.1f);
+    scene.world.SetContinuousPhysics(false);
+    scene.Step();
+    EXPECT_FLOAT_EQ(free->GetPosition().x, 0.2f) << "a step of its own";
+    scene.Step();
+    EXPECT_FLOAT_EQ(free->GetPosition().x, 0.3f);
+}
+
 // They hit each other and the wall by turns, more often than a step has impacts.
 TEST(DynamicsContinuous, AHeavyBulletDoesNotDriveALightBodyThroughAThinWall)
 {
