@@ -456,6 +456,27 @@ TEST(DynamicsContinuous, AStepThatWasBrokenOffIsOverWhenImpactsAreNoLongerLooked
     EXPECT_FLOAT_EQ(free->GetPosition().x, 0.3f);
 }
 
+// Thin, so that its box has hardly any margin.
+TEST(DynamicsContinuous, APlatformGoesOnAsItDidWhateverHitsItAndHoweverLongThePartsOfAStepAre)
+{
+    BrokenOff scene;
+    b2Body* platforms[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        platforms[i] = scene.Body(b2_kinematicBody, 0.0f, 20.0f * float32(i));
+        Scene::AddBox(platforms[i], 0.002f, 1.0f);
+        platforms[i]->SetLinearVelocity(b2Vec2(0.37f, 0.0f));
+    }
+    b2Body* bullet = scene.Ball(1.0f, 0.0f, 0.05f);
+    bullet->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));
+    scene.world.Step(1.0f / 60.0f, 8, 3);
+    EXPECT_LT(bullet->GetPosition().x, -0.5f) << "its impact is for the next part";
+    scene.world.Step(1.0f / 30.0f, 8, 3);
+    EXPECT_GT(bullet->GetPosition().x, 0.0f);
+    EXPECT_EQ(WhyBroken(scene.world, false), "");
+    EXPECT_EQ(platforms[0]->GetPosition().x, platforms[1]->GetPosition().x);
+}
+
 // They hit each other and the wall by turns, more often than a step has impacts.
 TEST(DynamicsContinuous, AHeavyBulletDoesNotDriveALightBodyThroughAThinWall)
 {

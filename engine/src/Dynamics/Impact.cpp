@@ -312,11 +312,21 @@ void Impact::BounceLess(double most)
     }
 }
 
-void Impact::MoveOn(b2Body& body, float32 time)
+void Impact::MoveOn(std::size_t index, float32 time)
 {
+    b2Body& body = *m_bodies[index];
     BodyData& data = Data(body);
     if (data.mobility == Mobility::Static || data.awakeIndex == -1)
     {
+        return;
+    }
+    const ImpactBackup& before = m_arrays.impactBefore[index];
+    if (!data.IsDynamic() && data.linearVelocity == before.v && data.angularVelocity == before.w)
+    {
+        // To where it was on its way: the rest of a step that was broken off may be called with
+        // another length, and the sum of the parts rounds otherwise than the whole.
+        data.pose = before.pose;
+        SynchronizePose(data);
         return;
     }
     SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
@@ -364,7 +374,7 @@ void Impact::SolveVelocities(float32 time)
     {
         BodyData& data = Data(*m_bodies[i]);
         const EnergyGuard::Way way = WayOf(i, time);
-        MoveOn(*m_bodies[i], time);
+        MoveOn(i, time);
         if (accounts)
         {
             m_arrays.energyGuard.NoteImpact(data, way);

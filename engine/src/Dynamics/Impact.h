@@ -48,7 +48,7 @@ private:
     double KineticEnergyOfAll() const;
     void BounceLess(double most);
     EnergyGuard::Way WayOf(std::size_t index, float32 time) const;
-    void MoveOn(b2Body& body, float32 time);
+    void MoveOn(std::size_t index, float32 time);
     void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
 
     World& m_world;
