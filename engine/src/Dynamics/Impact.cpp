@@ -171,6 +171,18 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
     body.v += 0.5f * timeLeft * acceleration;
 }
 
+/// An impact is found a little below the surfaces; what is deeper started there, and other impacts
+/// of the step push it as well.
+void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
+{
+    const float32 most = kFarthestPush * m_timeStep;
+    const float32 way = PushOf(SolverBody(), pushed, maxExtent);
+    if (m_world.subStepCount > 1 && way > most)
+    {
+        ShortenPush(SolverBody(), pushed, most / way);
+    }
+}
+
 /// Only the two bodies of the impact may be moved.
 void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 {
@@ -202,11 +214,12 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
         BodyData& data = Data(*body);
         if (data.IsDynamic())
         {
-            const SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
+            SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
             if (!IsFinite(s))
             {
                 continue;
             }
+            LimitPush(s, data.maxExtent);
             data.pose.x += double(s.d.x);
             data.pose.y += double(s.d.y);
             data.pose.angle += double(s.angle);

@@ -39,6 +39,7 @@ private:
     void Prepare();
     float32 DepthOf(std::size_t contact, int32 point) const;
     void NoteDepths();
+    void LimitPush(SolverBody& pushed, float32 maxExtent) const;
     double CorrectBounces();
     double CorrectBounce(std::size_t index);
     template <class Function>
