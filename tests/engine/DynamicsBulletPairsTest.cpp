@@ -245,7 +245,8 @@ TEST(BulletPairs, NoneThatOverlapsIsWithoutContactWhateverTheProgramDoes)
 {
     int overlaps = 0;
     int swept = 0;
-    for (unsigned seed = 0; seed < 12; ++seed)
+    // In the last two a body is put back in front of a wall at the end of a step, onto another.
+    for (const unsigned seed : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u, 11u, 368u, 568u})
     {
         Crowd crowd(seed);
         for (int step = 0; step < 300; ++step)

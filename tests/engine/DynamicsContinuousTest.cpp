@@ -431,6 +431,52 @@ TEST(DynamicsContinuous, ATurningPlatformIsWhereItsBoxSaysBetweenThePartsOfAStep
     }
 }
 
+/// A sub-stepped world with a ball that hits a wall early in the first step, and so breaks it off.
+struct BrokenOff : public Scene
+{
+    BrokenOff() : Scene(b2Vec2(0.0f, 0.0f))
+    {
+        world.SetSubStepping(true);
+        Wall(-20.0f, 0.01f);
+        Ball(-19.8f, 0.0f, 0.05f)->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));
+    }
+};
+
+TEST(DynamicsContinuous, AStepThatWasBrokenOffIsOverWhenImpactsAreNoLongerLookedFor)
+{
+    BrokenOff scene;
+    b2Body* free = scene.Ball(0.0f, 0.0f, 0.05f);
+    free->SetLinearVelocity(b2Vec2(6.0f, 0.0f));
+    scene.Step();
+    EXPECT_FLOAT_EQ(free->GetPosition().x, 0.1f);
+    scene.world.SetContinuousPhysics(false);
+    scene.Step();
+    EXPECT_FLOAT_EQ(free->GetPosition().x, 0.2f) << "a step of its own";
+    scene.Step();
+    EXPECT_FLOAT_EQ(free->GetPosition().x, 0.3f);
+}
+
+// Thin, so that its box has hardly any margin.
+TEST(DynamicsContinuous, APlatformGoesOnAsItDidWhateverHitsItAndHoweverLongThePartsOfAStepAre)
+{
+    BrokenOff scene;
+    b2Body* platforms[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        platforms[i] = scene.Body(b2_kinematicBody, 0.0f, 20.0f * float32(i));
+        Scene::AddBox(platforms[i], 0.002f, 1.0f);
+        platforms[i]->SetLinearVelocity(b2Vec2(0.37f, 0.0f));
+    }
+    b2Body* bullet = scene.Ball(1.0f, 0.0f, 0.05f);
+    bullet->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));
+    scene.world.Step(1.0f / 60.0f, 8, 3);
+    EXPECT_LT(bullet->GetPosition().x, -0.5f) << "its impact is for the next part";
+    scene.world.Step(1.0f / 30.0f, 8, 3);
+    EXPECT_GT(bullet->GetPosition().x, 0.0f);
+    EXPECT_EQ(WhyBroken(scene.world, false), "");
+    EXPECT_EQ(platforms[0]->GetPosition().x, platforms[1]->GetPosition().x);
+}
+
 // They hit each other and the wall by turns, more often than a step has impacts.
 TEST(DynamicsContinuous, AHeavyBulletDoesNotDriveALightBodyThroughAThinWall)
 {

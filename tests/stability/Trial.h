@@ -197,13 +197,18 @@ public:
         }
     }
 
-    /// The farthest way of any from its place [m].
+    /// How far a body has come from its place [m].
+    double WayOf(std::size_t body) const
+    {
+        return double(b2Distance(m_bodies[body]->GetPosition(), m_places[body]));
+    }
+    /// The farthest way of any [m].
     double Farthest() const
     {
         double farthest = 0.0;
         for (std::size_t i = 0; i < m_bodies.size(); ++i)
         {
-            farthest = Worst(double(b2Distance(m_bodies[i]->GetPosition(), m_places[i])), farthest);
+            farthest = Worst(WayOf(i), farthest);
         }
         return farthest;
     }

@@ -35,6 +35,7 @@ constexpr double kTolerancesOfWeight = 100.0;
 /// a slop is left.
 constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
 constexpr float32 kOverlap = 0.8f * b2_linearSlop;
+constexpr float32 kAllPushes = 1.01f; ///< of contacts in a row, a little more than their sum
 
 /// A contact of a block as an item: a row for each normal, and one for the tangent.
 class ContactItem
@@ -547,9 +548,17 @@ void ContactSystem::SolveOverlaps(Pile& pile, SolverArrays& arrays, const Solver
         }
     }
     system.Minimize(ways, double(0.01f * b2_linearSlop));
+    float32 farthest = 0.0f;
+    for (const BodyData* body : system.Bodies())
+    {
+        farthest = b2Max(farthest, m_moves[std::size_t(body->SolverIndex())].v.Length());
+    }
+    // Farther than all pushes in a row: there is no room, and what came out is rounding.
+    const bool hasRoom = farthest <= kAllPushes * float32(count + 1) * pace.most;
     for (const BodyData* body : system.Bodies())
     {
         SolverBody& way = m_moves[std::size_t(body->SolverIndex())];
+        way = hasRoom ? way : SolverBody();
         SolverBody& s = context.bodies[body->SolverIndex()];
         s.d += way.v;
         if (body->SolverInvInertia() > 0.0f)

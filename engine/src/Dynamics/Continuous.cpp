@@ -122,6 +122,10 @@ void ContinuousCollision::Run()
         }
     }
     containment.Hold();
+    if (m_world.proxies.HasMoved())
+    {
+        m_world.FindNewContacts(); // where that has put bodies, as after all that moves them
+    }
     if (any)
     {
         m_arrays.energyGuard.ChargeImpacts();
@@ -267,17 +271,13 @@ ImpactBackup ContinuousCollision::Save(b2Body& body) const
 }
 
 /// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
-/// changed its velocity, or its type, or the step's length, was changed between the parts of a
-/// step.
+/// changed its velocity.
 bool ContinuousCollision::HasNewWay(std::size_t index) const
 {
     const BodyData& data = Data(*m_bodies[index]);
-    const ImpactBackup& before = m_before[index];
-    const b2Vec2 apart(float32(data.pose.x - before.pose.x), float32(data.pose.y - before.pose.y));
-    const float32 turned = b2Abs(float32(data.pose.angle - before.pose.angle));
-    return data.IsDynamic() || data.linearVelocity != before.v ||
-           data.angularVelocity != before.w ||
-           apart.Length() + turned * data.maxExtent > b2_linearSlop;
+    const Pose& before = m_before[index].pose;
+    return data.IsDynamic() || data.pose.x != before.x || data.pose.y != before.y ||
+           data.pose.angle != before.angle;
 }
 
 void ContinuousCollision::Restore(const ImpactBackup& backup)

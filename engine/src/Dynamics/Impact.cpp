@@ -171,6 +171,18 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
     body.v += 0.5f * timeLeft * acceleration;
 }
 
+/// An impact is found a little below the surfaces; what is deeper started there, and other impacts
+/// of the step push it as well.
+void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
+{
+    const float32 most = kFarthestPush * m_timeStep;
+    const float32 way = PushOf(SolverBody(), pushed, maxExtent);
+    if (m_world.subStepCount > 1 && way > most)
+    {
+        ShortenPush(SolverBody(), pushed, most / way);
+    }
+}
+
 /// Only the two bodies of the impact may be moved.
 void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 {
@@ -202,11 +214,12 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
         BodyData& data = Data(*body);
         if (data.IsDynamic())
         {
-            const SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
+            SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
             if (!IsFinite(s))
             {
                 continue;
             }
+            LimitPush(s, data.maxExtent);
             data.pose.x += double(s.d.x);
             data.pose.y += double(s.d.y);
             data.pose.angle += double(s.angle);
@@ -312,11 +325,21 @@ void Impact::BounceLess(double most)
     }
 }
 
-void Impact::MoveOn(b2Body& body, float32 time)
+void Impact::MoveOn(std::size_t index, float32 time)
 {
+    b2Body& body = *m_bodies[index];
     BodyData& data = Data(body);
     if (data.mobility == Mobility::Static || data.awakeIndex == -1)
     {
+        return;
+    }
+    const ImpactBackup& before = m_arrays.impactBefore[index];
+    if (!data.IsDynamic() && data.linearVelocity == before.v && data.angularVelocity == before.w)
+    {
+        // To where it was on its way: the rest of a step that was broken off may be called with
+        // another length, and the sum of the parts rounds otherwise than the whole.
+        data.pose = before.pose;
+        SynchronizePose(data);
         return;
     }
     SolverBody& s = m_arrays.bodies[std::size_t(data.SolverIndex())];
@@ -364,7 +387,7 @@ void Impact::SolveVelocities(float32 time)
     {
         BodyData& data = Data(*m_bodies[i]);
         const EnergyGuard::Way way = WayOf(i, time);
-        MoveOn(*m_bodies[i], time);
+        MoveOn(i, time);
         if (accounts)
         {
             m_arrays.energyGuard.NoteImpact(data, way);

@@ -39,6 +39,7 @@ private:
     void Prepare();
     float32 DepthOf(std::size_t contact, int32 point) const;
     void NoteDepths();
+    void LimitPush(SolverBody& pushed, float32 maxExtent) const;
     double CorrectBounces();
     double CorrectBounce(std::size_t index);
     template <class Function>
@@ -48,7 +49,7 @@ private:
     double KineticEnergyOfAll() const;
     void BounceLess(double most);
     EnergyGuard::Way WayOf(std::size_t index, float32 time) const;
-    void MoveOn(b2Body& body, float32 time);
+    void MoveOn(std::size_t index, float32 time);
     void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
 
     World& m_world;

@@ -148,6 +148,23 @@ float32 PushPair(Push& push, PushPace pace)
 
 } // namespace
 
+float32 PushOf(const SolverBody& before, const SolverBody& after, float32 maxExtent)
+{
+    return (after.d - before.d).Length() + b2Abs(after.angle - before.angle) * maxExtent;
+}
+
+void ShortenPush(const SolverBody& before, SolverBody& after, float32 share)
+{
+    const float32 turn = after.angle - before.angle;
+    after.d = before.d + share * (after.d - before.d);
+    after.q = before.q;
+    after.angle = before.angle;
+    if (turn != 0.0f)
+    {
+        after.Rotate(share * turn);
+    }
+}
+
 float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace)
 {
     Push push{o, bodies[o.bodyA], bodies[o.bodyB]};

@@ -383,17 +383,60 @@ void StepSolver::Drift(float32 timeStep, int32 sweeps)
 
 void StepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
 {
+    m_arrays.beforePushes = m_arrays.bodies;
     // The sweeps and the solution after them take equal parts of the way.
     const float32 most = b2Min(kPushSpeed * timeStep / float32(sweeps + 1), b2_maxLinearCorrection);
+    float32 deepest = 0.0f;
     for (int32 i = 0; i < sweeps; ++i)
     {
-        if (SolveOverlaps(DirectionOf(i), {rate, most}) >= -b2_linearSlop)
+        const float32 found = SolveOverlaps(DirectionOf(i), {rate, most});
+        deepest = b2Min(deepest, found);
+        if (found >= -b2_linearSlop)
         {
             break;
         }
     }
     m_arrays.contactSystem.SolveOverlaps(m_arrays, m_context,
                                          {b2_baumgarte / float32(m_world.subStepCount), most});
+    if (deepest < -b2_linearSlop)
+    {
+        LimitPushes(kFarthestPush * timeStep);
+    }
+}
+
+/// Shortens all pushes of an island alike, so that no point of its bodies has gone farther than
+/// `most` [m] by them. The directions stay, and what was not to come nearer does not.
+void StepSolver::LimitPushes(float32 most)
+{
+    m_arrays.farthestPushes.assign(std::size_t(m_arrays.islands.Count()), 0.0f);
+    const auto forPushed = [this](auto&& function) {
+        for (const b2Body* body : m_world.awakeBodies)
+        {
+            const int32 i = Data(*body).SolverIndex();
+            const int32 island = m_arrays.islands.Of(i);
+            if (island != -1)
+            {
+                function(Data(*body), m_arrays.farthestPushes[std::size_t(island)],
+                         m_arrays.beforePushes[std::size_t(i)], m_arrays.bodies[std::size_t(i)]);
+            }
+        }
+    };
+    bool any = false;
+    forPushed([&](const BodyData& body, float32& far, const SolverBody& before, SolverBody& s) {
+        const float32 way = PushOf(before, s, body.maxExtent);
+        far = b2Max(far, way);
+        any = any || way > most;
+    });
+    if (!any)
+    {
+        return;
+    }
+    forPushed([&](const BodyData&, float32 far, const SolverBody& before, SolverBody& s) {
+        if (far > most)
+        {
+            ShortenPush(before, s, most / far);
+        }
+    });
 }
 
 void StepSolver::EndSmallSteps()

@@ -63,6 +63,8 @@ struct SolverArrays
     Array<uint8> left;                ///< by awake body: whether a shape has left its box
     Array<WayOfBody> ways;            ///< by awake body, of small steps
     Array<BodyKick> kicks;            ///< by awake body, of small steps
+    Array<SolverBody> beforePushes;   ///< by solver index, of small steps: see MoveApart
+    Array<float32> farthestPushes;    ///< by number of AwakeIslands: of any of its bodies [m]
     Array<uint8> deep;                ///< by solver index, of small steps: see FindDeep
     Array<b2Contact*> reported;       ///< whose impulses the listener wants to know, in order
     Array<float32> impactTimes;       ///< by awake contact

@@ -72,6 +72,8 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
     }
     if (timeStep > 0.0f)
     {
+        // Only impacts can be left of a step, so without continuous collision nothing is.
+        stepComplete = stepComplete || !continuousPhysics;
         if (stepComplete)
         {
             ProfileScope solve(profiling, profile.solve);

@@ -56,6 +56,7 @@ private:
     void Bounce();
     void Sweep(int32 iterations);
     void TurnAsSeen();
+    void LimitPushes(float32 most);
     void FindFlying();
     void FindDeep();
     bool IsPushedOut(const BodyData& body) const;
