@@ -123,7 +123,8 @@ VideoSettings PartOf(VideoSettings settings, std::int64_t firstFrame)
 } // namespace
 
 Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSettings& settings,
-                           std::optional<std::int64_t> count, VideoWriter& to)
+                           std::optional<std::int64_t> count, VideoWriter& to,
+                           const std::function<bool()>& isStopped)
 {
     Result<StoredFrames> frames = StoredFrames::Open(from, settings);
     if (!frames)
@@ -137,7 +138,7 @@ Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSetting
     }
     const std::int64_t end = count.value_or(std::numeric_limits<std::int64_t>::max());
     std::int64_t appended = 0;
-    while (appended < end)
+    while (appended < end && !isStopped())
     {
         const Result<bool> more = frames->Next();
         if (!more)
@@ -186,8 +187,8 @@ std::int64_t CountWholeAnimation(const std::filesystem::path& left, const VideoS
     return last < 0 ? 0 : std::max<std::int64_t>(0, times.FirstIndexOf(times.GroupOf(last)));
 }
 
-Result<void> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                            const VideoSettings& settings)
+Result<bool> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                            const VideoSettings& settings, const std::function<bool()>& isStopped)
 {
     Result<StoredFrames> first = StoredFrames::Open(parts.front().path, settings);
     if (!first)
@@ -210,13 +211,18 @@ Result<void> JoinAnimations(const std::vector<FilmPart>& parts, const std::files
             : next != parts.end() ? std::optional(next->firstFrame - part->firstFrame)
                                   : std::nullopt;
         const Result<void> copied =
-            CopyAnimation(part->path, PartOf(whole, part->firstFrame), count, *writer);
+            CopyAnimation(part->path, PartOf(whole, part->firstFrame), count, *writer, isStopped);
         if (!copied)
         {
-            return copied;
+            return copied.GetError();
+        }
+        if (isStopped())
+        {
+            return false;
         }
     }
-    return writer->Close();
+    const Result<void> closed = writer->Close();
+    return closed ? Result<bool>(true) : closed.GetError();
 }
 
 } // namespace boxreel

@@ -17,16 +17,18 @@ namespace boxreel
 
 /// Appends the first `count` frames of the film `from` to `to`, all that are there unless said.
 /// `settings`: those that `from` was made with. An Error when it cannot be read so far, or has
-/// another size.
-Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSettings& settings,
-                           std::optional<std::int64_t> count, VideoWriter& to);
+/// another size. Ends early once `isStopped` says so.
+Result<void> CopyAnimation(
+    const std::filesystem::path& from, const VideoSettings& settings,
+    std::optional<std::int64_t> count, VideoWriter& to,
+    const std::function<bool()>& isStopped = [] { return false; });
 
 /// How many frames of an interrupted film are whole: those of the groups that another one follows.
 /// None when it is no such film.
 std::int64_t CountWholeAnimation(const std::filesystem::path& left, const VideoSettings& settings);
 
 /// JoinFilms for animations.
-Result<void> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                            const VideoSettings& settings);
+Result<bool> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                            const VideoSettings& settings, const std::function<bool()>& isStopped);
 
 } // namespace boxreel

@@ -59,7 +59,7 @@ namespace
 {
 
 Result<void> Copy(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
-                  bool isUnwrapped, FFmpegMuxer& muxer)
+                  bool isUnwrapped, FFmpegMuxer& muxer, const std::function<bool()>& isStopped)
 {
     Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
     if (!packets)
@@ -68,7 +68,7 @@ Result<void> Copy(const CopiedPart& part, std::span<const std::int64_t> decoding
     }
     const bool needsStartCodes = isUnwrapped && HasLengths(packets->Codec());
     std::size_t copied = 0;
-    while (const FFmpegOwner<AVPacket> packet = packets->Next())
+    while (const FFmpegOwner<AVPacket> packet = isStopped() ? nullptr : packets->Next())
     {
         if (packet->pts >= part.before || copied >= decodingTimes.size())
         {
@@ -92,9 +92,9 @@ Result<void> Copy(const CopiedPart& part, std::span<const std::int64_t> decoding
 } // namespace
 
 Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
-                         FFmpegMuxer& muxer)
+                         FFmpegMuxer& muxer, const std::function<bool()>& isStopped)
 {
-    return Copy(part, decodingTimes, false, muxer);
+    return Copy(part, decodingTimes, false, muxer, isStopped);
 }
 
 Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer, DecodingTimes& decodingTimes)
@@ -114,7 +114,7 @@ Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer, DecodingT
     {
         time = decodingTimes.Next();
     }
-    return Copy(part, times, true, muxer);
+    return Copy(part, times, true, muxer, [] { return false; });
 }
 
 std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTimes& times,

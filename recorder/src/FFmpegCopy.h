@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -28,9 +29,10 @@ struct CopiedPart
 /// When the part's frames are shown, in the order of its packets.
 Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part);
 
-/// `decodingTimes`: of each of its packets.
-Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
-                         FFmpegMuxer& muxer);
+/// `decodingTimes`: of each of its packets. Ends early once `isStopped` says so.
+Result<void> CopyPackets(
+    const CopiedPart& part, std::span<const std::int64_t> decodingTimes, FFmpegMuxer& muxer,
+    const std::function<bool()>& isStopped = [] { return false; });
 
 /// The part as the beginning of a film that goes on with packets as the encoder gives them.
 Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer,

@@ -93,26 +93,33 @@ Result<void> CheckAlike(const std::vector<FilmPart>& films, AVRational tick)
     return {};
 }
 
-Result<void> Write(const std::vector<Part>& parts, FFmpegMuxer& muxer)
+Result<bool> Write(const std::vector<Part>& parts, FFmpegMuxer& muxer,
+                   const std::function<bool()>& isStopped)
 {
     for (const Part& part : parts)
     {
-        if (Result<void> copied = CopyPackets(part.copied, part.decoded, muxer); !copied)
+        if (Result<void> copied = CopyPackets(part.copied, part.decoded, muxer, isStopped); !copied)
         {
-            return copied;
+            return copied.GetError();
+        }
+        if (isStopped())
+        {
+            return false;
         }
     }
-    return muxer.Finish();
+    const Result<void> finished = muxer.Finish();
+    return finished ? Result<bool>(true) : finished.GetError();
 }
 
 } // namespace
 
-Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::filesystem::path& path,
-                             VideoFormat format, const VideoSettings& settings)
+Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::filesystem::path& path,
+                             VideoFormat format, const VideoSettings& settings,
+                             const std::function<bool()>& isStopped)
 {
     if (Result<void> loaded = LoadFFmpeg(); !loaded)
     {
-        return loaded;
+        return loaded.GetError();
     }
     const Result<EncoderPlan> plan = PlanFor(format, settings);
     if (!plan)
@@ -129,7 +136,7 @@ Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     }
     if (Result<void> alike = CheckAlike(films, tick); !alike)
     {
-        return alike;
+        return alike.GetError();
     }
     FillDecodingTimes(*parts);
     Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
@@ -148,11 +155,12 @@ Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     {
         return muxer.GetError();
     }
-    if (Result<void> written = Write(*parts, *muxer); !written)
+    if (Result<bool> written = Write(*parts, *muxer, isStopped); !written || !*written)
     {
         return written;
     }
-    return file->Commit();
+    const Result<void> committed = file->Commit();
+    return committed ? Result<bool>(true) : committed.GetError();
 }
 
 } // namespace boxreel

@@ -9,7 +9,8 @@
 namespace boxreel
 {
 
-Result<void> JoinFFmpegFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                             VideoFormat format, const VideoSettings& settings);
+Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                             VideoFormat format, const VideoSettings& settings,
+                             const std::function<bool()>& isStopped);
 
 } // namespace boxreel

@@ -10,13 +10,13 @@
 namespace boxreel
 {
 
-Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                       const VideoSettings& settings)
+Result<bool> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                       const VideoSettings& settings, const std::function<bool()>& isStopped)
 {
     assert(!parts.empty() && "parts of a film");
     if (Result<void> usable = CheckVideoPath(path, settings); !usable)
     {
-        return usable;
+        return usable.GetError();
     }
     const VideoFormat format = *FormatOf(path, settings);
     for (const FilmPart& part : parts)
@@ -37,9 +37,9 @@ Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem
     }
     if (IsAnimation(format))
     {
-        return JoinAnimations(parts, path, settings);
+        return JoinAnimations(parts, path, settings, isStopped);
     }
-    return JoinFFmpegFilms(parts, path, format, settings);
+    return JoinFFmpegFilms(parts, path, format, settings, isStopped);
 }
 
 } // namespace boxreel

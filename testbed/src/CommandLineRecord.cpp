@@ -201,12 +201,14 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed)
         ->type_name("");
     AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind");
     AddForce(*command, merge.force);
-    command->footer("The parts must be of the same command, follow each other without a gap, and "
-                    "the world must be\nin the same state where one ends and the next begins.\n\n"
-                    "Examples:\n"
-                    "  boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199\n"
-                    "  boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399\n"
-                    "  boxreel merge a.mkv b.mkv -o pyramid.mkv");
+    command->footer(
+        "The parts must be of the same command, follow each other without a gap, and "
+        "the world must be\nin the same state where one ends and the next begins. Stopped by a "
+        "signal it leaves nothing; exit\ncode 75 says so.\n\n"
+        "Examples:\n"
+        "  boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199\n"
+        "  boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399\n"
+        "  boxreel merge a.mkv b.mkv -o pyramid.mkv");
 }
 
 } // namespace boxreel

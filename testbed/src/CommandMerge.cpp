@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Commands.h"
 #include "FilmPapers.h"
+#include "StopSignals.h"
 #include "Terminal.h"
 
 #include <recorder/JoinFilms.h>
@@ -118,9 +119,17 @@ Result<int> RunMerge(const MergeOptions& options)
     settings.overwrite = options.force;
     settings.plays = first.plays;
     settings.groupFrames = GroupOf(first, options.output);
-    if (Result<void> joined = JoinFilms(films, options.output, settings); !joined)
+    const StopSignals stopSignals;
+    const Result<bool> joined =
+        JoinFilms(films, options.output, settings, [] { return StopSignals::Caught() != 0; });
+    if (!joined)
     {
         return joined.GetError();
+    }
+    if (!*joined)
+    {
+        WriteMessage("Stopped; nothing of " + options.output.string() + " is left.");
+        return StopSignals::kExitCode;
     }
     const std::int64_t frames = parts->back().papers.end - first.first;
     WriteMessage(options.output.string() + ": " + std::to_string(frames) + " frames of " +

@@ -13,8 +13,6 @@ namespace boxreel
 namespace
 {
 
-constexpr int kStoppedCode = 75; // as sysexits.h calls "try again later"
-
 FilmReport ReportOf(const RecordOptions& options, std::int64_t frameCount, double seconds)
 {
     FilmReport report;
@@ -320,7 +318,7 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
                    (m_hasPapers ? ", and the same command with --resume goes on" : "");
     }
     m_progress.Stop(stopped + ".");
-    return kStoppedCode;
+    return StopSignals::kExitCode;
 }
 
 /// A part keeps its papers, a whole film needs none.

@@ -16,6 +16,9 @@ public:
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
+    /// Of a program that was stopped: as sysexits.h calls "try again later".
+    static constexpr int kExitCode = 75;
+
     /// The signal that came, or 0.
     static int Caught();
 };

@@ -116,10 +116,30 @@ TEST_P(Parts, JoinedAreTheFilmMadeInOneGo)
     MakePart(Path("a"), 0, 20);
     MakePart(Path("b"), 20, 30); // all of it rests
     MakePart(Path("c"), 30, kCount);
-    const Result<void> joined =
+    const Result<bool> joined =
         JoinFilms({{Path("a"), 0}, {Path("b"), 20}, {Path("c"), 30}}, Path("film"), Settings());
-    ASSERT_TRUE(joined) << joined.GetError().message;
+    ASSERT_TRUE(joined && *joined) << joined.GetError().message;
     ExpectSame("film");
+}
+
+TEST_P(Parts, JoiningThemMayBeStoppedAtAnyTimeAndLeavesNothing)
+{
+    MakePart(Path("a"), 0, 20);
+    MakePart(Path("b"), 20, kCount);
+    const std::vector<std::string> before = m_folder.Names();
+    const std::vector<FilmPart> parts{{Path("a"), 0}, {Path("b"), 20}};
+    bool isWhole = false;
+    int question = 0; // the one that is answered with yes, as are all after it
+    for (; !isWhole; ++question)
+    {
+        int asked = 0;
+        const Result<bool> joined =
+            JoinFilms(parts, Path("film"), Settings(), [&] { return asked++ >= question; });
+        ASSERT_TRUE(joined) << joined.GetError().message;
+        isWhole = *joined;
+        EXPECT_EQ(m_folder.Names().size(), before.size() + (isWhole ? 1 : 0)) << question;
+    }
+    EXPECT_GT(question, 4) << "it was hardly asked";
 }
 
 TEST_P(Parts, ASuspendedFilmIsContinuedToTheSameFrames)
@@ -241,7 +261,7 @@ protected:
         {
             parts.push_back({m_folder / name, std::int64_t(parts.size()) * 4});
         }
-        const Result<void> joined = JoinFilms(parts, m_folder / whole, {});
+        const Result<bool> joined = JoinFilms(parts, m_folder / whole, {});
         EXPECT_FALSE(joined);
         EXPECT_FALSE(std::filesystem::exists(m_folder / whole));
         return joined ? "" : joined.GetError().message;

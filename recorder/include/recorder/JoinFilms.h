@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 /// Parts of a film become the whole, without encoding a frame again; of a gif, apng or webp, which
@@ -22,8 +23,10 @@ struct FilmPart
 /// `parts`: in their order, each beginning where the one before ends, made with the same settings
 /// and with groups of frames that end where a part does. Of `settings` count framesPerSecond
 /// and overwrite, and of animations groupFrames and plays. An Error (Unusable) when `path` is of a
-/// kind that cannot be joined, or the parts are not coded alike.
-Result<void> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                       const VideoSettings& settings);
+/// kind that cannot be joined, or the parts are not coded alike. `isStopped`: asked again and
+/// again; once it says yes nothing is left, and the answer is false.
+Result<bool> JoinFilms(
+    const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+    const VideoSettings& settings, const std::function<bool()>& isStopped = [] { return false; });
 
 } // namespace boxreel
