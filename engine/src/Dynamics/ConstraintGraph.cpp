@@ -21,6 +21,9 @@ bool Yields(const BodyData& body)
     return body.mobility == Mobility::Dynamic;
 }
 
+/// Contacts that a colour has room for from its first on: small lists would grow one by one.
+constexpr std::size_t kFirstRoom = 16;
+
 constexpr uint32 kAllColors = (1u << ConstraintGraph::kOverflow) - 1;
 
 } // namespace
@@ -70,6 +73,10 @@ void ConstraintGraph::Add(b2Contact& contact)
     m_contactsChanged[c.color] = true;
     Array<b2Contact*>& list = m_contacts[c.color];
     c.colorIndex = int32(list.size());
+    if (list.capacity() == 0)
+    {
+        list.reserve(kFirstRoom);
+    }
     list.push_back(&contact);
 }
 

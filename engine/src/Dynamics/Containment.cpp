@@ -2,6 +2,7 @@
 #include "Containment.h"
 
 #include "Access.h"
+#include "ImpactJoints.h"
 #include "SolverArrays.h"
 #include "World.h"
 
@@ -56,8 +57,9 @@ void Containment::NoteStarts()
     }
 }
 
-void Containment::Hold()
+bool Containment::Hold(ImpactJoints& joints)
 {
+    bool any = false;
     for (b2Contact* contact : m_world.awakeContacts)
     {
         const ContactData& c = Data(*contact);
@@ -65,9 +67,10 @@ void Containment::Hold()
         const bool letThrough = c.IsTouching() && !c.IsEnabled();
         if ((c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor())
         {
-            Hold(c);
+            any = Hold(c, joints) || any;
         }
     }
+    return any;
 }
 
 const Pose& Containment::StartOf(const BodyData& body) const
@@ -76,7 +79,7 @@ const Pose& Containment::StartOf(const BodyData& body) const
     return index < m_starts.size() ? m_starts[index] : body.previous;
 }
 
-void Containment::Hold(const ContactData& c)
+bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
 {
     std::pair<b2Body*, const b2Shape*> moved(c.bodyB, c.fixtureB->GetShape());
     std::pair<b2Body*, const b2Shape*> still(c.bodyA, c.fixtureA->GetShape());
@@ -90,7 +93,7 @@ void Containment::Hold(const ContactData& c)
     const BodyData& wall = Data(*still.first);
     if (!body.IsDynamic())
     {
-        return;
+        return false;
     }
     const b2Vec2 offset = CentreOf(*moved.second, body) - body.localCenter;
     const Pose& wallStart = StartOf(wall);
@@ -106,10 +109,12 @@ void Containment::Hold(const ContactData& c)
     b2RayCastOutput hit;
     if (!still.second->RayCast(&hit, way, here, child))
     {
-        return;
+        return false;
     }
     const b2Vec2 held =
         way.p1 + hit.fraction * (way.p2 - way.p1) + b2_linearSlop * hit.normal - wall.localCenter;
+    joints.NoteStarts();
+    joints.NoteStopped(body);
     const b2Vec2 shift = b2Mul(wall.rotation, held) - end;
     const b2Vec2 normal = b2Mul(wall.rotation, hit.normal);
     body.pose.x += double(shift.x);
@@ -120,6 +125,7 @@ void Containment::Hold(const ContactData& c)
     body.linearVelocity -= b2Min(speed, 0.0f) * normal;
     SynchronizePose(body);
     m_world.UpdateProxies(body, true);
+    return true;
 }
 
 } // namespace box2d

@@ -13,6 +13,7 @@ namespace box2d
 {
 
 struct ContactData;
+class ImpactJoints;
 class World;
 
 class Containment
@@ -23,11 +24,11 @@ public:
     /// Before the first impact, which moves the starts of ways.
     void NoteStarts();
     /// Takes bodies back to the walls that their shapes' centres have crossed in the step, and the
-    /// speed at which they went there.
-    void Hold();
+    /// speed at which they went there. Whether there were any.
+    bool Hold(ImpactJoints& joints);
 
 private:
-    void Hold(const ContactData& c);
+    bool Hold(const ContactData& c, ImpactJoints& joints);
     const Pose& StartOf(const BodyData& body) const;
 
     World& m_world;

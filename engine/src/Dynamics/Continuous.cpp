@@ -2,6 +2,7 @@
 #include "Access.h"
 #include "Containment.h"
 #include "Impact.h"
+#include "ImpactJoints.h"
 #include "SolverArrays.h"
 #include "Sweeps.h"
 #include "World.h"
@@ -23,6 +24,7 @@ namespace box2d
 namespace
 {
 
+constexpr int32 kMostRounds = 4;    ///< of closing joints and holding bodies on their side
 constexpr int32 kContactGrain = 64; ///< contacts that one thread takes at a time
 
 bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
@@ -42,9 +44,9 @@ class ContinuousCollision
 public:
     ContinuousCollision(World& world, float32 timeStep, int32 velocityIterations)
         : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep),
-          m_impact(world, timeStep, velocityIterations), m_events(m_arrays.impactEvents),
-          m_bodies(m_impact.Bodies()), m_before(m_arrays.impactBefore),
-          m_contacts(m_impact.Contacts())
+          m_impact(world, timeStep, velocityIterations), m_joints(world),
+          m_events(m_arrays.impactEvents), m_bodies(m_impact.Bodies()),
+          m_before(m_arrays.impactBefore), m_contacts(m_impact.Contacts())
     {
         m_events.clear();
     }
@@ -69,7 +71,8 @@ private:
     World& m_world;
     SolverArrays& m_arrays;
     float32 m_timeStep;
-    Impact m_impact;              // the present event
+    Impact m_impact; // the present event
+    ImpactJoints m_joints;
     Array<ImpactEvent>& m_events; // a heap, the earliest first
     int32 m_order = 0;
     Array<b2Body*>& m_bodies;      // of the present event
@@ -102,6 +105,7 @@ void ContinuousCollision::Run()
     if (!m_events.empty())
     {
         containment.NoteStarts();
+        m_joints.NoteStarts();
     }
     bool any = false;
     while (!m_events.empty())
@@ -121,7 +125,16 @@ void ContinuousCollision::Run()
             return;
         }
     }
-    containment.Hold();
+    // What is drawn back may get across a wall, and what is taken back from there open its joints.
+    (void)containment.Hold(m_joints);
+    for (int32 i = 0; i < kMostRounds && m_joints.Close(); ++i)
+    {
+        m_world.FindNewContacts();
+        if (!containment.Hold(m_joints))
+        {
+            break;
+        }
+    }
     if (m_world.proxies.HasMoved())
     {
         m_world.FindNewContacts(); // where that has put bodies, as after all that moves them
@@ -345,6 +358,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
         if (HasNewWay(i))
         {
             ++data.sweepVersion;
+            m_joints.NoteStopped(data);
             m_world.UpdateProxies(data, true);
         }
     }

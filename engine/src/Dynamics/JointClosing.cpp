@@ -20,6 +20,7 @@ constexpr double kDamped = 1e-2;
 /// about. In a tree more than RowSystem's own would let a heavy load sag.
 constexpr double kLoopCompliance = 1e-5;
 
+constexpr int32 kMostPoseCloses = 24;
 constexpr int32 kMostCycles = 16; ///< parts of a drift
 /// Of kinetic energy, by closing: see HasGained.
 constexpr double kMostGain = 0.5;
@@ -137,6 +138,10 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
 {
     Part& p = m_parts[std::size_t(part)];
     m_system.ForItems(part, [&](std::size_t joint) {
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            m_left[joint].at[k] = (1.0f - kClosedShare) * Lasting(m_system.Rows(joint).error[k]);
+        }
         p.factored = (m_gives[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
     });
     if (!p.factored)
@@ -164,6 +169,144 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
     (void)Close(part, context, timeStep);
     p.damped = false;
     giveBack();
+    if (WantClosedPoses(part, context) > b2_linearSlop)
+    {
+        ClosePoses(part, context);
+    }
+}
+
+/// Closes by poses alone, by the rows of each pose in turn (Newton's method), all but what m_left
+/// says: velocities that do not really close the joints would throw them about for long. Near a
+/// pose where rows contradict each other they are damped (Levenberg, "A Method for the Solution of
+/// Certain Non-Linear Problems in Least Squares", 1944); the best pose is kept.
+void JointSystem::ClosePoses(int32 part, const SolverContext& context)
+{
+    float32 best = b2_maxFloat;
+    double compliance = ComplianceOf(part);
+    for (int32 i = 0; i < kMostPoseCloses; ++i)
+    {
+        float32 widest = WantClosedPoses(part, context);
+        if (widest < best)
+        {
+            best = widest;
+            m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+                m_opened[place] = context.bodies[body.SolverIndex()];
+            });
+        }
+        else
+        {
+            m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+                context.bodies[body.SolverIndex()] = m_opened[place];
+            });
+            if (compliance == kDamped)
+            {
+                break;
+            }
+            compliance = kDamped;
+            widest = WantClosedPoses(part, context);
+        }
+        if (widest < kNearlyClosed || i + 1 == kMostPoseCloses)
+        {
+            break;
+        }
+        m_system.Factor(part, compliance);
+        m_system.Solve(part);
+        m_system.Apply(part, context, 1.0f, false);
+    }
+    m_parts[std::size_t(part)].factored = false;
+}
+
+/// The ways that close the joints, and the rows at the present poses. Returns how far they are
+/// open.
+float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
+{
+    float32 widest = 0.0f;
+    m_system.ForItems(part, [&](std::size_t joint) {
+        JointRows& rows = m_system.Rows(joint);
+        Impulses kept;
+        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+        rows.Clear();
+        JointAccess::FillRows(*m_joints[joint], context, rows);
+        rows.SetImpulse(kept.at);
+        (void)SetActiveToClose(joint);
+        Vector3& lack = m_system.Lack(joint);
+        lack = Vector3{};
+        for (int32 k = 0; k < rows.Rigid(); ++k)
+        {
+            const float32 open = rows.error[k] - m_left[joint].at[k];
+            widest = b2Max(widest, b2Abs(open));
+            lack.at[k] = -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
+        }
+    });
+    return widest;
+}
+
+/// Pushes are found to first order: what is turned far by them, for overlaps and joints almost
+/// contradict each other, opens joints wherever it goes. All of a part are shortened alike, so
+/// that no body turns so far that this is more than a slop.
+void JointSystem::ShortenPushes(int32 part, const SolverContext& context)
+{
+    float32 share = 1.0f;
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        const float32 turn = b2Abs(context.bodies[body.SolverIndex()].angle - m_poses[place].angle);
+        // The chord and the arc are t^2 / 2 of the arm apart.
+        const float32 most = b2Sqrt(2.0f * b2_linearSlop / b2Max(body.maxExtent, b2_linearSlop));
+        share = turn > most ? b2Min(share, most / turn) : share;
+    });
+    if (share == 1.0f)
+    {
+        return;
+    }
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        SolverBody& s = context.bodies[body.SolverIndex()];
+        const SolverBody& before = m_poses[place];
+        const float32 turn = share * (s.angle - before.angle);
+        s.d = before.d + share * (s.d - before.d);
+        s.angle = before.angle + turn;
+        s.q = b2Mul(before.q, b2Rot(turn));
+    });
+}
+
+bool JointSystem::HasMoved(int32 part, const SolverContext& context) const
+{
+    bool any = false;
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        const SolverBody& s = context.bodies[body.SolverIndex()];
+        any = any || !(s.d == m_poses[place].d) || s.angle != m_poses[place].angle;
+    });
+    return any;
+}
+
+void JointSystem::CloseAfterPushes(const SolverContext& context)
+{
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        if (m_parts[std::size_t(i)].touched && HasMoved(i, context))
+        {
+            ShortenPushes(i, context);
+            ClosePoses(i, context);
+        }
+    }
+}
+
+void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& context)
+{
+    Update(graph);
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        m_now.Clear();
+        JointAccess::FillRows(*m_joints[i], context, m_now);
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            m_left[i].at[k] = k < m_now.Rigid() ? Lasting(m_now.error[k]) : 0.0f;
+        }
+    }
+}
+
+void JointSystem::LetGo(int32 part)
+{
+    m_system.ForBodies(
+        part, [&](const BodyData&, std::size_t place) { m_system.SetBallast(place, 0.0, 0.0); });
 }
 
 /// Whether closing has given velocities that no drift can call for. It takes back what going

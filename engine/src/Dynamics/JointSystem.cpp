@@ -50,6 +50,7 @@ void JointSystem::Update(const ConstraintGraph& graph)
     m_kicks.resize(m_joints.size());
     m_speeds.resize(m_joints.size());
     m_poses.resize(m_system.Bodies().size());
+    m_left.assign(m_joints.size(), Impulses());
     m_opened.resize(m_system.Bodies().size());
     m_before.resize(m_system.Bodies().size());
     m_sweptBodies.clear();

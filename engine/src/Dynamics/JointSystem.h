@@ -89,6 +89,41 @@ public:
     /// The kicks: by awake body.
     void SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
                         const BodyKick* kicks);
+    /// After contacts have pushed what overlaps apart, since SolvePositions: takes back what that
+    /// has opened of the joints.
+    void CloseAfterPushes(const SolverContext& context);
+    /// When all is written back, before an impact within the step: how far joints are open.
+    void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
+    /// After impacts within the step, which have moved some bodies by themselves: the parts of
+    /// those of which `moved` is true are closed, for which the context's bodies, in which nothing
+    /// has moved yet, get ways. Calls `changed` with each of these parts.
+    template <class Moved, class Changed>
+    void CloseAfterImpacts(const ConstraintGraph& graph, const SolverContext& context,
+                           Moved&& moved, Changed&& changed)
+    {
+        Update(graph);
+        for (int32 i = 0; i < m_system.Components(); ++i)
+        {
+            if (!HoldMoved(i, moved))
+            {
+                continue;
+            }
+            ClosePoses(i, context);
+            LetGo(i);
+            changed(i);
+        }
+    }
+    // Of a part.
+    template <class Function>
+    void ForJoints(int32 part, Function&& function) const
+    {
+        m_system.ForItems(part, [&](std::size_t item) { function(*m_joints[item]); });
+    }
+    template <class Function>
+    void ForBodies(int32 part, Function&& function) const
+    {
+        m_system.ForBodies(part, [&](const BodyData& body, std::size_t) { function(body); });
+    }
     /// Leaves the sums of the step's impulses in the joints.
     void End();
 
@@ -161,6 +196,13 @@ private:
     bool Close(int32 part, const SolverContext& context, float32 timeStep);
     void DrawTogether(int32 part, const SolverContext& context, float32 timeStep);
     bool HasGained(int32 part, const SolverContext& context, float32 timeStep) const;
+    void ClosePoses(int32 part, const SolverContext& context);
+    float32 WantClosedPoses(int32 part, const SolverContext& context);
+    void ShortenPushes(int32 part, const SolverContext& context);
+    bool HasMoved(int32 part, const SolverContext& context) const;
+    template <class Moved>
+    bool HoldMoved(int32 part, Moved&& moved);
+    void LetGo(int32 part);
     void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
@@ -173,6 +215,9 @@ private:
     double ComplianceOf(int32 part) const;
     void SolvePart(int32 part, const SolverContext& context);
     void Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted);
+
+    /// What an impact has stopped weighs so many times what hangs together with it.
+    static constexpr double kHeldShare = 20.0;
 
     Array<b2Joint*> m_joints;
     Array<RowSides> m_sides;
@@ -188,6 +233,7 @@ private:
     Array<Impulses> m_kicks;    // each joint's impulses before it was closed
     Array<SolverBody> m_poses;  // by place: before the drift
     Array<SolverBody> m_opened; // by place: before joints were closed
+    Array<Impulses> m_left;     // of each joint's errors: how far it may stay open
     Array<SolverBody> m_before; // of swept joints' bodies: the same
     Array<Vector3> m_speeds;    // scratch: of each joint's rows
     Array<const BodyData*> m_sweptBodies;
@@ -198,5 +244,26 @@ private:
     Array<Yields> m_restored;     // from a snapshot: those of the list of
     int32 m_restoredVersion = -1; // this version, for Update to go on with
 };
+
+/// Whether a body of the part is; these are made hard to move.
+template <class Moved>
+bool JointSystem::HoldMoved(int32 part, Moved&& moved)
+{
+    double mass = 0.0;
+    bool any = false;
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
+        mass += 1.0 / double(body.SolverInvMass());
+        any = any || moved(body);
+    });
+    if (any)
+    {
+        m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+            const double held = moved(body) ? kHeldShare * mass : mass;
+            const double reach = double(body.maxExtent);
+            m_system.SetBallast(place, held, held * reach * reach);
+        });
+    }
+    return any;
+}
 
 } // namespace box2d

@@ -195,6 +195,7 @@ void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Eliminati
     assign(m_sides, m_pattern.sides.size(), Side{});
     resize(m_diagonal, m_pattern.columns.size() - 1);
     resize(m_x, m_diagonal.size());
+    assign(m_ballast, m_diagonal.size(), Ballast());
     assign(m_exact, sides.size(), uint8(1));
     for (const int32 item : m_pattern.swept)
     {
@@ -262,8 +263,11 @@ void RowSystem::FillDiagonal(const RowPattern::Component* component)
         const BodyData& body = *m_pattern.columns[std::size_t(i)].body;
         Block3& m = m_diagonal[std::size_t(i)];
         m = Block3{};
-        m.at[0][0] = m.at[1][1] = 1.0 / double(body.SolverInvMass());
-        m.at[2][2] = body.SolverInvInertia() > 0.0f ? 1.0 / double(body.SolverInvInertia()) : 1.0;
+        const Ballast& ballast = m_ballast[std::size_t(i)];
+        const double inertia =
+            body.SolverInvInertia() > 0.0f ? 1.0 / double(body.SolverInvInertia()) : 1.0;
+        m.at[0][0] = m.at[1][1] = 1.0 / double(body.SolverInvMass()) + ballast.mass;
+        m.at[2][2] = inertia + ballast.inertia;
     }
     const int32 first = m_pattern.columns[std::size_t(component[0].firstColumn)].firstEntry;
     const int32 last = m_pattern.columns[std::size_t(component[1].firstColumn)].firstEntry;

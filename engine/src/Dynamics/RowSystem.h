@@ -88,6 +88,12 @@ public:
     void Factor(int32 component, double compliance = kCompliance);
     void Factor();
     static constexpr double kCompliance = 1e-9;
+    /// Makes the body at a place harder to move in what is factored from now on, by so much mass
+    /// and moment of inertia.
+    void SetBallast(std::size_t place, double mass, double inertia)
+    {
+        m_ballast[place] = {mass, inertia};
+    }
     /// What is missing of the speed that each row should have.
     Vector3& Lack(std::size_t item) { return m_lack[item]; }
     /// Finds the impulses that give it.
@@ -113,6 +119,11 @@ private:
         double rows[3][3]; // by x, y, and turning
     };
 
+    struct Ballast
+    {
+        double mass = 0.0, inertia = 0.0;
+    };
+
     void Fill(std::size_t place, double compliance);
     void FillDiagonal(const RowPattern::Component* component);
     void Eliminate(std::size_t place);
@@ -129,7 +140,8 @@ private:
     Array<Vector3> m_x;                // by place: right side, then change of velocity
     Array<Block3> m_diagonal;          // by place; factors once eliminated
     Array<Block3> m_entries;
-    Array<Block3> m_own; // of each swept item: the factors of J M^-1 J^T
+    Array<Ballast> m_ballast; // by place
+    Array<Block3> m_own;      // of each swept item: the factors of J M^-1 J^T
 };
 
 } // namespace box2d

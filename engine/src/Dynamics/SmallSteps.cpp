@@ -168,6 +168,7 @@ void World::SolveInSmallSteps(float32 timeStep, int32 velocityIterations, int32 
             ProfileScope position(profiling, profile.solvePosition);
             solve.Drift(h, velocitySweeps);
             solve.MoveApart(h, positionSweeps, rate);
+            solve.CloseAfterPushes();
         }
         const bool last = i == count;
         // From half a kick to a whole one, and back.
@@ -379,6 +380,7 @@ void StepSolver::Drift(float32 timeStep, int32 sweeps)
         }
     });
     m_arrays.jointSystem.SolvePositions(m_context, timeStep, sweeps, m_arrays.kicks.data());
+    m_arrays.jointSystem.NotePoses(m_context);
 }
 
 void StepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)

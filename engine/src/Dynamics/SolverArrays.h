@@ -72,6 +72,7 @@ struct SolverArrays
     Array<b2Body*> impactBodies;      ///< of one impact
     Array<ImpactBackup> impactBefore; ///< the same bodies as they were
     Array<b2Contact*> impactContacts; ///< of one impact
+    Array<uint8> impactStopped;       ///< by awake body, of small steps: see ImpactJoints
     Array<Pose> impactStarts;         ///< by awake body: before all impacts
     Array<ContactConstraint> impact;  ///< of one impact
     Array<OverlapConstraint> impactOverlaps;

@@ -35,6 +35,7 @@ public:
     void Kick(float32 duration, float32 share, int32 iterations);
     void Drift(float32 timeStep, int32 sweeps);
     void MoveApart(float32 timeStep, int32 sweeps, float32 rate);
+    void CloseAfterPushes() { m_arrays.jointSystem.CloseAfterPushes(m_context); }
     void EndSmallSteps();
 
 private:

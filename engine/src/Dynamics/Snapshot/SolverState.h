@@ -97,7 +97,7 @@ void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
     // All else is made anew with the pattern, or filled before it is read.
     auto& [pattern, rows, active, weights, lack, found, sides, exact, stiffness, x, diagonal,
-           entries, own] = system;
+           entries, ballast, own] = system;
     constexpr std::size_t leastBytes = 49;
     auto count = int32(rows.size());
     archive.Count(count, leastBytes);
@@ -112,8 +112,8 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
     auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, gives, yields, totals,
-           kicks, poses, opened, before, speeds, sweptBodies, now, elimination, partJoints, version,
-           restored, restoredVersion] = system;
+           kicks, poses, opened, left, before, speeds, sweptBodies, now, elimination, partJoints,
+           version, restored, restoredVersion] = system;
     Visit(archive, rowSystem);
     const int32 present = world.graph.JointVersion();
     bool followed = version == present || restoredVersion == present;

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "ImpactJoints.h"
+
+#include "Access.h"
+#include "JointEnergy.h"
+#include "SolverArrays.h"
+#include "World.h"
+
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace box2d
+{
+
+/// Poses are final: bodies' ways start here. What has woken or fallen asleep since is in the list
+/// of joints by its order of coming; systems are built from the sorted list.
+SolverContext ImpactJoints::ClearWays() const
+{
+    m_world.graph.SortJoints();
+    SolverArrays& arrays = *m_world.solver;
+    arrays.bodies.assign(m_world.awakeBodies.size() + 1, SolverBody());
+    SolverContext context;
+    context.bodies = arrays.bodies.data();
+    return context;
+}
+
+void ImpactJoints::NoteStarts()
+{
+    if (m_noted || m_world.subStepCount == 1 || m_world.graph.Joints().empty())
+    {
+        return;
+    }
+    m_noted = true;
+    SolverArrays& arrays = *m_world.solver;
+    arrays.impactStopped.assign(m_world.awakeBodies.size(), 0);
+    arrays.jointSystem.NoteOpen(m_world.graph, ClearWays());
+}
+
+void ImpactJoints::NoteStopped(const BodyData& body)
+{
+    if (m_noted && IsMoved(body))
+    {
+        Array<uint8>& stopped = m_world.solver->impactStopped;
+        stopped.resize(std::max(stopped.size(), m_world.awakeBodies.size()), 0);
+        stopped[std::size_t(body.awakeIndex)] = 1;
+        m_any = true;
+    }
+}
+
+bool ImpactJoints::Close()
+{
+    if (!m_any)
+    {
+        return false;
+    }
+    const Array<uint8>& stopped = m_world.solver->impactStopped;
+    const auto wasStopped = [&](const BodyData& body) {
+        const auto index = std::size_t(body.awakeIndex);
+        return index < stopped.size() && stopped[index] != 0;
+    };
+    const SolverContext context = ClearWays();
+    JointSystem& joints = m_world.solver->jointSystem;
+    joints.CloseAfterImpacts(m_world.graph, context, wasStopped, [&](int32 part) {
+        const float32 share = ShareLeft(part, context);
+        if (share < 0.0f)
+        {
+            return; // it stays open, and closes slowly
+        }
+        joints.ForBodies(part, [&](const BodyData& known) {
+            Take(*m_world.awakeBodies[std::size_t(known.awakeIndex)],
+                 context.bodies[known.SolverIndex()], share);
+        });
+    });
+    return true;
+}
+
+/// What springs of a part store by its ways [J].
+double ImpactJoints::WoundUp(int32 part, const SolverContext& context) const
+{
+    double stored = 0.0;
+    m_world.solver->jointSystem.ForJoints(part, [&](const b2Joint& joint) {
+        if (HasSpring(joint))
+        {
+            stored += StoredBetween(SpringOf(joint, nullptr), SpringOf(joint, context.bodies));
+        }
+    });
+    return stored;
+}
+
+/// Of the speeds of a part: what it is lifted by costs as much. Negative when springs would be
+/// wound up by more than it has.
+float32 ImpactJoints::ShareLeft(int32 part, const SolverContext& context) const
+{
+    const double stored = WoundUp(part, context);
+    double kinetic = 0.0;
+    double lift = stored;
+    m_world.solver->jointSystem.ForBodies(part, [&](const BodyData& body) {
+        const b2Vec2 a = body.gravityScale * m_world.gravity + body.invMass * body.force;
+        SolverBody s;
+        s.v = body.linearVelocity;
+        s.w = body.angularVelocity;
+        kinetic += KineticEnergy(s, double(body.mass), double(body.inertia));
+        lift -= double(body.mass) * double(b2Dot(a, context.bodies[body.SolverIndex()].d));
+    });
+    if (!(lift > 0.0))
+    {
+        return 1.0f;
+    }
+    if (kinetic > lift)
+    {
+        return float32(std::sqrt((kinetic - lift) / kinetic));
+    }
+    return stored > 0.0 ? -1.0f : 0.0f;
+}
+
+void ImpactJoints::Take(b2Body& body, const SolverBody& drawn, float32 share)
+{
+    if (!IsFinite(drawn))
+    {
+        return;
+    }
+    BodyData& data = Data(body);
+    EnergyGuard& guard = m_world.solver->energyGuard;
+    const EnergyGuard::Way before{data.pose, data.linearVelocity, data.angularVelocity};
+    data.pose.x += double(drawn.d.x);
+    data.pose.y += double(drawn.d.y);
+    data.pose.angle += double(drawn.angle);
+    data.linearVelocity *= share;
+    data.angularVelocity *= share;
+    SynchronizePose(data);
+    m_world.UpdateProxies(data, true);
+    if (guard.HasAccounts())
+    {
+        guard.NoteImpact(data, before);
+    }
+}
+
+} // namespace box2d

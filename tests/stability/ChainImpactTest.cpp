@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "Trial.h"
+
+/// Chains that swing against something: links are thrown and stopped within a step, pressed
+/// against what does not move by what hangs from them, and pushed out of it, while their joints
+/// have to stay closed.
+namespace
+{
+
+using namespace stability;
+
+STABILITY_SUITE(ChainImpact);
+
+/// A link may be torn off for a frame, and by no more than one hardly sees.
+constexpr double kHardlyOpen = 0.02; // [m]
+constexpr double kOpenAfterwards = 1e-3;
+/// Of a thousand links' weight, which tears at links as if they had none, and goes on to.
+constexpr double kTornOpen = 0.3;
+constexpr double kTornOpenAfterwards = 0.03;
+
+/// 20 links of 1 m and a ball of 1 m radius, let go from level.
+class Chain
+{
+public:
+    Chain(int32 subSteps, float32 ratio) : trial(subSteps)
+    {
+        b2Body* last = trial.Post();
+        for (int i = 0; i < 20; ++i)
+        {
+            b2Body* link = trial.Load(float32(i) + 0.5f, 0.0f, 0.5f, 0.125f);
+            bodies.push_back(link);
+            joints.push_back(trial.Hinge(last, link, float32(i), 0.0f));
+            last = link;
+        }
+        b2Body* ball = trial.Body(b2_dynamicBody, 20.0f, 0.0f);
+        b2CircleShape round;
+        round.m_radius = 1.0f;
+        ball->CreateFixture(&round, ratio * 0.25f / b2_pi)->SetFriction(0.6f);
+        bodies.push_back(ball);
+        joints.push_back(trial.Hinge(last, ball, 20.0f, 0.0f));
+    }
+
+    void AddPost(float32 x, float32 y)
+    {
+        b2CircleShape round;
+        round.m_radius = 1.0f;
+        trial.Body(b2_staticBody, x, y)->CreateFixture(&round, 0.0f)->SetFriction(0.6f);
+    }
+    void AddGround(float32 y)
+    {
+        b2EdgeShape edge;
+        edge.Set(b2Vec2(-50.0f, y), b2Vec2(50.0f, y));
+        trial.Body(b2_staticBody, 0.0f, 0.0f)->CreateFixture(&edge, 0.0f)->SetFriction(0.6f);
+    }
+    double WidestGap() const // [m]
+    {
+        double widest = 0.0;
+        for (const b2Joint* joint : joints)
+        {
+            widest = Worst(double(Gap(joint)), widest);
+        }
+        return widest;
+    }
+
+    Trial trial;
+    std::vector<b2Body*> bodies;
+    std::vector<b2Joint*> joints;
+};
+
+/// What a chain of each weight comes to that meets what `add` puts in its way.
+template <class Add>
+void TryChains(int32 n, const std::string& against, const Add& add)
+{
+    for (const float32 ratio : {1.0f, 10.0f, 100.0f, 1000.0f})
+    {
+        Chain chain(n, ratio);
+        add(chain);
+        const double before = chain.trial.EnergyOfAll();
+        double widest = 0.0, left = 0.0, won = 0.0, most = 0.0;
+        chain.trial.Run(10.0, [&](double time) {
+            left = time > 9.9 ? Worst(chain.WidestGap(), left) : 0.0;
+            widest = Worst(chain.WidestGap(), widest);
+            won = Worst(chain.trial.EnergyOfAll() - before, won);
+            most = Worst(chain.trial.KineticOfAll(), most);
+        });
+        const std::string name = "chain against " + against + ", " + std::to_string(int(ratio));
+        const bool torn = ratio > 100.0f;
+        Judge(name + ":1, gap", n, widest, "m", Bound(n, torn ? kTornOpen : kHardlyOpen));
+        Judge(name + ":1, gap after 10 s", n, left, "m",
+              Bound(n, torn ? kTornOpenAfterwards : kOpenAfterwards));
+        Judge(name + ":1, energy won", n, 100.0 * won / most, "%", Bound(n, 1.0));
+    }
+}
+
+TEST_P(ChainImpact, KeepsItTogetherOnAPostUnderTheChain)
+{
+    TryChains(GetParam(), "a post", [](Chain& chain) { chain.AddPost(6.0f, -1.2f); });
+}
+
+TEST_P(ChainImpact, KeepsItTogetherOnAPostUnderTheAnchor)
+{
+    TryChains(GetParam(), "a low post", [](Chain& chain) { chain.AddPost(0.0f, -10.0f); });
+}
+
+TEST_P(ChainImpact, KeepsItTogetherOnTheGround)
+{
+    TryChains(GetParam(), "the ground", [](Chain& chain) { chain.AddGround(-15.0f); });
+}
+
+/// The ball touches the last link but one, at whose end it would have to be nearer than its radius
+/// for the overlap of their skins to go: pushes that turn the links between round and round.
+TEST_P(ChainImpact, StaysTogetherWherePushesHaveNoWayOut)
+{
+    Chain chain(GetParam(), 10.0f);
+    double widest = 0.0;
+    chain.trial.Run(1.0, [&](double) { widest = Worst(chain.WidestGap(), widest); });
+    Judge("chain pushed without a way out, gap", GetParam(), widest, "m",
+          Bound(GetParam(), kOpenAfterwards));
+}
+
+/// In the frame in which the first of them is stopped by a thin wall the second flies on.
+TEST_P(ChainImpact, DrawsBackWhatHangsOnWhatIsStopped)
+{
+    for (const float32 ratio : {1.0f, 10.0f, 100.0f})
+    {
+        Trial trial(GetParam(), b2Vec2_zero);
+        b2EdgeShape edge;
+        edge.Set(b2Vec2(5.0f, -5.0f), b2Vec2(5.0f, 5.0f));
+        b2Body* wall = trial.Body(b2_staticBody, 0.0f, 0.0f);
+        wall->CreateFixture(&edge, 0.0f);
+        b2Body* first = trial.Load(0.0f, 0.0f, 0.5f, 0.125f);
+        b2Body* second = trial.Load(-1.0f, 0.0f, 0.5f, 0.125f);
+        Trial::SetDensity(second, ratio * first->GetFixtureList()->GetDensity());
+        const b2Joint* joint = trial.Hinge(first, second, -0.5f, 0.0f);
+        first->SetLinearVelocity(b2Vec2(40.0f, 0.0f));
+        second->SetLinearVelocity(b2Vec2(40.0f, 0.0f));
+        const double before = trial.KineticOfAll();
+        double widest = 0.0, most = before, through = 0.0;
+        trial.Run(2.0, [&](double) {
+            widest = Worst(double(Gap(joint)), widest);
+            most = Worst(trial.KineticOfAll(), most);
+            through = Worst(double(first->GetPosition().x) - 5.0, through);
+        });
+        const std::string name = "pair thrown at a wall, " + std::to_string(int(ratio)) + ":1";
+        Judge(name + ", gap", GetParam(), widest, "m", Bound(GetParam(), kHardlyOpen));
+        Judge(name + ", energy won", GetParam(), 100.0 * (most / before - 1.0), "%",
+              Bound(GetParam(), 0.5));
+        Judge(name + ", centre beyond the wall", GetParam(), through, "m", 0.0);
+    }
+}
+
+} // namespace
