@@ -13,6 +13,9 @@ namespace
 {
 
 constexpr int32 kMostRounds = 8;
+/// How many times the fastest that there was a solution may be, for levers: sweeps, from which it
+/// starts, have found most of what they do.
+constexpr double kBurst = 30.0;
 
 /// Limits that differ by less than this share are the same.
 constexpr double kSameLimit = 0.01;
@@ -125,11 +128,12 @@ void BoundedSystem::Mark(const SolverContext& context)
     m_marked = m_itemsBefore;
     m_markedBodies = m_before;
     m_markedEnergy = Energy(context);
+    m_markedFastest = Fastest(context);
 }
 
 void BoundedSystem::KeepIfBetter(const SolverContext& context)
 {
-    if (!(Energy(context) <= m_markedEnergy))
+    if (!(Energy(context) <= m_markedEnergy) || HasBurst(context))
     {
         GoBack(context);
     }
@@ -160,6 +164,30 @@ double BoundedSystem::FastestGiven(const SolverContext& context) const
             {
                 fastest = std::max(fastest, std::abs(SpeedFrom(c, row, s)));
             }
+        }
+    }
+    return fastest;
+}
+
+bool BoundedSystem::HasBurst(const SolverContext& context) const
+{
+    return Fastest(context) > kBurst * b2Max(m_markedFastest, double(b2_velocityThreshold));
+}
+
+/// Of all points of the bodies, and of all that is wanted or given [m/s].
+double BoundedSystem::Fastest(const SolverContext& context) const
+{
+    double fastest = FastestGiven(context);
+    for (const BodyData* body : m_system.Bodies())
+    {
+        const SolverBody& s = context.bodies[body->SolverIndex()];
+        fastest = std::max(fastest, double(s.v.Length() + b2Abs(s.w) * body->maxExtent));
+    }
+    for (const Item& item : m_items)
+    {
+        for (const double speed : item.speeds.at)
+        {
+            fastest = std::max(fastest, std::abs(speed));
         }
     }
     return fastest;

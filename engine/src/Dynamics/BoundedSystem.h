@@ -40,9 +40,13 @@ public:
     /// Gives a row other bounds, from -most to most, and takes its impulse into them. Whether that
     /// changed something worth solving for again.
     bool Limit(const SolverContext& context, std::size_t item, int32 row, double most);
-    /// Remembers velocities and impulses, and goes back to them if the energy is higher.
+    /// Remembers velocities and impulses, and goes back to them if the energy is higher, or has no
+    /// least value.
     void Mark(const SolverContext& context);
     void KeepIfBetter(const SolverContext& context);
+    /// Whether speeds are beyond all that was marked or wanted: rows contradict each other, and
+    /// the more impulse the less the energy.
+    bool HasBurst(const SolverContext& context) const;
     void GoBack(const SolverContext& context);
     /// The largest that a body which nothing moves, such as a platform, gives to a row [m/s].
     double FastestGiven(const SolverContext& context) const;
@@ -54,6 +58,7 @@ private:
     bool MoveItem(std::size_t index, double share, Vector3& change);
     double ShareWithin() const;
     double Energy(const SolverContext& context) const;
+    double Fastest(const SolverContext& context) const;
     void Save(const SolverContext& context);
     void Restore(const SolverContext& context);
 
@@ -63,6 +68,7 @@ private:
     Array<Item> m_marked;
     Array<SolverBody> m_markedBodies;
     double m_energy = 0.0, m_markedEnergy = 0.0;
+    double m_markedFastest = 0.0;
 };
 
 } // namespace box2d

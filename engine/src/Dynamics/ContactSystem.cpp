@@ -23,7 +23,8 @@ constexpr double kEndless = 1e30; ///< [Ns]
 /// What a platform or a pusher presses against something that does not move has no solution: no
 /// impulses are enough, and those of the least energy grow without end. Contacts of such a pile
 /// give way, each by this share of what its impulses would do to it alone, so that no impulse
-/// exceeds what stops its bodies from the pusher's speed by more than the share's inverse.
+/// exceeds what stops its bodies from the pusher's speed by more than the share's inverse. So it is
+/// where joints and contacts contradict each other.
 constexpr float32 kJammedSoftness = 0.1f;
 /// They cannot be held when they come together by more than this share of the pusher's speed.
 constexpr double kHeld = 1e-3;
@@ -464,7 +465,8 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
     };
     system.Mark(context);
     MinimizeWithFriction(system, count, holds, context, double(tolerance));
-    const bool jammed = IsJammed(system, count, context, double(tolerance));
+    const bool jammed =
+        IsJammed(system, count, context, double(tolerance)) || system.HasBurst(context);
     if (jammed)
     {
         system.GoBack(context);
