@@ -6,8 +6,8 @@
 namespace boxreel
 {
 
-EncoderThread::EncoderThread(VideoWriter& writer, StageTimes* stages)
-    : m_writer(writer), m_stages(stages), m_thread([this] { Work(); })
+EncoderThread::EncoderThread(VideoWriter& writer)
+    : m_writer(writer), m_stages(writer.Stages()), m_thread([this] { Work(); })
 {}
 
 EncoderThread::~EncoderThread()

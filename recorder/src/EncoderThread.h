@@ -24,8 +24,7 @@ class EncoderThread
 {
 public:
     /// The writer belongs to the thread until Finish or the destructor.
-    /// `stages`: what copying and waiting take; may be null.
-    explicit EncoderThread(VideoWriter& writer, StageTimes* stages = nullptr);
+    explicit EncoderThread(VideoWriter& writer);
     ~EncoderThread(); ///< what still waits is dropped
     EncoderThread(const EncoderThread&) = delete;
     EncoderThread& operator=(const EncoderThread&) = delete;

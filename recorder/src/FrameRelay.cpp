@@ -6,8 +6,8 @@
 namespace boxreel
 {
 
-FrameRelay::FrameRelay(Renderer& renderer, VideoWriter& writer, StageTimes* stages)
-    : m_renderer(renderer), m_stages(stages), m_encoder(writer, stages)
+FrameRelay::FrameRelay(Renderer& renderer, VideoWriter& writer)
+    : m_renderer(renderer), m_stages(writer.Stages()), m_encoder(writer)
 {}
 
 Result<void> FrameRelay::Submit(const DrawList& list, const Camera& camera, const Overlay* overlay)

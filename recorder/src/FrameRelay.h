@@ -16,8 +16,8 @@ namespace boxreel
 class FrameRelay
 {
 public:
-    /// Both belong to the relay until it ends. `stages` may be null.
-    FrameRelay(Renderer& renderer, VideoWriter& writer, StageTimes* stages);
+    /// Both belong to the relay until it ends.
+    FrameRelay(Renderer& renderer, VideoWriter& writer);
 
     Result<void> Submit(const DrawList& list, const Camera& camera, const Overlay* overlay);
 

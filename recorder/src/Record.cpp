@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <recorder/Recording.h>
 
-#include "EncoderThread.h"
+#include "FrameRelay.h"
 
 #include <cassert>
-#include <span>
 #include <string>
 
 namespace boxreel
@@ -18,8 +17,8 @@ class Recorder
 {
 public:
     Recorder(const RecordingSettings& settings, Renderer& renderer, VideoWriter& writer)
-        : m_settings(settings), m_renderer(renderer), m_writer(writer),
-          m_frameCount(settings.frameCount), m_encoder(writer, settings.stages)
+        : m_settings(settings), m_writer(writer), m_frameCount(settings.frameCount),
+          m_relay(renderer, writer)
     {}
 
     Result<RecordingEnd> Run();
@@ -28,23 +27,17 @@ private:
     Result<void> Fill(std::int64_t frame);
     Result<void> Submit();
     Result<void> Make(std::int64_t frame);
-    Result<const Frame*> Read();
-    Result<void> HandOver();
-    Result<void> Repeat();
     bool Report(std::int64_t framesDone);
     Result<RecordingEnd> Stop();
     Result<RecordingEnd> Finish();
 
     const RecordingSettings& m_settings;
-    Renderer& m_renderer;
     VideoWriter& m_writer;
     FrameContent m_content;
-    std::int64_t m_frameCount;       // until a frame says that it is the last
-    const Frame* m_pixels = nullptr; // the renderer's
+    std::int64_t m_frameCount; // until a frame says that it is the last
     std::int64_t m_reported = 0;
     std::int64_t m_repeated = 0;
-    bool m_isBegun = false; // the encoder has a frame
-    EncoderThread m_encoder;
+    FrameRelay m_relay;
 };
 
 Result<RecordingEnd> Recorder::Run()
@@ -63,7 +56,7 @@ Result<RecordingEnd> Recorder::Run()
         {
             return made.GetError();
         }
-        if (!Report(m_encoder.FramesDone()))
+        if (!Report(m_relay.Encoder().FramesDone()))
         {
             return Stop();
         }
@@ -74,11 +67,11 @@ Result<RecordingEnd> Recorder::Run()
 /// What was handed over is still encoded.
 Result<RecordingEnd> Recorder::Stop()
 {
-    if (Result<void> finished = m_encoder.Finish(); !finished)
+    if (Result<void> finished = m_relay.Encoder().Finish(); !finished)
     {
         return finished.GetError();
     }
-    Report(m_encoder.FramesDone()); // its answer is known
+    Report(m_relay.Encoder().FramesDone()); // its answer is known
     return RecordingEnd::Stopped;
 }
 
@@ -97,9 +90,8 @@ Result<void> Recorder::Fill(std::int64_t frame)
 
 Result<void> Recorder::Submit()
 {
-    const StageTimer timer(m_settings.stages, Stage::Draw);
     const Overlay* overlay = m_content.overlay.IsEmpty() ? nullptr : &m_content.overlay;
-    return m_renderer.Submit(m_content.list, m_content.camera, overlay);
+    return m_relay.Submit(m_content.list, m_content.camera, overlay);
 }
 
 /// Submits frame `frame`, fills the next while it is drawn, hands its pixels to the encoder.
@@ -109,9 +101,6 @@ Result<void> Recorder::Make(std::int64_t frame)
     {
         return submitted;
     }
-    // The renderer may have drawn the same before this film began, but the film has no frame to
-    // repeat then.
-    const bool isRepeat = m_isBegun && m_renderer.Statistics().unchanged;
     if (frame + 1 < m_frameCount)
     {
         if (Result<void> filled = Fill(frame + 1); !filled)
@@ -119,44 +108,16 @@ Result<void> Recorder::Make(std::int64_t frame)
             return filled;
         }
     }
-    if (Result<void> handed = isRepeat ? Repeat() : HandOver(); !handed)
+    if (Result<void> handed = m_relay.HandOver(); !handed)
     {
         return handed;
     }
-    m_repeated += isRepeat ? 1 : 0;
-    m_isBegun = true;
+    m_repeated += m_relay.WasRepeated() ? 1 : 0;
     if (m_settings.seen)
     {
-        m_settings.seen(frame, *m_pixels);
+        m_settings.seen(frame, m_relay.Pixels());
     }
     return {};
-}
-
-Result<const Frame*> Recorder::Read()
-{
-    const StageTimer timer(m_settings.stages, Stage::Read);
-    return m_renderer.ReadChanges();
-}
-
-/// Reads what has changed and hands it to the encoder.
-Result<void> Recorder::HandOver()
-{
-    const Result<const Frame*> read = Read();
-    if (!read)
-    {
-        return read.GetError();
-    }
-    m_pixels = *read;
-    const Frame& frame = *m_pixels;
-    const PixelBounds whole{0, 0, frame.width, frame.height};
-    const std::span<const PixelBounds> changed =
-        m_isBegun ? m_renderer.Changes() : std::span(&whole, 1);
-    return m_encoder.Append(frame, changed) ? Result<void>() : m_encoder.Finish();
-}
-
-Result<void> Recorder::Repeat()
-{
-    return m_encoder.Repeat() ? Result<void>() : m_encoder.Finish();
 }
 
 /// False when the caller wants to stop.
@@ -172,10 +133,10 @@ bool Recorder::Report(std::int64_t framesDone)
 
 Result<RecordingEnd> Recorder::Finish()
 {
-    std::int64_t done = m_encoder.FramesDone();
+    std::int64_t done = m_relay.Encoder().FramesDone();
     while (done < m_frameCount)
     {
-        const std::int64_t more = m_encoder.WaitForMore(done);
+        const std::int64_t more = m_relay.Encoder().WaitForMore(done);
         if (more == done) // the writer has failed
         {
             break;
@@ -186,7 +147,7 @@ Result<RecordingEnd> Recorder::Finish()
             return Stop();
         }
     }
-    if (Result<void> finished = m_encoder.Finish(); !finished)
+    if (Result<void> finished = m_relay.Encoder().Finish(); !finished)
     {
         return finished.GetError();
     }

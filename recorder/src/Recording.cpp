@@ -12,7 +12,7 @@ namespace boxreel
 struct Recording::Impl
 {
     Impl(VideoWriter&& film, Renderer&& drawer)
-        : writer(std::move(film)), renderer(std::move(drawer)), relay(renderer, writer, nullptr)
+        : writer(std::move(film)), renderer(std::move(drawer)), relay(renderer, writer)
     {}
 
     Result<void> Add(const DrawList& list, const Camera& camera, const Overlay* overlay);

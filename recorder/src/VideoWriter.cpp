@@ -25,6 +25,7 @@ struct VideoWriter::Impl
     int height = 0;
     bool isEmpty = true;      ///< nothing was appended
     std::int64_t resumed = 0; ///< frames of an animation that were written once more
+    StageTimes* stages = nullptr;
 
     /// After an Error the sink goes, and with it what it wrote.
     Result<void> Keep(Result<void> result)
@@ -79,6 +80,7 @@ Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
     impl->sink = std::move(*sink);
     impl->width = settings.width;
     impl->height = settings.height;
+    impl->stages = settings.stages;
     VideoWriter writer(std::move(impl));
     if (settings.resume && IsAnimation(*FormatOf(path, settings)))
     {
@@ -108,6 +110,11 @@ Result<void> VideoWriter::Resume(const std::filesystem::path& left, const VideoS
 std::int64_t VideoWriter::ResumedFrames() const
 {
     return m_impl->sink ? m_impl->resumed + m_impl->sink->ResumedFrames() : 0;
+}
+
+StageTimes* VideoWriter::Stages() const
+{
+    return m_impl->stages;
 }
 
 Result<void> VideoWriter::Append(const Frame& frame)

@@ -279,7 +279,6 @@ Result<RecordingEnd> FilmRun::Film()
     }
     m_before = ProcessSoFar();
     RecordingSettings settings;
-    settings.stages = Stages();
     settings.frameCount = m_plan.frames.Count() - m_resumed;
     settings.fill = [this](std::int64_t frame, FrameContent& content) {
         return Fill(frame, content);

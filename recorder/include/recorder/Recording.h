@@ -2,7 +2,6 @@
 #pragma once
 
 #include <debugdraw/Result.h>
-#include <recorder/StageTimes.h>
 #include <recorder/VideoWriter.h>
 #include <render/Renderer.h>
 
@@ -47,8 +46,6 @@ struct RecordingSettings
     std::function<bool(const RecordingProgress&)> progress;
     /// Called on the calling thread with the pixels of each frame, repeated ones too; may be empty.
     std::function<void(std::int64_t frame, const Frame& pixels)> seen;
-    /// What drawing, reading, copying and waiting take; null: not timed.
-    StageTimes* stages = nullptr;
 };
 
 enum class RecordingEnd

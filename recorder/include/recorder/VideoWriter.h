@@ -95,7 +95,7 @@ struct VideoSettings
     FrameRange frames{};
     bool overwrite = false;       ///< false: an existing film, or what is left of one, is an Error
     bool resume = false;          ///< true: what is left of one is continued, from ResumedFrames on
-    StageTimes* stages = nullptr; ///< what converting, encoding and writing take; null: not timed
+    StageTimes* stages = nullptr; ///< what each stage of the film takes; null: not timed
 };
 
 /// Whether `path` names a format that can be written with these settings, without opening anything:
@@ -124,6 +124,9 @@ public:
     /// How many frames of an interrupted film were found whole and are kept; the next one to append
     /// comes after them. 0 unless `resume` was set.
     std::int64_t ResumedFrames() const;
+
+    /// Those of its settings.
+    StageTimes* Stages() const;
 
     /// The frame's size must be that of the settings. Its time is its number among those appended
     /// divided by framesPerSecond. After an Error nothing more can be appended.
