@@ -165,4 +165,83 @@ TEST_P(MassRatios, ChainSwings)
     }
 }
 
+b2Joint* TieWithRope(Trial& trial, b2Body* a, b2Body* b)
+{
+    b2RopeJointDef def;
+    def.bodyA = a;
+    def.bodyB = b;
+    def.localAnchorA.SetZero();
+    def.localAnchorB.SetZero();
+    def.maxLength = b2Distance(a->GetPosition(), b->GetPosition());
+    return trial.Create<b2RopeJoint>(def);
+}
+
+/// From edge to edge: the blocks turn as well.
+b2Joint* TieWithRod(Trial& trial, b2Body* a, b2Body* b)
+{
+    const b2Vec2 arm(0.2f, 0.0f);
+    return trial.Rod(a, b, a->GetPosition() + arm, b->GetPosition() - arm);
+}
+
+/// So many blocks and a ball of a mass, tied each to the next over a metre and let go level: light
+/// blocks sway between ropes and rods faster than small steps see, and ropes snap taut.
+template <class Tie>
+void TryTied(int32 subSteps, const std::string& name, int32 blocks, float32 ratio, const Tie& tie)
+{
+    Trial trial(subSteps);
+    b2Body* last = trial.Post();
+    for (int32 i = 1; i <= blocks + 1; ++i)
+    {
+        b2Body* next = trial.Part(float32(i), 0.0f, 0.2f, 0.2f);
+        tie(trial, last, next);
+        last = next;
+    }
+    Trial::SetDensity(last, ratio);
+    const double before = trial.EnergyOfAll();
+    double farthest = 0.0, won = 0.0, most = 0.0;
+    trial.Run(10.0, [&](double) {
+        farthest = Worst(double(last->GetPosition().Length()), farthest);
+        won = Worst(trial.EnergyOfAll() - before, won);
+        most = Worst(trial.KineticOfAll(), most);
+    });
+    const std::string all = Named((std::to_string(blocks + 1) + " " + name).c_str(), ratio);
+    const double length = double(blocks + 1);
+    Judge(all + ", stretch", subSteps, 100.0 * (farthest / length - 1.0), "%",
+          Bound(subSteps, 2.0));
+    Judge(all + ", energy won", subSteps, 100.0 * won / most, "%", 2.0);
+}
+
+TEST_P(MassRatios, RopesAndRodsHoldAHeavyBall)
+{
+    for (const int32 blocks : {5, 10, 20})
+    {
+        for (const float32 ratio : {100.0f, 1000.0f})
+        {
+            TryTied(GetParam(), "ropes", blocks, ratio, TieWithRope);
+            TryTied(GetParam(), "rods", blocks, ratio, TieWithRod);
+        }
+    }
+}
+
+/// Hinges that turn by so much and no more: where they stop, they carry.
+TEST_P(MassRatios, ChainWithLimitsSwings)
+{
+    for (const float32 angle : {0.3f, 1.0f})
+    {
+        Chain chain(GetParam(), 1000.0f, b2Vec2(1.0f, 0.0f));
+        for (std::size_t i = 1; i < chain.joints.size(); ++i)
+        {
+            auto* hinge = static_cast<b2RevoluteJoint*>(chain.joints[i]);
+            hinge->SetLimits(-angle, angle);
+            hinge->EnableLimit(true);
+        }
+        const double before = chain.trial.EnergyOfAll();
+        Swing swing;
+        chain.trial.Run(10.0, [&](double) { swing.Look(chain, before); });
+        const std::string name = Named("chain with limits", 1000.0f);
+        Judge(name + ", stretch", GetParam(), swing.stretch, "%", Bound(GetParam(), 1.0));
+        Judge(name + ", energy won", GetParam(), swing.Won(), "%", 2.0);
+    }
+}
+
 } // namespace

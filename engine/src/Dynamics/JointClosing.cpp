@@ -26,6 +26,8 @@ constexpr int32 kMostCycles = 16; ///< parts of a drift
 constexpr double kMostGain = 0.5;
 /// Forces within a step are larger than on average.
 constexpr double kCycleMargin = 0.75;
+/// Far larger where a rope or a rod jerks, or a limit stops what is heavy.
+constexpr double kSnapMargin = 6.0;
 
 double KineticEnergyOf(const BodyData& body, const SolverBody& state)
 {
@@ -41,7 +43,7 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
 {
     for (const std::size_t i : m_rowed)
     {
-        std::copy_n(m_system.Rows(i).impulse, JointRows::kMostRows, m_kicks[i].at);
+        NoteKick(i);
     }
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
@@ -75,15 +77,21 @@ void JointSystem::NotePoses(const SolverContext& context)
 /// How many a drift has to be split into. A body that joints pull straight with forces F at arms r
 /// turns back and forth with the frequency sqrt(sum F.r / I), and a leapfrog is thrown about by
 /// what it sees less than three times in a swing. The same number for all of a step: to change it
-/// throws about as well.
+/// throws about as well. Only where there are limits the kick before the drift counts too: a rope
+/// that snaps taut stops in one what has fallen for long. That kick is at least half as long as the
+/// drift, see DriftInCycles.
 int32 JointSystem::Cycles(int32 part, float32 timeStep) const
 {
     const Part& p = m_parts[std::size_t(part)];
-    if (p.touched || p.gives)
+    if (p.touched || p.driven)
     {
         return 1;
     }
-    const double square = kCycleMargin * p.squaredFrequency * double(timeStep) * double(timeStep);
+    const double now =
+        p.gives ? m_system.SquaredFrequency(part) / (0.5 * double(timeStep)) : p.squaredFrequency;
+    const double margin = p.gives || p.lines ? kSnapMargin : kCycleMargin;
+    const double square =
+        margin * std::max(p.squaredFrequency, now) * double(timeStep) * double(timeStep);
     int32 count = 1;
     while (double(count * count) < square && count < kMostCycles)
     {
@@ -93,7 +101,9 @@ int32 JointSystem::Cycles(int32 part, float32 timeStep) const
 }
 
 /// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
-/// after are those of half a drift later and earlier.
+/// after are those of half a drift later and earlier. A limit only pushes, over all of a kick: so
+/// where there are limits the first kick goes on with the impulses of the one before the drift, and
+/// the last is left to be met by the one after it.
 void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
                                 float32 timeStep, const BodyKick* kicks)
 {
@@ -104,24 +114,52 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
         s.angle = m_poses[place].angle;
     });
     const float32 time = timeStep / float32(count);
-    KickPart(part, context, 0.5f * (time - timeStep), kicks);
-    for (int32 i = 0; i < count; ++i)
+    const float32 back = 0.5f * (time - timeStep);
+    SolverContext cycle = context;
+    cycle.inverseStep = 1.0f / time;
+    KickPart(part, cycle, back, kicks);
+    MeetKick(part, cycle);
+    for (int32 i = 1; i <= count; ++i)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
-            MoveByVelocity(context.bodies[body.SolverIndex()], time, kMostSmallMove);
+            MoveByVelocity(cycle.bodies[body.SolverIndex()], time, kMostSmallMove);
         });
-        ClosePart(part, context, time);
-        KickPart(part, context, i + 1 < count ? time : 0.5f * (time - timeStep), kicks);
+        ClosePart(part, cycle, time);
+        KickPart(part, cycle, i < count ? time : back, kicks);
+        if (!m_parts[std::size_t(part)].gives)
+        {
+            MeetKick(part, cycle);
+        }
+        else if (i < count)
+        {
+            ForgetImpulses(part);
+            MeetKick(part, cycle);
+        }
     }
 }
 
-/// At the present poses.
+/// By what is no constraint.
 void JointSystem::KickPart(int32 part, const SolverContext& context, float32 time,
                            const BodyKick* kicks)
 {
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
         kicks[body.awakeIndex].Give(context.bodies[body.SolverIndex()], time);
     });
+}
+
+/// They are in the totals.
+void JointSystem::ForgetImpulses(int32 part)
+{
+    m_system.ForItems(part, [&](std::size_t joint) {
+        AddTotals(joint);
+        m_system.Rows(joint).SetImpulse(Impulses{}.at);
+    });
+}
+
+/// At the present poses.
+void JointSystem::MeetKick(int32 part, const SolverContext& context)
+{
+    Part& p = m_parts[std::size_t(part)];
     m_system.ForItems(part, [&](std::size_t joint) {
         JointRows& rows = m_system.Rows(joint);
         Impulses kept;
@@ -130,8 +168,17 @@ void JointSystem::KickPart(int32 part, const SolverContext& context, float32 tim
         JointAccess::FillRows(*m_joints[joint], context, rows);
         rows.SetImpulse(kept.at);
     });
-    m_parts[std::size_t(part)].factored = false;
+    p.factored = false;
     SolvePart(part, context);
+    if (p.gives)
+    {
+        m_system.ForItems(part, [&](std::size_t joint) { NoteKick(joint); });
+    }
+}
+
+void JointSystem::NoteKick(std::size_t joint)
+{
+    std::copy_n(m_system.Rows(joint).impulse, JointRows::kMostRows, m_kicks[joint].at);
 }
 
 void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)

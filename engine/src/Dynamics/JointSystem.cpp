@@ -189,9 +189,12 @@ void JointSystem::Prepare(const SolverContext& context)
     for (std::size_t i = 0; i < m_parts.size(); ++i)
     {
         Part& part = m_parts[i];
-        part.gives = part.factored = false;
-        m_system.ForItems(int32(i),
-                          [&](std::size_t item) { part.gives = part.gives || m_gives[item] != 0; });
+        part.gives = part.driven = part.lines = part.factored = false;
+        m_system.ForItems(int32(i), [&](std::size_t item) {
+            part.gives = part.gives || m_gives[item] != 0;
+            part.driven = part.driven || m_system.Rows(item).IsDriven();
+            part.lines = part.lines || m_system.Rows(item).length > 0.0f;
+        });
     }
 }
 

@@ -165,6 +165,8 @@ private:
     {
         bool touched = false; ///< by contacts
         bool gives = false;   ///< some row of it
+        bool driven = false;  ///< some row of it, and not at a limit alone
+        bool lines = false;   ///< ropes and rods
         bool damped = false;
         bool factored = false;
         HingeTree* tree = nullptr;     ///< that does it all in this step
@@ -186,12 +188,16 @@ private:
     static Yield After(const JointRows::Law& law, Yield yield, float32 impulse, float32 speed);
     Vector3 Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const;
     void AddTotals();
+    void AddTotals(std::size_t joint);
 
     // JointClosing.cpp
     int32 Cycles(int32 part, float32 timeStep) const;
     void DriftInCycles(int32 part, int32 count, const SolverContext& context, float32 timeStep,
                        const BodyKick* kicks);
     void KickPart(int32 part, const SolverContext& context, float32 time, const BodyKick* kicks);
+    void ForgetImpulses(int32 part);
+    void MeetKick(int32 part, const SolverContext& context);
+    void NoteKick(std::size_t joint);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
     bool Close(int32 part, const SolverContext& context, float32 timeStep);
     void DrawTogether(int32 part, const SolverContext& context, float32 timeStep);

@@ -395,15 +395,20 @@ void JointSystem::AddTotals()
 {
     for (const std::size_t i : m_rowed)
     {
-        const JointRows& rows = m_system.Rows(i);
-        Totals& totals = m_totals[i];
-        for (int32 k = 0; k < rows.rows; ++k)
-        {
-            const float32 within =
-                rows.disc && k < 2 ? rows.impulse[k] : rows.laws[k].Within(rows.impulse[k]);
-            totals.within[k] += within;
-            totals.beyond[k] += rows.impulse[k] - within;
-        }
+        AddTotals(i);
+    }
+}
+
+void JointSystem::AddTotals(std::size_t joint)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    Totals& totals = m_totals[joint];
+    for (int32 k = 0; k < rows.rows; ++k)
+    {
+        const float32 within =
+            rows.disc && k < 2 ? rows.impulse[k] : rows.laws[k].Within(rows.impulse[k]);
+        totals.within[k] += within;
+        totals.beyond[k] += rows.impulse[k] - within;
     }
 }
 

@@ -217,23 +217,46 @@ double RowSystem::SquaredFrequency(int32 component) const
 {
     double highest = 0.0;
     const RowPattern::Component* c = m_pattern.components.data() + component;
-    ForBodies(component, [&](const BodyData&, std::size_t place) { m_stiffness[place] = 0.0; });
+    ForBodies(component,
+              [&](const BodyData&, std::size_t place) { m_stiffness[place] = Stiffness(); });
     for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
     {
         const RowPattern::Item* item = m_pattern.items.data() + i;
         const JointRows& rows = m_rows[std::size_t(item->item)];
-        for (int32 k = item[0].firstSide; k < item[1].firstSide && rows.point; ++k)
+        if (!rows.point && rows.length == 0.0f)
         {
-            // A force F at an arm r turns the body back by F.r for each radian.
+            continue;
+        }
+        for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
+        {
             const RowPattern::Side& side = m_pattern.sides[std::size_t(k)];
             const JointRows::Column& column = rows.columns[side.side];
-            double& stiffness = m_stiffness[std::size_t(side.place)];
-            stiffness += double(rows.impulse[0]) * double(column.w[1]) -
-                         double(rows.impulse[1]) * double(column.w[0]);
-            highest = std::max(highest, stiffness * double(column.invInertia));
+            Stiffness& stiffness = m_stiffness[std::size_t(side.place)];
+            rows.point ? stiffness.AddPoint(rows, column) : stiffness.AddLine(rows, column);
+            const BodyData& body = *m_pattern.columns[std::size_t(side.place)].body;
+            highest = std::max(highest, stiffness.turning * double(column.invInertia) +
+                                            stiffness.swaying * double(body.SolverInvMass()));
         }
     }
     return highest;
+}
+
+/// A force F at an arm r turns the body back by F.r for each radian.
+void RowSystem::Stiffness::AddPoint(const JointRows& rows, const JointRows::Column& column)
+{
+    turning += double(rows.impulse[0]) * double(column.w[1]) -
+               double(rows.impulse[1]) * double(column.w[0]);
+}
+
+/// A pull T along a line of length L holds its end back by T / L for each metre across it, at the
+/// body's own arm too, and twice as much when the other end goes the other way.
+void RowSystem::Stiffness::AddLine(const JointRows& rows, const JointRows::Column& column)
+{
+    const double pull = -double(rows.impulse[0]);
+    const double reach = double(column.reach);
+    const double across = 2.0 * pull / double(rows.length);
+    swaying += across;
+    turning += pull * reach + across * reach * reach;
 }
 
 void RowSystem::FactorSwept(std::size_t item)

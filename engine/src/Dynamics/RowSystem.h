@@ -79,8 +79,9 @@ public:
     /// Which rows of an item are to hold, a bit each; all, unless said since Build.
     void SetActive(std::size_t item, uint8 rows) { m_active[item] = rows; }
 
-    /// The largest, of a body that turns back and forth under the impulses that rows give to its
-    /// points, times the time in which they were given [1/s].
+    /// The largest, of a body that turns back and forth, or sways between the lines that hold it,
+    /// under the impulses that rows give to its points, times the time in which they were given
+    /// [1/s].
     double SquaredFrequency(int32 component) const;
 
     /// After the rows have been filled. The compliance is e, as a share of what a row feels of its
@@ -119,6 +120,15 @@ private:
         double rows[3][3]; // by x, y, and turning
     };
 
+    /// Of what pulls at a body against its turning [Nm s] and its swaying to and fro [Ns/m], times
+    /// the time in which it pulls.
+    struct Stiffness
+    {
+        double turning = 0.0, swaying = 0.0;
+        void AddPoint(const JointRows& rows, const JointRows::Column& column);
+        void AddLine(const JointRows& rows, const JointRows::Column& column);
+    };
+
     struct Ballast
     {
         double mass = 0.0, inertia = 0.0;
@@ -135,10 +145,10 @@ private:
     Array<Vector3> m_weights; // 1 / e of its rows, 0 where not active
     Array<Vector3> m_lack, m_found;
     Array<Side> m_sides;
-    Array<uint8> m_exact;              // of each item
-    mutable Array<double> m_stiffness; // by place [Nm s]
-    Array<Vector3> m_x;                // by place: right side, then change of velocity
-    Array<Block3> m_diagonal;          // by place; factors once eliminated
+    Array<uint8> m_exact;                 // of each item
+    mutable Array<Stiffness> m_stiffness; // by place
+    Array<Vector3> m_x;                   // by place: right side, then change of velocity
+    Array<Block3> m_diagonal;             // by place; factors once eliminated
     Array<Block3> m_entries;
     Array<Ballast> m_ballast; // by place
     Array<Block3> m_own;      // of each swept item: the factors of J M^-1 J^T

@@ -22,6 +22,7 @@ struct JointRows
         int32 body = 0; ///< solver index
         float32 invMass = 0.0f, invInertia = 0.0f;
         float32 x[kMostRows] = {}, y[kMostRows] = {}, w[kMostRows] = {};
+        float32 reach = 0.0f; ///< of a line: from the centre of mass to its end, along it [m]
 
         void AddTo(int32 row, const b2Vec2& direction, float32 lever)
         {
@@ -73,6 +74,12 @@ struct JointRows
     static constexpr float32 kSameSpeed = 1e-5f;
 
     int32 Rigid() const { return rows - giving; }
+    /// Whether a row gives way to more than a limit: to a motor, a spring, or friction.
+    bool IsDriven() const
+    {
+        return std::any_of(laws + Rigid(), laws + rows,
+                           [](const Law& law) { return law.most > 0.0f; });
+    }
 
     /// As if it were new, at less than the cost: columns are cleared when they are added.
     void Clear()
@@ -83,6 +90,7 @@ struct JointRows
         }
         rows = giving = bodies = 0;
         point = disc = false;
+        length = 0.0f;
         std::fill_n(error, kMostRows, 0.0f);
         std::fill_n(impulse, kMostRows, 0.0f);
     }
@@ -93,7 +101,8 @@ struct JointRows
     bool point = false; ///< the first two hold a point
     /// The first two give way together: `most` is for the length of both impulses.
     bool disc = false;
-    int32 bodies = 0; ///< columns
+    float32 length = 0.0f; ///< of the line between two points along which the first one holds them
+    int32 bodies = 0;      ///< columns
     Column columns[kMostBodies];
     Law laws[kMostRows];
     float32 error[kMostRows] = {};   ///< [m] or [rad], of what holds rigidly
@@ -167,6 +176,14 @@ struct RowFiller
         a.AddTo(rows.rows, -direction, -b2Cross(reachA, direction));
         b.AddTo(rows.rows, direction, b2Cross(armB, direction));
         rows.error[rows.rows++] = error;
+    }
+    /// The first row, along a line that turns with the points at its ends.
+    void AddLine(const Line& line, float32 error)
+    {
+        AddAlong(line.axis, line.armA, line.armB, error);
+        rows.length = line.length;
+        a.reach = b2Dot(line.armA, line.axis);
+        b.reach = -b2Dot(line.armB, line.axis);
     }
     /// A row that does nothing, and keeps the place of one that does.
     void AddNothing() { ++rows.rows; }

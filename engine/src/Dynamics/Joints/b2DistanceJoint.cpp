@@ -67,7 +67,7 @@ void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::Joint
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
     const auto line = row.Between(m_localAnchorA, m_localAnchorB);
     m_axis = line.axis;
-    row.AddAlong(line.axis, line.armA, line.armB, line.length - m_length);
+    row.AddLine(line, line.length - m_length);
     if (m_frequencyHz > 0.0f)
     {
         row.GiveToSpring(line.length - m_length, m_frequencyHz, m_dampingRatio);

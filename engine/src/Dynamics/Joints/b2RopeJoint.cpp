@@ -50,7 +50,7 @@ void b2RopeJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
     const auto line = row.Between(m_localAnchorA, m_localAnchorB);
     m_axis = line.axis;
-    row.AddAlong(line.axis, line.armA, line.armB, 0.0f);
+    row.AddLine(line, 0.0f);
     row.GiveToMotor(0.0f, 0.0f);
     row.GiveToLimit(line.length, -b2_maxFloat, m_maxLength);
 }

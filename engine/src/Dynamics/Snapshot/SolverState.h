@@ -85,10 +85,10 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
 template <class Archive>
 void Visit(Archive& archive, JointRows& rows)
 {
-    archive(rows.point);
+    archive(rows.point, rows.length);
     for (JointRows::Column& column : rows.columns)
     {
-        archive(column.invInertia, column.w[0], column.w[1]);
+        archive(column.invInertia, column.w[0], column.w[1], column.reach);
     }
 }
 
@@ -98,7 +98,7 @@ void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
     // All else is made anew with the pattern, or filled before it is read.
     auto& [pattern, rows, active, weights, lack, found, sides, exact, stiffness, x, diagonal,
            entries, ballast, own] = system;
-    constexpr std::size_t leastBytes = 49;
+    constexpr std::size_t leastBytes = 69;
     auto count = int32(rows.size());
     archive.Count(count, leastBytes);
     rows.resize(std::size_t(count));
