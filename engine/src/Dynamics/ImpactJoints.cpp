@@ -6,6 +6,7 @@
 #include "SolverArrays.h"
 #include "World.h"
 
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <algorithm>
@@ -13,6 +14,24 @@
 
 namespace box2d
 {
+
+namespace
+{
+
+bool Leans(const BodyData& body)
+{
+    for (const b2ContactEdge* edge = body.contactList; edge != nullptr; edge = edge->next)
+    {
+        const ContactData& c = Data(*edge->contact);
+        if ((c.flags & kContactObstacle) != 0 && c.IsTouching() && c.IsEnabled() && !c.IsSensor())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
 
 /// Poses are final: bodies' ways start here. What has woken or fallen asleep since is in the list
 /// of joints by its order of coming; systems are built from the sorted list.
@@ -56,13 +75,15 @@ bool ImpactJoints::Close()
         return false;
     }
     const Array<uint8>& stopped = m_world.solver->impactStopped;
-    const auto wasStopped = [&](const BodyData& body) {
+    const auto fate = [&](const BodyData& body) {
         const auto index = std::size_t(body.awakeIndex);
-        return index < stopped.size() && stopped[index] != 0;
+        return index < stopped.size() && stopped[index] != 0 ? AfterImpact::Stopped
+               : Leans(body)                                 ? AfterImpact::Leans
+                                                             : AfterImpact::Free;
     };
     const SolverContext context = ClearWays();
     JointSystem& joints = m_world.solver->jointSystem;
-    joints.CloseAfterImpacts(m_world.graph, context, wasStopped, [&](int32 part) {
+    joints.CloseAfterImpacts(m_world.graph, context, fate, [&](int32 part) {
         const float32 share = ShareLeft(part, context);
         if (share < 0.0f)
         {

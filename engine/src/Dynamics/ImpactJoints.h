@@ -6,7 +6,7 @@
 /// Joints of what an impact within a step has stopped, in small steps. An impact knows its two
 /// bodies only: they stay where they met, while what hangs on them has gone on to the end of the
 /// step. It is drawn back to them, by poses alone, and what it is lifted by that, or winds up in
-/// springs, costs it speed.
+/// springs, costs it speed. What leans on something that does not move hardly gives way either.
 /// Used by continuous collision.
 namespace box2d
 {

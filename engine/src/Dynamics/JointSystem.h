@@ -16,6 +16,14 @@ struct SnapshotAccess;
 
 class ConstraintGraph;
 
+/// What impacts within a step have made of a body.
+enum class AfterImpact : uint8
+{
+    Free,
+    Leans,   ///< on what does not move: drawn into that it would have to be pushed out again
+    Stopped, ///< it has come elsewhere than the step had brought it
+};
+
 class JointSystem
 {
 public:
@@ -95,16 +103,16 @@ public:
     /// When all is written back, before an impact within the step: how far joints are open.
     void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
     /// After impacts within the step, which have moved some bodies by themselves: the parts of
-    /// those of which `moved` is true are closed, for which the context's bodies, in which nothing
+    /// those whose `fate` says so are closed, for which the context's bodies, in which nothing
     /// has moved yet, get ways. Calls `changed` with each of these parts.
-    template <class Moved, class Changed>
-    void CloseAfterImpacts(const ConstraintGraph& graph, const SolverContext& context,
-                           Moved&& moved, Changed&& changed)
+    template <class Fate, class Changed>
+    void CloseAfterImpacts(const ConstraintGraph& graph, const SolverContext& context, Fate&& fate,
+                           Changed&& changed)
     {
         Update(graph);
         for (int32 i = 0; i < m_system.Components(); ++i)
         {
-            if (!HoldMoved(i, moved))
+            if (!HoldStopped(i, fate))
             {
                 continue;
             }
@@ -206,8 +214,8 @@ private:
     float32 WantClosedPoses(int32 part, const SolverContext& context);
     void ShortenPushes(int32 part, const SolverContext& context);
     bool HasMoved(int32 part, const SolverContext& context) const;
-    template <class Moved>
-    bool HoldMoved(int32 part, Moved&& moved);
+    template <class Fate>
+    bool HoldStopped(int32 part, Fate&& fate);
     void LetGo(int32 part);
     void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
@@ -251,20 +259,21 @@ private:
     int32 m_restoredVersion = -1; // this version, for Update to go on with
 };
 
-/// Whether a body of the part is; these are made hard to move.
-template <class Moved>
-bool JointSystem::HoldMoved(int32 part, Moved&& moved)
+/// Whether a body of the part was stopped; such ones, and what leans on something, are made hard to
+/// move.
+template <class Fate>
+bool JointSystem::HoldStopped(int32 part, Fate&& fate)
 {
     double mass = 0.0;
     bool any = false;
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
         mass += 1.0 / double(body.SolverInvMass());
-        any = any || moved(body);
+        any = any || fate(body) == AfterImpact::Stopped;
     });
     if (any)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
-            const double held = moved(body) ? kHeldShare * mass : mass;
+            const double held = fate(body) == AfterImpact::Free ? mass : kHeldShare * mass;
             const double reach = double(body.maxExtent);
             m_system.SetBallast(place, held, held * reach * reach);
         });
