@@ -182,11 +182,15 @@ void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
     }
 }
 
-/// Whether the first `contacts` items were to hold what cannot be held: their points still come
-/// together, or push by more than what the pusher and weight ask for.
+/// Whether the first `contacts` items were to hold what cannot be held: bodies shoot away, or
+/// points still come together, or push by more than what the pusher and weight ask for.
 bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
               double tolerance)
 {
+    if (system.HasBurst(context))
+    {
+        return true;
+    }
     const double driven = system.FastestGiven(context);
     if (!(driven > 0.0))
     {
@@ -465,8 +469,7 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverArrays& arrays, const Solv
     };
     system.Mark(context);
     MinimizeWithFriction(system, count, holds, context, double(tolerance));
-    const bool jammed =
-        IsJammed(system, count, context, double(tolerance)) || system.HasBurst(context);
+    const bool jammed = IsJammed(system, count, context, double(tolerance));
     if (jammed)
     {
         system.GoBack(context);

@@ -156,18 +156,23 @@ void JointSystem::ForgetImpulses(int32 part)
     });
 }
 
+/// The joint's rows at the present poses, with the impulses that they have.
+const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& context)
+{
+    JointRows& rows = m_system.Rows(joint);
+    Impulses kept;
+    std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+    rows.Clear();
+    JointAccess::FillRows(*m_joints[joint], context, rows);
+    rows.SetImpulse(kept.at);
+    return rows;
+}
+
 /// At the present poses.
 void JointSystem::MeetKick(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
-    m_system.ForItems(part, [&](std::size_t joint) {
-        JointRows& rows = m_system.Rows(joint);
-        Impulses kept;
-        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
-        rows.Clear();
-        JointAccess::FillRows(*m_joints[joint], context, rows);
-        rows.SetImpulse(kept.at);
-    });
+    m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context); });
     p.factored = false;
     SolvePart(part, context);
     if (p.gives)
@@ -269,12 +274,7 @@ float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
 {
     float32 widest = 0.0f;
     m_system.ForItems(part, [&](std::size_t joint) {
-        JointRows& rows = m_system.Rows(joint);
-        Impulses kept;
-        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
-        rows.Clear();
-        JointAccess::FillRows(*m_joints[joint], context, rows);
-        rows.SetImpulse(kept.at);
+        const JointRows& rows = FillHere(joint, context);
         (void)SetActiveToClose(joint);
         Vector3& lack = m_system.Lack(joint);
         lack = Vector3{};

@@ -204,6 +204,7 @@ private:
                        const BodyKick* kicks);
     void KickPart(int32 part, const SolverContext& context, float32 time, const BodyKick* kicks);
     void ForgetImpulses(int32 part);
+    const JointRows& FillHere(std::size_t joint, const SolverContext& context);
     void MeetKick(int32 part, const SolverContext& context);
     void NoteKick(std::size_t joint);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
