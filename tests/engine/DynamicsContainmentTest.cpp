@@ -141,6 +141,30 @@ TEST_P(Containment, ImpactsWinNoEnergyByFriction)
     EXPECT_LT(widest, 1e-3);
 }
 
+/// Rods that lie in a floor and spin: one end comes out of it, where they touch, while the other
+/// goes in.
+TEST_P(Containment, KeepsOutTheOtherEndOfWhatTurnsOutOfAWall)
+{
+    constexpr float32 kHalf = 1.0f;
+    for (int i = 0; i < 20; ++i)
+    {
+        Scene scene(b2Vec2(0.0f, 0.0f));
+        scene.world.SetSubStepCount(GetParam());
+        AddEdge(scene.Body(b2_staticBody, 0.0f, 0.0f), b2Vec2(-50.0f, 0.0f), b2Vec2(50.0f, 0.0f));
+        b2Body* rod = scene.Body(b2_dynamicBody, 0.0f, 0.06f, -0.05f);
+        Scene::AddBox(rod, kHalf, 0.05f);
+        rod->SetAngularVelocity(20.0f + 2.0f * float32(i)); // [rad/s]
+        for (int step = 0; step < 10; ++step)
+        {
+            scene.world.Step(kStep, 8, 3);
+            for (const float32 end : {-kHalf, kHalf})
+            {
+                EXPECT_GT(rod->GetWorldPoint(b2Vec2(end, 0.0f)).y, -0.1f) << i << ", step " << step;
+            }
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(SubSteps, Containment, testing::Values(1, 4));
 
 } // namespace

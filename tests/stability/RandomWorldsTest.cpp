@@ -120,9 +120,9 @@ TEST(RandomWorlds, ThatOnceBurstAreWell)
 /// were then lost (383), circles on a rod whose pull turned them in a moment (973).
 TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
 {
-    constexpr std::pair<int, int> kWorlds[] = {{55, 4},  {235, 2},  {299, 2},  {299, 4}, {314, 1},
-                                               {383, 1}, {457, 8},  {457, 16}, {519, 1}, {596, 4},
-                                               {789, 1}, {848, 16}, {973, 4}};
+    constexpr std::pair<int, int> kWorlds[] = {{55, 4},  {235, 2}, {299, 2},  {299, 4}, {314, 1},
+                                               {383, 1}, {457, 8}, {457, 16}, {519, 1}, {596, 4},
+                                               {637, 2}, {789, 1}, {848, 16}, {953, 8}, {973, 4}};
     for (const auto& [number, subSteps] : kWorlds)
     {
         const WorldPlan plan = Planned(number, subSteps);

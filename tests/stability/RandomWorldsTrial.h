@@ -17,7 +17,7 @@ namespace stability
 inline constexpr double kMostExcess = 0.01;
 
 /// What may stick out of the walls [m], though its centre never does: 0.44 at most in the worlds 0
-/// to 99, of long bodies that something heavy presses against a wall; 0.92 has been seen in others.
+/// to 99, of long bodies that something heavy presses against a wall; 0.97 has been seen in others.
 inline constexpr double kMostOut = 1.0;
 
 /// The worst of a run.

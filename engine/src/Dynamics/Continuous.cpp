@@ -3,6 +3,7 @@
 #include "Containment.h"
 #include "Impact.h"
 #include "ImpactJoints.h"
+#include "Narrowphase.h"
 #include "SolverArrays.h"
 #include "Sweeps.h"
 #include "World.h"
@@ -37,6 +38,12 @@ bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
 bool IsObstacle(const BodyData& body)
 {
     return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
+}
+
+/// [m], negative in an overlap.
+float32 Deepest(const b2WorldManifold& manifold, int32 points)
+{
+    return *std::min_element(manifold.separations, manifold.separations + points);
 }
 
 class ContinuousCollision
@@ -225,8 +232,9 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c) const
 }
 
 /// Whether bodies that overlap already go so much deeper on their ways that they could come out on
-/// the other side: sweeps have not held a light body off that something heavy drives. What comes
-/// out of an overlap, or sinks slowly, is for the next step.
+/// the other side: sweeps have not held a light body off that something heavy drives, or what turns
+/// comes out with one end while the other goes in. What comes out of an overlap, or sinks slowly,
+/// is for the next step.
 bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA,
                                      const b2Sweep& sweepB)
 {
@@ -239,21 +247,32 @@ bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA
     sweepB.GetTransform(&fromB, 0.0f);
     sweepA.GetTransform(&toA, 1.0f);
     sweepB.GetTransform(&toB, 1.0f);
-    b2WorldManifold manifold;
-    manifold.Initialize(&c.manifold, fromA, c.radiusA, fromB, c.radiusB);
+    b2WorldManifold start;
+    start.Initialize(&c.manifold, fromA, c.radiusA, fromB, c.radiusB);
     const float32 thinnest =
         b2Min(Data(*c.bodyA).IsDynamic() ? Data(*c.bodyA).minExtent : b2_maxFloat,
               Data(*c.bodyB).IsDynamic() ? Data(*c.bodyB).minExtent : b2_maxFloat);
     for (int32 i = 0; i < c.manifold.pointCount; ++i)
     {
-        const b2Vec2 point = manifold.points[i];
+        const b2Vec2 point = start.points[i];
         const b2Vec2 apart = b2Mul(toB, b2MulT(fromB, point)) - b2Mul(toA, b2MulT(fromA, point));
-        if (b2Dot(apart, manifold.normal) < -kFastShare * thinnest)
+        if (b2Dot(apart, start.normal) < -kFastShare * thinnest)
         {
             return true;
         }
     }
-    return false;
+    b2Manifold there;
+    Collide(&there, *c.fixtureA->GetShape(), c.childA, *c.fixtureB->GetShape(), c.childB,
+            b2MulT(toA, toB));
+    if (there.pointCount == 0)
+    {
+        return false;
+    }
+    b2WorldManifold end;
+    end.Initialize(&there, toA, c.radiusA, toB, c.radiusB);
+    return b2Dot(start.normal, end.normal) < 0.0f ||
+           Deepest(end, there.pointCount) <
+               Deepest(start, c.manifold.pointCount) - kFastShare * thinnest;
 }
 
 void ContinuousCollision::AddEvent(b2Contact& contact, float32 time)
