@@ -11,8 +11,6 @@
 #include <debugdraw/AtomicFile.h>
 
 #include <algorithm>
-#include <chrono>
-#include <future>
 #include <optional>
 #include <utility>
 
@@ -21,9 +19,6 @@ namespace boxreel
 
 namespace
 {
-
-/// Packets that may wait for those of the group before to be written.
-constexpr std::size_t kMostWaiting = 64;
 
 class FFmpegFilm final : public VideoSink
 {
@@ -54,13 +49,10 @@ private:
     bool MustShow(std::int64_t index) const;
     Result<void> Show(std::int64_t index);
     Result<void> StartGroup(std::int64_t group);
-    void EndGroup();
-    Result<void> Encode();
-    Result<void> Take();
-    Result<Packets> TakeEnded();
-    Result<void> WriteEnded();
-    Result<void> WriteWaiting();
-    Result<void> Write(Packets& packets);
+    Result<void> EndGroup();
+    Result<void> Encode(const AVFrame* picture);
+    Result<Packets> Take(const AVFrame* picture);
+    Result<void> Write(const Packets& packets);
     Result<void> Finish();
     Result<void> CommitWithIndexInFront();
     Error EncodeError(int status) const;
@@ -76,10 +68,8 @@ private:
     std::unique_ptr<FFmpegOutput> m_output;
     std::optional<FFmpegMuxer> m_muxer;
     std::optional<DecodingTimes> m_decodingTimes;
-    std::shared_ptr<FFmpegCodec> m_codec;  // of the group at hand
-    std::future<Result<Packets>> m_ending; // the group before, while its encoder empties itself
-    Packets m_waiting;                     // of the group at hand
-    FFmpegOwner<AVFrame> m_picture;        // shows the last frame
+    std::optional<FFmpegCodec> m_codec; // of the group at hand
+    FFmpegOwner<AVFrame> m_picture;     // shows the last frame
     bool m_isPictureWhole = false;
     std::optional<FrameToPicture> m_converter; // of any film that is open
     std::int64_t m_resumed = 0;
@@ -102,7 +92,7 @@ Result<void> FFmpegFilm::Open()
     {
         return codec.GetError();
     }
-    m_codec = std::make_shared<FFmpegCodec>(std::move(*codec));
+    m_codec.emplace(std::move(*codec));
     m_tick = m_codec->Context().time_base;
     m_delay = m_codec->Context().has_b_frames;
     m_decodingTimes.emplace(m_delay);
@@ -268,18 +258,7 @@ Result<void> FFmpegFilm::Show(std::int64_t index)
     {
         m_decodingTimes->Show(m_picture->pts);
     }
-    if (Result<void> encoded = Encode(); !encoded)
-    {
-        return encoded;
-    }
-    return WriteWaiting();
-}
-
-Result<void> FFmpegFilm::Encode()
-{
-    const StageTimer timer(m_settings.stages, Stage::Encode);
-    const int status = m_codec->Send(m_picture.get());
-    return status < 0 ? Result<void>(EncodeError(status)) : Take();
+    return Encode(m_picture.get());
 }
 
 Result<void> FFmpegFilm::StartGroup(std::int64_t group)
@@ -290,111 +269,55 @@ Result<void> FFmpegFilm::StartGroup(std::int64_t group)
     {
         return {};
     }
-    if (Result<void> written = WriteEnded(); !written)
+    if (Result<void> ended = EndGroup(); !ended)
     {
-        return written;
+        return ended;
     }
-    EndGroup();
     const StageTimer timer(m_settings.stages, Stage::Encode);
     Result<FFmpegCodec> codec = FFmpegCodec::Open(m_plan, m_settings, Name());
     if (!codec)
     {
         return codec.GetError();
     }
-    m_codec = std::make_shared<FFmpegCodec>(std::move(*codec));
+    m_codec.emplace(std::move(*codec));
     return {};
 }
 
-/// The encoder of the group empties itself on a thread of its own, while the next one begins: by
-/// itself it could not keep all processors busy. There it is closed too, and its memory given back,
-/// for the thread owns it.
-void FFmpegFilm::EndGroup()
+/// Empties the encoder and closes it before another begins: two at once take twice the memory, and
+/// were no faster.
+Result<void> FFmpegFilm::EndGroup()
 {
-    const auto empty = [](std::shared_ptr<FFmpegCodec> codec, Packets packets,
-                          StageTimes* stages) -> Result<Packets> {
-        const StageTimer timer(stages, Stage::Encode);
-        int status = codec->Send(nullptr);
-        while (status >= 0)
-        {
-            FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
-            status = codec->Receive(*packet);
-            if (status >= 0)
-            {
-                packets.push_back(std::move(packet));
-            }
-        }
-        if (status != AVERROR_EOF)
-        {
-            return Error{ErrorKind::Failed, "The end of a group of frames cannot be encoded (" +
-                                                FFmpegText(status) +
-                                                "); try another quality or format."};
-        }
-        return packets;
-    };
-    m_ending = std::async(std::launch::async, empty, std::exchange(m_codec, nullptr),
-                          std::exchange(m_waiting, Packets{}), m_settings.stages);
+    Result<void> written = Encode(nullptr);
+    m_codec.reset();
+    return written;
 }
 
-/// Collects what the encoder has ready.
-Result<void> FFmpegFilm::Take()
+/// And writes what the encoder has ready; no picture empties it.
+Result<void> FFmpegFilm::Encode(const AVFrame* picture)
 {
-    while (true)
-    {
-        FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
-        const int status = m_codec->Receive(*packet);
-        if (status == AVERROR(EAGAIN) || status == AVERROR_EOF)
-        {
-            return {};
-        }
-        if (status < 0)
-        {
-            return EncodeError(status);
-        }
-        m_waiting.push_back(std::move(packet));
-    }
+    const Result<Packets> packets = Take(picture);
+    return packets ? Write(*packets) : Result<void>(packets.GetError());
 }
 
-Result<Packets> FFmpegFilm::TakeEnded()
+Result<Packets> FFmpegFilm::Take(const AVFrame* picture)
 {
     const StageTimer timer(m_settings.stages, Stage::Encode);
-    return m_ending.get();
-}
-
-/// Writes the packets of the group before, waiting for them if need be.
-Result<void> FFmpegFilm::WriteEnded()
-{
-    if (!m_ending.valid())
+    Packets packets;
+    int status = m_codec->Send(picture);
+    while (status >= 0)
     {
-        return {};
-    }
-    Result<Packets> packets = TakeEnded();
-    if (!packets)
-    {
-        return packets.GetError();
-    }
-    return Write(*packets);
-}
-
-/// Writes what may be written now: packets keep their order.
-Result<void> FFmpegFilm::WriteWaiting()
-{
-    if (m_ending.valid())
-    {
-        const bool isReady =
-            m_ending.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-        if (!isReady && m_waiting.size() < kMostWaiting)
+        FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
+        status = m_codec->Receive(*packet);
+        if (status >= 0)
         {
-            return {};
-        }
-        if (Result<void> written = WriteEnded(); !written)
-        {
-            return written;
+            packets.push_back(std::move(packet));
         }
     }
-    return Write(m_waiting);
+    const bool isDone = status == AVERROR_EOF || (picture != nullptr && status == AVERROR(EAGAIN));
+    return isDone ? Result<Packets>(std::move(packets)) : Result<Packets>(EncodeError(status));
 }
 
-Result<void> FFmpegFilm::Write(Packets& packets)
+Result<void> FFmpegFilm::Write(const Packets& packets)
 {
     const StageTimer timer(m_settings.stages, Stage::Write);
     for (const FFmpegOwner<AVPacket>& packet : packets)
@@ -408,7 +331,6 @@ Result<void> FFmpegFilm::Write(Packets& packets)
             return written;
         }
     }
-    packets.clear();
     return {};
 }
 
@@ -427,14 +349,9 @@ Result<void> FFmpegFilm::Finish()
             return shown;
         }
     }
-    if (Result<void> written = WriteEnded(); !written)
+    if (Result<void> ended = EndGroup(); !ended)
     {
-        return written;
-    }
-    EndGroup();
-    if (Result<void> written = WriteEnded(); !written)
-    {
-        return written;
+        return ended;
     }
     if (m_format == VideoFormat::Apng)
     {
