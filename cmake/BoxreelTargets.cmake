@@ -56,19 +56,22 @@ function(boxreel_build_fast target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# Of tests that draw: the sanitizers are to overlook what Mesa itself does. In two properties, for a list
+# in one would be taken apart on its way to CTest.
+set(BOXREEL_MESA_PROPERTIES
+  ENVIRONMENT "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp:print_suppressions=0"
+  ENVIRONMENT_MODIFICATION
+    "TSAN_OPTIONS=set:suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp:print_suppressions=0")
+
 # boxreel_add_tests(NAME [MESA] SOURCES … [LIBRARIES …] [LABELS …] [PROPERTIES …]): a GoogleTest program
-# whose cases become CTest tests with the given labels (quick unless said). MESA: they draw, and the
-# sanitizers are to overlook what Mesa itself does.
+# whose cases become CTest tests with the given labels (quick unless said). MESA: they draw.
 function(boxreel_add_tests name)
   cmake_parse_arguments(ARG "MESA" "" "SOURCES;LIBRARIES;LABELS;PROPERTIES" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS quick)
   endif()
-  if(ARG_MESA) # in two properties, for a list in one would be taken apart on its way to CTest
-    list(APPEND ARG_PROPERTIES
-      ENVIRONMENT "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp:print_suppressions=0"
-      ENVIRONMENT_MODIFICATION
-        "TSAN_OPTIONS=set:suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp:print_suppressions=0")
+  if(ARG_MESA)
+    list(APPEND ARG_PROPERTIES ${BOXREEL_MESA_PROPERTIES})
   endif()
   add_executable(boxreel_${name}_tests ${ARG_SOURCES})
   boxreel_configure(boxreel_${name}_tests)
