@@ -18,8 +18,8 @@ inline constexpr double kTextHeight = 15.0;
 /// few hundredths, for a renderer puts letters on whole pixels. A tab is a space.
 double TextWidth(std::string_view line);
 
-/// The text in lines of at most `room` [px], parted at spaces, tabs and line feeds, and within a word
-/// that is longer than that. At least one line, and at least a letter a line.
+/// The text in lines of at most `room` [px], parted at spaces, tabs and line feeds, and within a
+/// word that is longer than that. At least one line, and at least a letter a line.
 std::vector<std::string> WrapText(std::string_view text, double room);
 
 } // namespace boxreel
