@@ -25,13 +25,19 @@ void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, Color c
     const double baseX = tip.x - along * ux;
     const double baseY = tip.y - along * uy;
     const Vec2 base{float(baseX), float(baseY)};
-    if (along < length)
+    if (along < length || head.open)
     {
-        list.AddSegment(tail, base, color);
+        list.AddSegment(tail, head.open ? tip : base, color);
     }
     const Vec2 corners[3] = {tip,
                              {float(baseX - across * uy), float(baseY + across * ux)},
                              {float(baseX + across * uy), float(baseY - across * ux)}};
+    if (head.open)
+    {
+        list.AddSegment(corners[1], tip, color);
+        list.AddSegment(corners[2], tip, color);
+        return;
+    }
     list.AddSolidPolygon(corners, 3, color);
 }
 

@@ -37,6 +37,10 @@ constexpr double kRestPixels = 0.02;
 // A share of half the view's height: where edges coincide, they do so up to this.
 constexpr double kRounding = 1e-6;
 
+// Of a scale or a centre. All points of a list, which are floats, then lie so near [px] that neither
+// they nor their squares overflow.
+constexpr double kMostPixels = 1e15;
+
 bool IsUsable(const Rect& box)
 {
     return std::isfinite(box.lower.x) && std::isfinite(box.lower.y) && std::isfinite(box.upper.x) &&
@@ -44,6 +48,15 @@ bool IsUsable(const Rect& box)
 }
 
 } // namespace
+
+bool CanBeDrawn(const Camera& camera)
+{
+    const double x = camera.centerX * camera.pixelsPerMeter;
+    const double y = camera.centerY * camera.pixelsPerMeter;
+    return camera.pixelsPerMeter > 0.0 && camera.pixelsPerMeter <= kMostPixels &&
+           std::abs(x) <= kMostPixels && std::abs(y) <= kMostPixels &&
+           std::isfinite(camera.centerX) && std::isfinite(camera.centerY);
+}
 
 Vec2 Camera::ToPixel(Vec2 world) const
 {

@@ -33,6 +33,7 @@ constexpr double kPixels = kTextHeight / 2384.0;
 
 int UnitsOf(char32_t letter)
 {
+    letter = letter == '\t' ? ' ' : letter;
     if (letter >= 0x20 && letter < 0x7F)
     {
         return kAscii[letter - 0x20];
@@ -127,13 +128,15 @@ double TextWidth(std::string_view line)
     return std::max(drawn, printed);
 }
 
-std::vector<std::string> WrapText(std::string_view text, double room)
+std::vector<std::string> WrapText(std::string_view given, double room)
 {
+    std::string text(given);
+    std::replace(text.begin(), text.end(), '\t', ' ');
     std::vector<std::string> lines;
     for (std::size_t start = 0; start <= text.size();)
     {
         const std::size_t end = std::min(text.find('\n', start), text.size());
-        Wrap(text.substr(start, end - start), room, lines);
+        Wrap(std::string_view(text).substr(start, end - start), room, lines);
         start = end + 1;
     }
     return lines;

@@ -113,11 +113,20 @@ Theme Theme::OkabeIto()
     theme.recolors = true;
     theme.xAxis = kVermillion;
     theme.yAxis = kGreen;
-    // What sleeps recedes, so it has the darkest. Thirteen roles share eight colours: bodies that
-    // are out of the simulation are rare, and have that of letters; pairs are lines, so nobody
-    // takes them for kinematic bodies.
-    theme.palette = {kGreen,  kSkyBlue,    kOrange,  kBlue,     kInkWhite, kYellow,  kSkyBlue,
-                     kPurple, kVermillion, kSkyBlue, kInkWhite, kYellow,   kInkWhite};
+    // Found by a search for colours that lie as far as can be from the eight and from each other,
+    // to the eye that sees least of the difference (ThemeTest has the measure).
+    constexpr Color kLavender{165, 105, 240};
+    constexpr Color kViolet{150, 0, 255};
+    constexpr Color kPaleGreen{180, 210, 180};
+    constexpr Color kMint{165, 255, 180};
+    constexpr Color kOlive{165, 180, 135};
+    constexpr Color kCrimson{195, 45, 60};
+    constexpr Color kCyan{15, 225, 255};
+    // What sleeps recedes, so it has the darkest. Only letters share their colour, with bodies that
+    // are out of the simulation, which are rare.
+    theme.palette = {kGreen,    kSkyBlue, kOrange,     kBlue,    kInkWhite,  kYellow,
+                     kLavender, kPurple,  kVermillion, kViolet,  kPaleGreen, kMint,
+                     kOlive,    kCrimson, kCyan,       kInkWhite};
     return theme;
 }
 
@@ -142,7 +151,10 @@ Theme Theme::Print()
                       {27, 122, 27},
                       {42, 42, 200},
                       {64, 64, 64},
-                      {138, 90, 0},
+                      {0, 0, 120},
+                      {135, 150, 105},
+                      {240, 75, 195},
+                      {15, 150, 240},
                       {17, 17, 17}}};
     return theme;
 }
@@ -166,7 +178,10 @@ Theme Theme::Dark()
                       {95, 227, 95},
                       {143, 143, 255},
                       {221, 227, 234},
-                      {255, 216, 102},
+                      {180, 120, 0},
+                      {135, 90, 30},
+                      {225, 0, 120},
+                      {60, 90, 195},
                       {240, 246, 252}}};
     return theme;
 }

@@ -2,6 +2,7 @@
 #include "WorldSeen.h"
 
 #include <debugdraw/Arrow.h>
+#include <debugdraw/Theme.h>
 #include <debugdraw/WorldArrows.h>
 
 #include <cmath>
@@ -14,6 +15,9 @@ namespace
 
 constexpr double kShortest = 1.5;  // an arrow that is shorter says nothing [px]
 constexpr double kHeadReach = 8.0; // of an arrow's head beside its shaft, generously [px]
+
+constexpr Color kVelocity = kClassicPalette[std::size_t(ColorRole::Velocity)];
+constexpr Color kForce = kClassicPalette[std::size_t(ColorRole::JointForce)];
 
 void AddSeenArrow(const View& view, const b2Vec2& from, const b2Vec2& way, double scale,
                   Color color, DrawList& list)
@@ -56,8 +60,8 @@ void AddVelocities(const b2World& world, const View& view, double seconds, DrawL
     for (const b2Body* const body : AwakeBodies(world))
     {
         list.owner = static_cast<std::uint32_t>(body->GetNumber());
-        AddSeenArrow(view, body->GetWorldCenter(), body->GetLinearVelocity(), seconds,
-                     kVelocityColor, list);
+        AddSeenArrow(view, body->GetWorldCenter(), body->GetLinearVelocity(), seconds, kVelocity,
+                     list);
     }
     list.owner = kNoOwner;
 }
@@ -68,8 +72,8 @@ void AddJointForces(const b2World& world, const View& view, double metersPerNewt
     list.owner = kNoOwner;
     for (const b2Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
     {
-        AddSeenArrow(view, joint->GetAnchorB(), joint->GetReactionForce(), metersPerNewton,
-                     kForceColor, list);
+        AddSeenArrow(view, joint->GetAnchorB(), joint->GetReactionForce(), metersPerNewton, kForce,
+                     list);
     }
 }
 

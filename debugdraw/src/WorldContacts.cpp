@@ -15,8 +15,9 @@ namespace
 constexpr float kOldPoint = 5.0f;      // diameter [px]
 constexpr float kNewPoint = 8.0f;      // [px]
 constexpr double kNormalLength = 12.0; // [px]
-constexpr ArrowHead kHead{7.0, 2.5};
-constexpr double kShortest = 1.5;  // an arrow that is shorter says nothing [px]
+constexpr ArrowHead kPushHead{7.0, 2.5};
+constexpr ArrowHead kRubHead{7.0, 3.5, true}; // tells friction from impulses in any colour
+constexpr double kShortest = 1.5;             // an arrow that is shorter says nothing [px]
 constexpr double kHeadReach = 8.0; // of an arrow's head beside its shaft, generously [px]
 
 Color ColorOf(ColorRole role)
@@ -70,7 +71,8 @@ void AddArrows(const std::vector<Spot>& spots, const View& view, double metersPe
         if (b2Abs(length) * view.camera.pixelsPerMeter >= kShortest)
         {
             AddArrow(list, view.camera, {spot.point.x, spot.point.y}, {tip.x, tip.y},
-                     ColorOf(ColorRole::ContactImpulse), kHead);
+                     ColorOf(alongNormal ? ColorRole::ContactImpulse : ColorRole::ContactFriction),
+                     alongNormal ? kPushHead : kRubHead);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include "FigureCairo.h"
 
 #include "FigureCanvas.h"
+#include "FigureLetters.h"
 #include "FontAtlas.h"
 
 #include <debugdraw/AtomicFile.h>
@@ -77,6 +78,7 @@ constexpr const char* kDate = "2000-01-01T00:00:00Z";
     X(cairo_translate)
 
 #define BOXREEL_FREETYPE_FUNCTIONS(X)                                                              \
+    X(FT_Get_Char_Index)                                                                           \
     X(FT_Init_FreeType)                                                                            \
     X(FT_New_Face)
 
@@ -152,8 +154,14 @@ Result<void> Prepare()
     return loaded;
 }
 
+struct Font
+{
+    FT_Face letters;
+    cairo_font_face_t* face;
+};
+
 /// The renderer's font. Kept for good, since Cairo keeps scaled copies that refer to it.
-Result<cairo_font_face_t*> LoadFont()
+Result<Font> LoadFont()
 {
     FT_Library library = nullptr;
     FT_Face face = nullptr;
@@ -163,13 +171,21 @@ Result<cairo_font_face_t*> LoadFont()
         return Missing(std::string("the font DejaVu Sans for its text (") + kFontFile + ")",
                        "fonts-dejavu-core");
     }
-    return g_cairo.cairo_ft_font_face_create_for_ft_face(face, 0);
+    return Font{face, g_cairo.cairo_ft_font_face_create_for_ft_face(face, 0)};
 }
 
-Result<cairo_font_face_t*> NeedFont()
+Result<Font> NeedFont()
 {
-    static const Result<cairo_font_face_t*> font = LoadFont();
+    static const Result<Font> font = LoadFont();
     return font;
+}
+
+/// Of scripts that are written from the right to the left, such as Arabic: Unicode 15, blocks
+/// Hebrew to Arabic Extended-A, and their presentation forms.
+bool IsFromTheRight(char32_t code)
+{
+    return (code >= 0x590 && code <= 0x8FF) || (code >= 0xFB1D && code <= 0xFDFF) ||
+           (code >= 0xFE70 && code <= 0xFEFC);
 }
 
 struct CairoDelete
@@ -325,12 +341,12 @@ Result<void> PaintOn(cairo_surface_t* surface, const Figure& figure, double unit
     cairo_font_face_t* font = nullptr;
     if (HasText(figure))
     {
-        const Result<cairo_font_face_t*> loaded = NeedFont();
+        const Result<Font> loaded = NeedFont();
         if (!loaded)
         {
             return loaded.GetError();
         }
-        font = *loaded;
+        font = loaded->face;
     }
     const Context context(g_cairo.cairo_create(surface));
     CairoCanvas canvas(context.get(), figure, unit, font);
@@ -399,8 +415,21 @@ Result<void> PreparePdf()
         return loaded;
     }
     const std::lock_guard lock(g_access);
-    const Result<cairo_font_face_t*> font = NeedFont();
+    const Result<Font> font = NeedFont();
     return font ? Result<void>() : Result<void>(font.GetError());
+}
+
+Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure)
+{
+    if (const Result<void> prepared = PreparePdf(); !prepared)
+    {
+        return prepared.GetError();
+    }
+    const std::lock_guard lock(g_access);
+    const Result<Font> font = NeedFont();
+    return LettersWithout(figure, [&font](char32_t code) {
+        return !IsFromTheRight(code) && g_cairo.FT_Get_Char_Index(font->letters, code) != 0;
+    });
 }
 
 Result<Frame> RasterizeFigure(const Figure& figure)

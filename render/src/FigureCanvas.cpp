@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "FigureCanvas.h"
 
+#include "FigureLetters.h"
+
 #include <debugdraw/DrawListText.h>
 
 #include <algorithm>
@@ -20,22 +22,12 @@ constexpr double kGuard = 4096.0;
 // largest scale, PDF's numbers (Cairo's, of 24 bits before the point) would not hold it.
 constexpr double kFarthest = 5e5;
 
+// Points that are closer than this [px] are the same to a reader of SVG, whose numbers have three
+// decimals.
+constexpr double kOnePoint = 1e-3;
+
 // A letter is at most this much wider than it is high; only to see which texts are in the picture.
 constexpr double kWidestLetter = 1.5;
-
-/// Letters, digits, '-', '_' and '.' as they are, anything else as '-'; a letter or '_' first.
-std::string AsId(std::string_view name)
-{
-    const auto isLetter = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    };
-    std::string id;
-    for (const char c : name)
-    {
-        id += isLetter(c) || (c >= '0' && c <= '9') || c == '.' ? c : '-';
-    }
-    return isLetter(id.front()) ? id : "_" + id;
-}
 
 /// Draws one panel. Its methods mirror those of ShapeBuilder, which does the same for the shaders.
 class PanelPainter
@@ -106,7 +98,16 @@ private:
     const Theme& m_theme;
     std::set<std::string>& m_ids; // of the whole figure
     FigureCanvas& m_canvas;
-    bool m_open = false; // a group, of
+    struct DrawnLine
+    {
+        Point from;
+        Point to;
+        FigureInk ink;
+    };
+    bool IsEndOfLastLine(Point at, const FigureInk& ink) const;
+
+    std::optional<DrawnLine> m_lastLine; // of the group; nothing else lies above it
+    bool m_open = false;                 // a group, of
     std::uint32_t m_owner = kNoOwner;
     DrawLayer m_layer = DrawLayer::Shapes;
 };
@@ -171,6 +172,7 @@ void PanelPainter::EnterGroupOf(const DrawItem& item)
         m_canvas.EndGroup();
     }
     m_open = true;
+    m_lastLine.reset();
     m_owner = item.owner;
     m_layer = item.layer;
     const char* const layer = LayerName(item.layer);
@@ -184,8 +186,13 @@ void PanelPainter::EnterGroupOf(const DrawItem& item)
         const auto named = m_panel.bodyNames.find(item.owner);
         const bool hasName = named != m_panel.bodyNames.end() && !named->second.empty();
         group.title = hasName ? Readable(named->second) : "";
-        group.id = hasName ? AsId(named->second) : "body-" + std::to_string(item.owner);
+        group.id = "body-" + std::to_string(item.owner);
+        group.id += hasName ? std::string("-").append(AsIdPart(named->second)) : "";
         group.id += item.layer == DrawLayer::Shapes ? "" : std::string("-") + layer;
+    }
+    if (!m_panel.name.empty())
+    {
+        group.id = std::string(m_panel.name).append("-").append(group.id);
     }
     group.id = UniqueId(group.id);
     m_ids.insert(group.id);
@@ -207,6 +214,10 @@ void PanelPainter::Add(const DrawItem& item)
     const Vec2* const points = m_list.points.data() + item.first;
     const Point first = ToPixel(points[0]);
     const double radius = std::abs(item.size) * m_camera.pixelsPerMeter;
+    if (item.kind != DrawKind::Segment)
+    {
+        m_lastLine.reset();
+    }
     switch (item.kind)
     {
     case DrawKind::Polygon:
@@ -302,6 +313,13 @@ void PanelPainter::AddSolidCircle(Point center, double radius, Point axis, const
     AddLine(center, center + radius * direction, Stroke(color));
 }
 
+bool PanelPainter::IsEndOfLastLine(Point at, const FigureInk& ink) const
+{
+    return m_lastLine && m_lastLine->ink.color == ink.color &&
+           m_lastLine->ink.opacity == ink.opacity &&
+           (Length(m_lastLine->from - at) < kOnePoint || Length(m_lastLine->to - at) < kOnePoint);
+}
+
 void PanelPainter::AddLine(Point a, Point b, const FigureInk& ink)
 {
     const auto range =
@@ -310,7 +328,13 @@ void PanelPainter::AddLine(Point a, Point b, const FigureInk& ink)
     {
         const Point from = range->first > 0.0 ? a + range->first * (b - a) : a;
         const Point to = range->second < 1.0 ? a + range->second * (b - a) : b;
-        m_canvas.Line(from, to, ink);
+        // The dot that a line without a length is, is the round end of the one before it: the
+        // anchors of a hinge are one point.
+        if (Length(to - from) >= kOnePoint || !IsEndOfLastLine(from, ink))
+        {
+            m_canvas.Line(from, to, ink);
+            m_lastLine = DrawnLine{from, to, ink};
+        }
     }
 }
 
@@ -342,40 +366,6 @@ void PanelPainter::AddText(Point topLeft, const std::string& text, Color color)
 
 } // namespace
 
-std::string Readable(std::string_view text)
-{
-    std::string readable;
-    for (std::size_t i = 0; i < text.size();)
-    {
-        const auto byte = [&](std::size_t at) {
-            return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u;
-        };
-        const unsigned lead = byte(i);
-        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-        unsigned code = length == 1 ? lead : lead & (0x7Fu >> length);
-        bool valid = lead < 0x80 || (lead >= 0xC2 && lead < 0xF5);
-        for (std::size_t k = 1; valid && k < length; ++k)
-        {
-            valid = (byte(i + k) & 0xC0u) == 0x80u;
-            code = code << 6 | (byte(i + k) & 0x3Fu);
-        }
-        constexpr unsigned kShortest[] = {0, 0, 0x80, 0x800, 0x10000};
-        valid = valid && code >= kShortest[length] && code <= 0x10FFFF &&
-                (code < 0xD800 || code > 0xDFFF) && code != 0xFFFE && code != 0xFFFF;
-        const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-        if (valid && !control)
-        {
-            readable += text.substr(i, length);
-        }
-        else if (!valid)
-        {
-            readable += "\xEF\xBF\xBD";
-        }
-        i += valid ? length : 1;
-    }
-    return readable;
-}
-
 Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme)
 {
     Figure figure;
@@ -406,12 +396,11 @@ Result<void> CheckFigure(const Figure& figure)
         const Camera& camera = panel.camera;
         usable = usable && isSize(camera.width, camera.height) && std::isfinite(panel.x) &&
                  std::isfinite(panel.y);
-        if (!std::isfinite(camera.centerX) || !std::isfinite(camera.centerY) ||
-            !std::isfinite(camera.pixelsPerMeter) || camera.pixelsPerMeter <= 0.0)
+        if (!CanBeDrawn(camera))
         {
             return Error{ErrorKind::Unusable,
                          "a figure's camera must have a finite centre and a finite scale above "
-                         "zero; check pixelsPerMeter"};
+                         "zero, both at most 1e15 pixels; check pixelsPerMeter"};
         }
     }
     if (!usable)

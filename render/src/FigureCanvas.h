@@ -40,7 +40,7 @@ struct FigurePaint
 
 struct FigureGroup
 {
-    std::string id;    ///< letters, digits, '-', '_', '.'; no two of a figure have the same
+    std::string id;    ///< an NCName of XML; no two of a figure have the same
     std::string title; ///< as the user wrote it; empty: none
     const char* layer = "";
 };
@@ -62,9 +62,6 @@ public:
     /// One line, from the left end of its baseline; valid UTF-8 without control characters.
     virtual void Text(Point at, const std::string& line, const FigureInk& ink) = 0;
 };
-
-/// UTF-8 without control characters; what is no UTF-8 becomes the sign for that, U+FFFD.
-std::string Readable(std::string_view text);
 
 /// Draws the panels. The ground is the canvas's own affair.
 void PaintFigure(const Figure& figure, FigureCanvas& canvas);

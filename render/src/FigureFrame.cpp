@@ -2,6 +2,7 @@
 #include <render/FigureFrame.h>
 
 #include "FigureCanvas.h"
+#include "FigureLetters.h"
 #include "FontAtlas.h"
 
 #include <algorithm>
@@ -144,33 +145,6 @@ private:
     std::map<std::tuple<int, int, bool>, Renderer> m_renderers;
 };
 
-/// Of valid UTF-8.
-std::vector<std::string> LettersOf(const std::string& text)
-{
-    std::vector<std::string> letters;
-    for (const char c : text)
-    {
-        if ((static_cast<unsigned char>(c) & 0xC0) != 0x80 || letters.empty())
-        {
-            letters.emplace_back();
-        }
-        letters.back() += c;
-    }
-    return letters;
-}
-
-/// Of one letter in valid UTF-8.
-char32_t CodeOf(const std::string& letter)
-{
-    const unsigned lead = static_cast<unsigned char>(letter.front());
-    char32_t code = letter.size() == 1 ? lead : lead & (0xFFu >> (letter.size() + 1));
-    for (std::size_t i = 1; i < letter.size(); ++i)
-    {
-        code = code << 6 | (static_cast<unsigned char>(letter[i]) & 0x3Fu);
-    }
-    return code;
-}
-
 } // namespace
 
 Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* totals)
@@ -212,22 +186,7 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* total
 
 std::vector<std::string> LettersWithoutPixels(const Figure& figure)
 {
-    std::vector<std::string> missing;
-    for (const FigurePanel& panel : figure.panels)
-    {
-        for (const std::string& text : panel.list.texts)
-        {
-            for (const std::string& letter : LettersOf(Readable(text)))
-            {
-                if (!FontAtlas::Get().Has(CodeOf(letter)) &&
-                    std::find(missing.begin(), missing.end(), letter) == missing.end())
-                {
-                    missing.push_back(letter);
-                }
-            }
-        }
-    }
-    return missing;
+    return LettersWithout(figure, [](char32_t code) { return FontAtlas::Get().Has(code); });
 }
 
 Result<void> PrepareFrames(Backend backend)

@@ -183,6 +183,8 @@ Figure SheetOf(std::vector<SheetPicture> pictures, const SheetSettings& settings
                         settings.scaleBar && !sharesBar);
         figure.panels.push_back(
             {std::move(pictures[i].list), pictures[i].camera, corner.x, corner.y, {}});
+        figure.panels.back().name =
+            pictures.size() > 1 ? "picture-" + std::to_string(i + 1) : std::string();
     }
     if (sharesBar)
     {

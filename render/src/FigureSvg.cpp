@@ -2,6 +2,7 @@
 // Cairo's SVG turns letters into outlines and knows no groups, so this is written by hand: text
 // that a person can read, edit and compare.
 #include "FigureCanvas.h"
+#include "FigureLetters.h"
 
 #include <debugdraw/AtomicFile.h>
 

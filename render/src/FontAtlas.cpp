@@ -122,6 +122,7 @@ void FontAtlas::Layout(std::string_view text, std::vector<GlyphQuad>& quads) con
             y += font.FontSize;
             continue;
         }
+        character = character == '\t' ? ' ' : character;
         const ImFontGlyph* const glyph =
             character < ' ' ? nullptr : font.FindGlyph(ImWchar(character));
         if (glyph == nullptr)

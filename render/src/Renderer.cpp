@@ -49,11 +49,11 @@ Result<void> CheckCamera(const Camera& camera, const RendererSettings& settings)
                          " is not of the renderer's size " + Size(settings.width, settings.height) +
                          "; give both the same"};
     }
-    if (!std::isfinite(camera.centerX) || !std::isfinite(camera.centerY) ||
-        !std::isfinite(camera.pixelsPerMeter) || camera.pixelsPerMeter <= 0.0)
+    if (!CanBeDrawn(camera))
     {
-        return Error{ErrorKind::Unusable, "the camera's centre and scale must be finite and its "
-                                          "scale above zero; check pixelsPerMeter"};
+        return Error{ErrorKind::Unusable,
+                     "the camera's centre and scale must be finite, its scale above zero, and both "
+                     "at most 1e15 pixels; check pixelsPerMeter"};
     }
     return {};
 }

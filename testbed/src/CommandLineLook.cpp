@@ -104,11 +104,11 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "impulses,friction,velocities,forces,names,glyphs (shapes,joints)")
         ->group("Picture");
     AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
-             NumberBetween(1e-6, 1e6, "give seconds above zero, such as 0.2"),
+             NumberBetween(1e-6, 1e6, "give seconds from 1e-6 to 1e6, such as 0.2"),
              "Seconds: a velocity's arrow is the way of so long a time (0.2)")
         ->group("Picture");
     AddValue(command, "--force-scale", "M", look.arrows.metersPerNewton,
-             NumberBetween(1e-12, 1e12, "give metres a newton above zero, such as 0.01"),
+             NumberBetween(1e-12, 1e12, "give metres a newton from 1e-12 to 1e12, such as 0.01"),
              "Metres a newton, of forces, friction and impulses, each a mean of a\n"
              "step (the mean weight: 1/8 of the mean size, of contacts 1/3)")
         ->group("Picture");

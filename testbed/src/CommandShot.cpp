@@ -103,32 +103,45 @@ Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
     return {};
 }
 
-void Describe(const ShotOptions& options, const RenderTotals& totals)
+/// At most so many of them.
+std::string Listed(const std::vector<std::string>& letters)
 {
-    if (options.stats)
-    {
-        WriteMessage(DescribeDrawing(totals));
-    }
-}
-
-void TellMissingLetters(const Figure& figure)
-{
-    constexpr std::size_t kMost = 20; // that are named
-    const std::vector<std::string> letters = LettersWithoutPixels(figure);
+    constexpr std::size_t kMost = 20;
     std::string named;
     for (std::size_t i = 0; i < std::min(letters.size(), kMost); ++i)
     {
         named += letters[i];
     }
-    if (!letters.empty())
-    {
-        WriteMessage("boxreel: The font of pictures has no " + named +
-                     (letters.size() > kMost ? "..." : "") +
-                     ", and shows ? instead; an .svg or a .pdf shows more letters.");
-    }
+    return named + (letters.size() > kMost ? "..." : "");
 }
 
-Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, const Figure& figure)
+Result<void> TellMissingLetters(const Figure& figure, PictureFormat format)
+{
+    if (format == PictureFormat::Svg)
+    {
+        return {}; // its viewer has the fonts
+    }
+    const bool isPdf = format == PictureFormat::Pdf;
+    const Result<std::vector<std::string>> letters =
+        isPdf ? LettersWithoutPdf(figure) : LettersWithoutPixels(figure);
+    if (!letters)
+    {
+        return letters.GetError();
+    }
+    if (!letters->empty())
+    {
+        WriteMessage(isPdf ? "boxreel: A PDF cannot show " + Listed(*letters) +
+                                 ": its font has empty boxes instead, or does not join them; an "
+                                 ".svg leaves letters to its viewer."
+                           : "boxreel: The font of pictures has no " + Listed(*letters) +
+                                 ", and shows ? instead; an .svg leaves letters to its viewer.");
+    }
+    return {};
+}
+
+/// What was drawn for it is added to `totals`.
+Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, const Figure& figure,
+                         RenderTotals& totals)
 {
     const FigureFileSettings settings{.overwrite = options.force};
     switch (*PictureFormatOf(picture.path))
@@ -140,23 +153,20 @@ Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, con
     case PictureFormat::Png:
         break;
     }
-    RenderTotals totals;
-    const Result<Frame> frame = ToFrame(figure, options.backend, &totals);
+    RenderTotals drawn;
+    const Result<Frame> frame = ToFrame(figure, options.backend, &drawn);
     if (!frame)
     {
         return frame.GetError();
     }
-    const Result<void> written = WritePng(picture.path, *frame, {.overwrite = options.force});
-    if (written)
-    {
-        Describe(options, totals);
-    }
-    return written;
+    totals += drawn;
+    return WritePng(picture.path, *frame, {.overwrite = options.force});
 }
 
 /// A picture under the panel, which only pixels can show.
 Result<void> WriteWithPanel(const ShotOptions& options, const Picture& picture,
-                            const DrawList& list, const Camera& camera, const Overlay& panel)
+                            const DrawList& list, const Camera& camera, const Overlay& panel,
+                            RenderTotals& totals)
 {
     Result<Renderer> renderer = Renderer::Create({.width = camera.width,
                                                   .height = camera.height,
@@ -172,12 +182,8 @@ Result<void> WriteWithPanel(const ShotOptions& options, const Picture& picture,
     {
         return drawn;
     }
-    const Result<void> written = WritePng(picture.path, frame, {.overwrite = options.force});
-    if (written)
-    {
-        Describe(options, renderer->Totals());
-    }
-    return written;
+    totals += renderer->Totals();
+    return WritePng(picture.path, frame, {.overwrite = options.force});
 }
 
 Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>& pictures,
@@ -218,23 +224,31 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
             return came;
         }
     }
-    if (PictureFormatOf(pictures.front().path) == PictureFormat::Png)
+    const Figure anyTheme = MakeFigure(options, options.look.theme, parts, "");
+    const PictureFormat format = *PictureFormatOf(pictures.front().path);
+    if (const Result<void> told = TellMissingLetters(anyTheme, format); !told)
     {
-        TellMissingLetters(MakeFigure(options, options.look.theme, parts, ""));
+        return told;
     }
+    RenderTotals totals;
     for (const Picture& picture : pictures)
     {
         const Result<void> written =
             options.look.hud
                 ? WriteWithPanel(options, picture, parts.front().list, content.camera,
-                                 content.overlay)
+                                 content.overlay, totals)
                 : WriteFigure(options, picture,
                               Named(MakeFigure(options, picture.theme, parts, session->Title()),
-                                    session->Names()));
+                                    session->Names()),
+                              totals);
         if (!written)
         {
             return written;
         }
+    }
+    if (options.stats)
+    {
+        WriteMessage(DescribeDrawing(totals));
     }
     return {};
 }

@@ -32,7 +32,6 @@ void Remember(int signal)
 StopSignals::StopSignals()
 {
     s_caught.store(0);
-    std::signal(SIGXFSZ, SIG_IGN);
     for (const int number : kStopSignals)
     {
         struct sigaction before
@@ -61,7 +60,6 @@ StopSignals::~StopSignals()
             std::signal(number, SIG_DFL);
         }
     }
-    std::signal(SIGXFSZ, SIG_DFL);
 }
 
 int StopSignals::Caught()

@@ -3,8 +3,7 @@
 
 /// While one exists, SIGINT, SIGTERM and SIGHUP ask for an orderly stop instead of ending the
 /// program; a second one ends it at once. A signal that the parent process has switched
-/// off (nohup, a job in the background) stays off. A write beyond a limit of file size becomes an
-/// error of that write. One at a time, in the main thread.
+/// off (nohup, a job in the background) stays off. One at a time, in the main thread.
 namespace boxreel
 {
 

@@ -121,6 +121,13 @@ Result<Duration> ParseDuration(std::string_view option, std::string_view text)
     Duration duration;
     if (!ReadNanoseconds(number, unit, duration.nanoseconds))
     {
+        double value = 0.0;
+        if (number.find_first_of("eE") != std::string_view::npos && ReadAll(number, value))
+        {
+            return Refusal(option, text,
+                           "give a time from 0 to 1000000 s and write it out, without an exponent, "
+                           "such as 1000000 or 2.5");
+        }
         return Refusal(option, text, "give a time from 0 to 1000000 s, such as 3s, 2.5 or 500ms");
     }
     return duration;

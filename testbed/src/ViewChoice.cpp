@@ -38,6 +38,48 @@ std::optional<FixedView> ReadFixed(std::string_view text)
     return x && y && height ? std::optional(FixedView{*x, *y, *height}) : std::nullopt;
 }
 
+/// "the height 1e-5 is not from 0.001 to 1000000 m" of a number out of its limits, else nothing.
+std::string WhyOutside(const char* what, std::string_view text, double lowest, double highest)
+{
+    const Result<double> number = ParseNumber("", text);
+    if (!number || (*number >= lowest && *number <= highest))
+    {
+        return "";
+    }
+    std::string why = "the ";
+    return why.append(what)
+        .append(" ")
+        .append(text)
+        .append(" is not from ")
+        .append(lowest < 0.0 ? "-1000000 to 1000000 m; give one in between."
+                             : "0.001 to 1000000 m; give one in between.");
+}
+
+std::string WhyOutsideHeights(std::string_view text)
+{
+    return WhyOutside("height", text, kSmallestHeight, kLargestHeight);
+}
+
+/// Which of the three numbers "X,Y,HEIGHT" is out of its limits, and what they are.
+std::string WhyNotFixed(std::string_view text)
+{
+    const std::vector<std::string> parts = SplitAt(',', text);
+    if (parts.size() != 3)
+    {
+        return "";
+    }
+    for (const std::string& why :
+         {WhyOutside("middle's x", parts[0], -kFarthest, kFarthest),
+          WhyOutside("middle's y", parts[1], -kFarthest, kFarthest), WhyOutsideHeights(parts[2])})
+    {
+        if (!why.empty())
+        {
+            return why;
+        }
+    }
+    return "";
+}
+
 std::optional<FollowView> ReadFollow(std::string_view text)
 {
     const std::vector<std::string> parts = SplitOutsideQuotes(':', text);
@@ -80,9 +122,12 @@ Result<ViewChoice> ParsePath(std::string_view keys, const std::string& named)
         const std::optional<CameraKey> key = ReadKey(part);
         if (!key)
         {
-            return Error{ErrorKind::Unusable, named + "'" + part +
-                                                  "' is no key; give TIME=X,Y,HEIGHT, such as "
-                                                  "3s=10,5,12, with semicolons between them."};
+            const std::string why = WhyNotFixed(SplitAt('=', part).back());
+            return Error{ErrorKind::Unusable,
+                         named + "'" + part + "' is no key" +
+                             (why.empty() ? "; give TIME=X,Y,HEIGHT, such as 3s=10,5,12, with "
+                                            "semicolons between them."
+                                          : ": " + why)};
         }
         path.keys.push_back(*key);
     }
@@ -202,6 +247,12 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
     if (kind == "follow")
     {
         const std::optional<FollowView> follow = ReadFollow(rest);
+        const std::vector<std::string> parts = SplitOutsideQuotes(':', rest);
+        const std::string why = parts.size() == 2 ? WhyOutsideHeights(parts.back()) : "";
+        if (!why.empty())
+        {
+            return Error{ErrorKind::Unusable, named + why};
+        }
         return follow
                    ? Result<ViewChoice>(*follow)
                    : Error{ErrorKind::Unusable,
@@ -210,6 +261,10 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
                                "metres if you like, such as follow:3,17:12."};
     }
     const std::optional<FixedView> fixed = ReadFixed(text);
+    if (const std::string why = WhyNotFixed(text); !why.empty())
+    {
+        return Error{ErrorKind::Unusable, named + why};
+    }
     return fixed ? Result<ViewChoice>(*fixed)
                  : Error{ErrorKind::Unusable,
                          named + "give the middle and the height of the view in metres, such as "

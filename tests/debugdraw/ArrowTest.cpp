@@ -41,6 +41,22 @@ TEST(Arrow, HasAShaftThatEndsWhereItsHeadBegins)
     EXPECT_EQ(list.points[4], (Vec2{5.0f, 1.6f}));
 }
 
+TEST(Arrow, WithAnOpenHeadIsThreeStrokesThatMeetAtItsPoint)
+{
+    DrawList list;
+    AddArrow(list, TenPixelsAMeter(), {1.0f, 2.0f}, {6.0f, 2.0f}, kInk,
+             {.length = 10.0, .halfWidth = 4.0, .open = true});
+    ASSERT_EQ(list.items.size(), 3u);
+    for (std::size_t stroke = 0; stroke < 3; ++stroke)
+    {
+        EXPECT_EQ(list.items[stroke].kind, DrawKind::Segment);
+        EXPECT_EQ(list.points[2 * stroke + 1], (Vec2{6.0f, 2.0f}));
+    }
+    EXPECT_EQ(list.points[0], (Vec2{1.0f, 2.0f}));
+    EXPECT_EQ(list.points[2], (Vec2{5.0f, 2.4f}));
+    EXPECT_EQ(list.points[4], (Vec2{5.0f, 1.6f}));
+}
+
 TEST(Arrow, HasAHeadOfTheSamePixelsInEveryView)
 {
     Camera near = TenPixelsAMeter();

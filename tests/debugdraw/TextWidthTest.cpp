@@ -6,6 +6,12 @@
 using namespace boxreel;
 using testing::ElementsAre;
 
+TEST(TextWidth, OfATabIsThatOfASpaceAndLinesArePartedAtIt)
+{
+    EXPECT_EQ(TextWidth("two\ttabs"), TextWidth("two tabs"));
+    EXPECT_EQ(WrapText("two\ttabs", 30.0), WrapText("two tabs", 30.0));
+}
+
 TEST(TextWidth, AddsUpLetters)
 {
     EXPECT_EQ(TextWidth(""), 0.0);
@@ -19,7 +25,7 @@ TEST(TextWidth, OfWhatIsNoTextIsANumberAllTheSame)
 {
     EXPECT_GT(TextWidth("\xff\xfe"), 0.0);
     EXPECT_GT(TextWidth("\xe2\x82"), 0.0);
-    EXPECT_EQ(TextWidth("\n\t"), 0.0);
+    EXPECT_EQ(TextWidth("\n\x01"), 0.0);
 }
 
 TEST(WrapText, PartsAtSpacesAndKeepsEveryWord)

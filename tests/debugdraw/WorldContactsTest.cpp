@@ -161,10 +161,9 @@ TEST_F(Resting, FrictionHoldsBackWhatSlides)
     for (const DrawItem& item : list.items)
     {
         EXPECT_EQ(item.layer, DrawLayer::ContactFriction);
-        if (item.kind == DrawKind::SolidPolygon)
-        {
-            sum += double(list.points[item.first].x);
-        }
+        EXPECT_EQ(item.color, ColorOf(ColorRole::ContactFriction));
+        EXPECT_EQ(item.kind, DrawKind::Segment) << "impulses have filled heads, friction has not";
+        sum += double(list.points[item.first + 1].x) - double(list.points[item.first].x);
     }
     EXPECT_LT(sum, -0.5) << "to the left";
 }

@@ -81,6 +81,16 @@ TEST(Figures, AreDrawnAloneWhenTheyAreNamed)
     EXPECT_THAT(DrawnNames(drawn / ""), testing::ElementsAre("chain-dark.svg", "chain-light.svg"));
 }
 
+TEST(Figures, AreNotDrawnIntoAFolderCalledHelp)
+{
+    const TemporaryFolder drawn;
+    const std::string program = "cd '" + (drawn / "").string() + "' && " BOXREEL_DOCS_FIGURES;
+    EXPECT_EQ(std::system((program + " --help > usage").c_str()), 0);
+    EXPECT_THAT(ReadBytes(drawn / "usage"), testing::StartsWith("usage: boxreel_docs_figures"));
+    EXPECT_NE(std::system((program + " --figures 2> errors").c_str()), 0);
+    EXPECT_THAT(ReadBytes(drawn / "errors"), testing::StartsWith("usage: boxreel_docs_figures"));
+}
+
 TEST(Figures, ThatNobodyKnowsAreRefused)
 {
     const TemporaryFolder drawn;

@@ -247,8 +247,9 @@ TEST(Figure, NamesBodiesAndNeverTwoAlike)
     figure.panels.push_back(figure.panels[0]);
     const std::string text = Svg(figure);
     EXPECT_THAT(text, HasSubstr("<title>front wheel \xC3\xA9&lt;</title>"));
-    EXPECT_THAT(text, HasSubstr("id=\"front-wheel----\""));
-    EXPECT_THAT(text, HasSubstr("id=\"front-wheel-----2\""));
+    EXPECT_THAT(text, HasSubstr("id=\"body-3-front-wheel-\u00e9-\""));
+    EXPECT_THAT(text, HasSubstr("id=\"body-4-front-wheel-\u00e9-\""));
+    EXPECT_THAT(text, HasSubstr("id=\"body-3-front-wheel-\u00e9--2\"")) << "it is drawn again";
     std::vector<std::string> ids;
     for (std::size_t at = text.find("id=\""); at != std::string::npos; at = text.find("id=\"", at))
     {
@@ -258,6 +259,21 @@ TEST(Figure, NamesBodiesAndNeverTwoAlike)
     EXPECT_EQ(ids.size(), 12u);
     std::sort(ids.begin(), ids.end());
     EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
+    EXPECT_EQ(WhyNotXml(text), "");
+}
+
+TEST(Figure, NamesGroupsInAnyScriptAndKeepsLayersAndPanelsApart)
+{
+    Figure figure = FigureOf(OneOfEach());
+    figure.panels[0].bodyNames = {{3, "\u5de6 \u8f6e\U0001F44D\t\u03a9\u00d7:1"}, {4, "joints"}};
+    figure.panels.push_back(figure.panels[0]);
+    figure.panels[1].name = "picture-2";
+    const std::string text = Svg(figure);
+    EXPECT_THAT(text, HasSubstr("<g id=\"body-3-\u5de6-\u8f6e\U0001F44D-\u03a9--1\""));
+    EXPECT_THAT(text, HasSubstr("<title>\u5de6 \u8f6e\U0001F44D \u03a9\u00d7:1</title>"));
+    EXPECT_THAT(text, HasSubstr("<g id=\"picture-2-body-3-\u5de6-\u8f6e"));
+    EXPECT_THAT(text, HasSubstr("<g id=\"joints\" class=\"joints\">"));
+    EXPECT_THAT(text, HasSubstr("<g id=\"body-4-joints"));
     EXPECT_EQ(WhyNotXml(text), "");
 }
 
@@ -276,6 +292,30 @@ TEST(Figure, HoldsAnyText)
     EXPECT_TRUE(ToPdf(figure));
 }
 
+TEST(Figure, ShowsTabsAndLineFeedsAsSpaces)
+{
+    DrawList list;
+    list.AddText({5, 200}, "two\ttabs", kWhite);
+    Figure figure = FigureOf(list);
+    figure.title = "one\ntwo\tthree";
+    EXPECT_THAT(Svg(figure), HasSubstr("<title>one two three</title>"));
+    EXPECT_THAT(Svg(figure), HasSubstr(">two tabs</text>"));
+    DrawList spaced;
+    spaced.AddText({5, 200}, "two tabs", kWhite);
+    EXPECT_EQ(FrameOf(figure).rgba, FrameOf(FigureOf(spaced)).rgba);
+}
+
+TEST(Figure, SaysWhichLettersAPdfDoesNotShow)
+{
+    DrawList list;
+    list.AddText({5, 200}, "A \u4e2d\u6587 \U0001F44D \u4e2d \u00b5\u0416", kWhite);
+    list.AddText({5, 100}, "\u0633\u0644", kWhite);
+    const Result<std::vector<std::string>> letters = LettersWithoutPdf(FigureOf(list));
+    ASSERT_TRUE(letters);
+    EXPECT_THAT(*letters,
+                testing::ElementsAre("\u4e2d", "\u6587", "\U0001F44D", "\u0633", "\u0644"));
+}
+
 TEST(Figure, LeavesOutWhatCannotBeDrawnOrSeen)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -291,6 +331,20 @@ TEST(Figure, LeavesOutWhatCannotBeDrawnOrSeen)
     const std::string text = Svg(FigureOf(list));
     EXPECT_EQ(CountOf("\n", text), 4u) << text; // XML's own line, the figure and its ground
     EXPECT_TRUE(ToPdf(FigureOf(list)));
+}
+
+TEST(Figure, LeavesOutPointsThatAreTheEndOfALine)
+{
+    DrawList list;
+    list.layer = DrawLayer::Joints;
+    list.AddSegment({5, 5}, {50, 50}, kWhite);
+    list.AddSegment({50, 50}, {50.0001f, 50}, kWhite);
+    list.AddSegment({90, 50}, {50, 50}, kWhite);
+    EXPECT_EQ(CountOf("<line", Svg(FigureOf(list))), 2u);
+    list.AddSegment({70, 70}, {70, 70}, kWhite);
+    EXPECT_EQ(CountOf("<line", Svg(FigureOf(list))), 3u) << "a dot that is seen";
+    list.AddSegment({70, 70}, {70, 70}, {255, 0, 0});
+    EXPECT_EQ(CountOf("<line", Svg(FigureOf(list))), 4u) << "of another colour";
 }
 
 TEST(Figure, CutsWhatReachesFarOutOfThePicture)
@@ -349,6 +403,7 @@ TEST(Figure, OfWrongSizeOrViewIsRefused)
     EXPECT_TRUE(refused([](Figure& f) { f.scale = 16.5; }));
     EXPECT_TRUE(refused([](Figure& f) { f.panels[0].camera.pixelsPerMeter = 0.0; }));
     EXPECT_TRUE(refused([](Figure& f) { f.panels[0].camera.centerX = std::nan(""); }));
+    EXPECT_TRUE(refused([](Figure& f) { f.panels[0].camera.centerY = 1e16; }));
     EXPECT_TRUE(refused([](Figure& f) { f.panels[0].y = std::nan(""); }));
     EXPECT_FALSE(refused([](Figure&) {}));
 }

@@ -353,6 +353,37 @@ TEST(Renderer, RefusesACameraThatDoesNotFit)
     }
 }
 
+TEST(Renderer, RefusesAViewWhosePixelsOverflowAndDrawsThoseBeforeIt)
+{
+    DrawList list;
+    const Vec2 corners[3] = {{-1, -1}, {3, 0}, {0, 2}};
+    list.AddSolidPolygon(corners, 3, kWhite);
+    list.AddSolidCircle({1, 1}, 2, {1, 0}, kWhite);
+    list.AddSegment({0, 0}, {5, 1}, kWhite);
+    list.AddTransform({0, 0}, {1, 0}, 1);
+    list.AddText({0, 0}, "here", kWhite);
+    const float most = std::numeric_limits<float>::max();
+    list.AddSolidCircle({most, -most}, most, {1, 0}, kWhite);
+    list.AddSegment({-most, 0}, {most, most}, kWhite);
+    Renderer renderer = MakeRenderer(40, 30);
+    Camera camera = PixelCamera(40, 30);
+    camera.centerY = 0.0;
+    for (const auto& [center, scale] : {std::pair(1e30, 1e290), {1e30, 1.0}, {0.0, 1e16}})
+    {
+        camera.centerX = center;
+        camera.pixelsPerMeter = scale;
+        const Result<void> drawn = renderer.Submit(list, camera);
+        ASSERT_FALSE(drawn) << center << " " << scale;
+        EXPECT_EQ(drawn.GetError().kind, ErrorKind::Unusable);
+    }
+    for (const auto& [center, scale] : {std::pair(0.0, 1e15), {-1.0, 1e15}, {1e30, 1e-300}})
+    {
+        camera.centerX = center;
+        camera.pixelsPerMeter = scale;
+        EXPECT_TRUE(renderer.Submit(list, camera)) << center << " " << scale;
+    }
+}
+
 TEST(Renderer, DoesNotDrawTheSameTwiceAndShowsItAllTheSame)
 {
     Renderer renderer = MakeRenderer(320, 240);

@@ -48,6 +48,28 @@ std::string Refusal(const std::string& line)
     return request.GetError().message;
 }
 
+TEST(CommandLine, RefusalsOfNumbersSayTheirLimits)
+{
+    EXPECT_EQ(Refusal("shot pyramid --at 3s -o a.png --velocity-scale 1e300"),
+              "--velocity-scale '1e300': give seconds from 1e-6 to 1e6, such as 0.2.");
+    EXPECT_EQ(Refusal("shot pyramid --at 3s -o a.png --velocity-scale 1e-9"),
+              "--velocity-scale '1e-9': give seconds from 1e-6 to 1e6, such as 0.2.");
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --force-scale 1e300"),
+                testing::HasSubstr("from 1e-12 to 1e12"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera 0,0,1e-5"),
+                testing::HasSubstr("the height 1e-5 is not from 0.001 to 1000000 m"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera 1234567.5,0,0.1"),
+                testing::HasSubstr("the middle's x 1234567.5 is not from -1000000 to 1000000 m"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera 0,-2e6,0.1"),
+                testing::HasSubstr("the middle's y -2e6 is not from -1000000 to 1000000 m"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera follow:3:1e-5"),
+                testing::HasSubstr("the height 1e-5 is not from"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera path:0s=0,0,5;3s=0,0,1e9"),
+                testing::HasSubstr("the height 1e9 is not from"));
+    EXPECT_THAT(Refusal("shot pyramid --at 1e6 -o a.png"),
+                testing::HasSubstr("write it out, without an exponent"));
+}
+
 TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
 {
     const RecordOptions options = Parsed<RecordOptions>("record pyramid -o pyramid.mp4");

@@ -83,7 +83,7 @@ TEST_F(FigureCommand, GroupsCarryTheNamesThatASceneFileGives)
         return ReadFile(folder / "a.svg");
     };
     const std::string plain = shot("shapes");
-    EXPECT_THAT(plain, HasSubstr("<g id=\"left-plank\" class=\"shapes\">"));
+    EXPECT_THAT(plain, HasSubstr("<g id=\"body-0-left-plank\" class=\"shapes\">"));
     EXPECT_THAT(plain, HasSubstr("<g id=\"body-1\" class=\"shapes\">"));
     EXPECT_THAT(plain, Not(HasSubstr("</text>")));
     const std::string named = shot("shapes,names,masses");
@@ -134,8 +134,31 @@ TEST_F(FigureCommand, LettersThatPixelsCannotShowAreNamedOnce)
     EXPECT_EQ(png.code, 0);
     EXPECT_EQ(png.errors,
               "boxreel: The font of pictures has no \u6f22\u5b57, and shows ? instead; an "
-              ".svg or a .pdf shows more letters.\n");
+              ".svg leaves letters to its viewer.\n");
+    const Outcome pdf = Shot("a.pdf", {"--caption", caption + " \u0633\u0644\u0627\u0645"});
+    EXPECT_EQ(pdf.code, 0);
+    EXPECT_EQ(
+        pdf.errors,
+        "boxreel: A PDF cannot show \u6f22\u5b57\u0633\u0644\u0627\u0645: its font has "
+        "empty boxes instead, or does not join them; an .svg leaves letters to its viewer.\n");
+    EXPECT_EQ(Shot("b.pdf", {"--caption", "Fig. 1, \u00b5m, \u0416, \u03c9"}).errors, "");
     EXPECT_THAT(Written("a.svg", {"--caption", caption}), HasSubstr("\u6f22\u5b57"));
+}
+
+TEST_F(FigureCommand, FilesThatGrowBeyondALimitAreRefusedWithASentence)
+{
+    for (const char* const output : {"a.png", "a.svg", "a.pdf"})
+    {
+        // Of 512 bytes each. A shell, for this process may have the signal switched off.
+        const std::string line = "cd '" + folder.Path().string() +
+                                 "' && ulimit -f 2 && exec " BOXREEL_PROGRAM
+                                 " shot pyramid --at 0s -o " +
+                                 output + " 2> /dev/null";
+        const int status = std::system(line.c_str());
+        ASSERT_TRUE(WIFEXITED(status)) << output << " died of signal " << WTERMSIG(status);
+        EXPECT_EQ(WEXITSTATUS(status), 4) << output;
+        EXPECT_THAT(folder.Files(), testing::IsEmpty());
+    }
 }
 
 TEST_F(FigureCommand, SheetsOfManyPixelsAreForSvgAndPdf)

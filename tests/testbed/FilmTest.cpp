@@ -223,6 +223,10 @@ TEST_F(Film, StatsSayWhatWasDrawnAndOnlyWhenAskedFor)
     const Outcome shot = Run({"shot", "pyramid", "--step", "9", "-o", "a.png", "--stats"});
     EXPECT_THAT(shot.errors, HasSubstr("\n  frames              1   1 as a whole, 0 in part, "
                                        "0 unchanged\n  pixels        100.0 %   "));
+    const Outcome both =
+        Run({"shot", "pyramid", "--step", "9", "-o", "b.png", "--theme", "both", "--stats"});
+    EXPECT_THAT(both.errors, HasSubstr("\n  frames              2   2 as a whole, "));
+    EXPECT_EQ(both.errors.find("What was drawn"), both.errors.rfind("What was drawn")) << "once";
 }
 
 /// Ends a long recording by a signal, once it has begun to write.

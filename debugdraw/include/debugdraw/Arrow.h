@@ -13,11 +13,12 @@ struct ArrowHead
 {
     double length = 9.0;    ///< along the shaft [px]
     double halfWidth = 3.0; ///< across it [px]
+    bool open = false;      ///< two strokes from the point, and a shaft that reaches it
 };
 
-/// A shaft from `tail` to `tip` [m] with a filled head whose point lies at `tip`; stamped with the
-/// list's layer and owner. A shaft shorter than its head gets a smaller head. Nothing is added when
-/// tail and tip are one point, or not finite.
+/// A shaft from `tail` to `tip` [m] with a head, filled or open, whose point lies at `tip`; stamped
+/// with the list's layer and owner. A shaft shorter than its head gets a smaller head. Nothing is
+/// added when tail and tip are one point, or not finite.
 void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, Color color,
               const ArrowHead& head = {});
 

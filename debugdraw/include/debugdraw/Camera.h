@@ -24,6 +24,11 @@ struct Camera
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// Whether pictures can be made of this view: its numbers are finite, its scale is above zero, and
+/// neither the scale nor the centre is more than 1e15 pixels, beyond which doubles do not tell one
+/// pixel from the next.
+bool CanBeDrawn(const Camera& camera);
+
 /// The view of `area` with `margin` (a share of the frame's smaller side, 0 to 0.45) left on every
 /// side. An area that is empty or not finite gives the default view, 50 m high around (0, 20); a
 /// smaller one than a metre is shown as a metre.

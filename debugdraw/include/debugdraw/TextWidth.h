@@ -15,11 +15,11 @@ namespace boxreel
 inline constexpr double kTextHeight = 15.0;
 
 /// Of one line of UTF-8 [px]: in pixels or in SVG and PDF, whichever is the wider; they differ by a
-/// few hundredths, for a renderer puts letters on whole pixels.
+/// few hundredths, for a renderer puts letters on whole pixels. A tab is a space.
 double TextWidth(std::string_view line);
 
-/// The text in lines of at most `room` [px], parted at spaces and line feeds, and within a word
-/// that is longer than that. At least one line, and at least a letter a line.
+/// The text in lines of at most `room` [px], parted at spaces, tabs and line feeds, and within a
+/// word that is longer than that. At least one line, and at least a letter a line.
 std::vector<std::string> WrapText(std::string_view text, double room);
 
 } // namespace boxreel

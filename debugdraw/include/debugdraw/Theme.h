@@ -15,7 +15,7 @@
 namespace boxreel
 {
 
-/// What the classic debug drawing has a colour of its own for.
+/// What the debug drawing has a colour of its own for.
 enum class ColorRole : std::uint8_t
 {
     StaticBody,
@@ -30,12 +30,16 @@ enum class ColorRole : std::uint8_t
     OldContact,
     ContactNormal,
     ContactImpulse,
+    ContactFriction,
+    JointForce,
+    Velocity,
     Ink, ///< white: labels, and whatever is meant to stand out most from the ground
 };
-inline constexpr std::size_t kColorRoles = 13;
+inline constexpr std::size_t kColorRoles = 16;
 using Palette = std::array<Color, kColorRoles>;
 
-/// The colours every user of this debug drawing knows.
+/// The colours every user of this debug drawing knows. Friction looks like impulses there; a step
+/// of blue, which nobody sees, tells themes which of the two is asked for.
 inline constexpr Palette kClassicPalette{{{128, 230, 128},
                                           {128, 128, 230},
                                           {230, 179, 179},
@@ -48,6 +52,9 @@ inline constexpr Palette kClassicPalette{{{128, 230, 128},
                                           {77, 77, 242},
                                           {230, 230, 230},
                                           {230, 230, 77},
+                                          {230, 230, 78},
+                                          {255, 150, 60},
+                                          {90, 170, 255},
                                           {255, 255, 255}}};
 
 struct Theme
@@ -75,7 +82,8 @@ struct Theme
     /// As it has always looked.
     static Theme Classic();
     /// The classic ground with the eight colours of Okabe and Ito ("Color Universal Design", 2008;
-    /// white in the place of black), which people of any colour vision tell apart.
+    /// white in the place of black) and seven more for lines, arrows and points that lie over them.
+    /// People of any colour vision tell all of them apart.
     static Theme OkabeIto();
     /// A white ground, dark outlines, light fills: for paper and for light pages.
     static Theme Print();

@@ -9,9 +9,6 @@
 namespace boxreel
 {
 
-inline constexpr Color kVelocityColor{90, 170, 255, 255};
-inline constexpr Color kForceColor{255, 150, 60, 255};
-
 /// From each centre of mass the way that the body would go in so many seconds. Bodies at rest have
 /// none, nor have those whose arrow would be shorter than one and a half pixels.
 void AddVelocities(const b2World& world, const View& view, double seconds, DrawList& list);

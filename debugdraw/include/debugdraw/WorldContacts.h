@@ -17,7 +17,7 @@ struct ContactLook
     bool points = false;   ///< dots: those that were not there before the last step are larger
     bool normals = false;  ///< lines of 12 pixels, from the first fixture towards the second
     bool impulses = false; ///< arrows: what keeps the shapes apart, as the second body feels it
-    bool friction = false; ///< arrows: the same along the surface
+    bool friction = false; ///< arrows with open heads: the same along the surface
     /// An impulse is shown as the mean force of a step, so that arrows do not depend on its length.
     double stepsPerSecond = 60.0;
     double metersPerNewton = 0.01; ///< length of an arrow

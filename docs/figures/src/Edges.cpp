@@ -204,6 +204,7 @@ Figure DrawChain()
         way.push_back(ball->GetPosition());
         Run(world);
     }
+    way.push_back(ball->GetPosition());
     sketch.Trail(way);
     sketch.Draw(world);
     for (int32 i = 0; i < 6; ++i)

@@ -106,7 +106,7 @@ const std::vector<FigureEntry>& FigureTable()
         {"gear-joint", "A wheel that turns and a rack that it moves",
          "A gear joint makes two joints, revolute or prismatic, move in proportion.",
          DrawGearJoint},
-        {"mouse-joint", "A box that is pulled towards a target by one of its corners",
+        {"mouse-joint", "A box that is pulled towards a target by a point near one of its corners",
          "A mouse joint pulls a point of a body towards a target, as a spring with a greatest "
          "force does.",
          DrawMouseJoint},

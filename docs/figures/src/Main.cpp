@@ -6,6 +6,7 @@
 #include <debugdraw/AtomicFile.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 
@@ -78,11 +79,19 @@ Result<void> Run(const std::filesystem::path& folder, const std::vector<std::str
 
 int main(int argc, char** argv)
 {
-    if (argc < 2)
+    constexpr const char* kUsage = "usage: boxreel_docs_figures OUTDIR [NAME…]\n";
+    const std::string_view first = argc < 2 ? "" : argv[1];
+    if (first == "--help" || first == "-h")
     {
-        std::cerr << "usage: boxreel_docs_figures OUTDIR [NAME…]\n";
+        std::cout << kUsage;
+        return 0;
+    }
+    if (first.empty() || first.front() == '-')
+    {
+        std::cerr << kUsage;
         return 1;
     }
+    std::signal(SIGXFSZ, SIG_IGN); // a limit of the shell's is an error of writing
     const Result<void> done = Run(argv[1], {argv + 2, argv + argc});
     if (!done)
     {

@@ -9,6 +9,7 @@
 #include <Box2D/Common/b2Draw.h>
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/Joints/b2Joint.h>
+#include <Box2D/Dynamics/Joints/b2PulleyJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
@@ -217,19 +218,31 @@ void Drawing::DrawLine(const b2Vec2& a, const b2Vec2& b, const b2Color& color)
     }
 }
 
-// The two anchors, each with a line from its body's origin.
+// A pulley is its rope, over the two ground anchors. A rod runs from anchor to anchor, and so does
+// a mouse joint, from its target to the point held: its first body takes no part. Any other joint
+// is its two anchors, each with a line from its body's origin.
 void Drawing::DrawJoint(const b2Joint& joint)
 {
     const b2Vec2 anchorA = joint.GetAnchorA();
     const b2Vec2 anchorB = joint.GetAnchorB();
-    if (joint.GetType() == e_distanceJoint)
+    if (joint.GetType() == e_pulleyJoint)
     {
-        DrawLine(anchorA, anchorB, kJoint);
+        const auto& pulley = static_cast<const b2PulleyJoint&>(joint);
+        DrawLine(anchorA, pulley.GetGroundAnchorA(), kJoint);
+        DrawLine(pulley.GetGroundAnchorA(), pulley.GetGroundAnchorB(), kJoint);
+        DrawLine(pulley.GetGroundAnchorB(), anchorB, kJoint);
         return;
     }
-    DrawLine(joint.GetBodyA()->GetPosition(), anchorA, kJoint);
+    const bool isLink = joint.GetType() == e_distanceJoint || joint.GetType() == e_mouseJoint;
+    if (!isLink)
+    {
+        DrawLine(joint.GetBodyA()->GetPosition(), anchorA, kJoint);
+    }
     DrawLine(anchorA, anchorB, kJoint);
-    DrawLine(joint.GetBodyB()->GetPosition(), anchorB, kJoint);
+    if (!isLink)
+    {
+        DrawLine(joint.GetBodyB()->GetPosition(), anchorB, kJoint);
+    }
 }
 
 void Drawing::DrawJoints()

@@ -29,8 +29,12 @@ struct FigurePanel
     Camera camera;  ///< its width and height are the panel's [px]
     double x = 0.0; ///< of the panel's top left corner in the figure [px]
     double y = 0.0;
-    /// What bodies are called in the groups' names, by their number; "body-17" where it has none.
+    /// What bodies are called in the groups' names, by their number: "body-17-left-wheel", or
+    /// "body-17" where it has none.
     std::map<std::uint32_t, std::string> bodyNames;
+    /// Begins its groups' names, where it is not empty: "picture-2-body-17". Letters of an XML
+    /// name.
+    std::string name = {};
 };
 
 struct Figure
@@ -55,6 +59,12 @@ Result<std::string> ToSvg(const Figure& figure);
 /// The same drawing as a PDF of one page. Text can be searched and copied; the groups are sections
 /// of its structure, and named destinations. Absent when Cairo, FreeType or the font is.
 Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure);
+
+/// The letters of the figure's texts that a PDF does not show as they are meant: those that its
+/// font, DejaVu Sans, has not, which are empty boxes, and those of scripts from the right to the
+/// left, which would not be joined or turned. Each once, as they come. In an SVG they are the
+/// viewer's. Absent as ToPdf.
+Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure);
 
 /// Whether PDFs can be written on this machine: asked before long work is done for one.
 Result<void> PreparePdf();

@@ -21,7 +21,7 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend = Backend::Auto,
                       RenderTotals* totals = nullptr);
 
 /// The letters of the figure's texts that pixels cannot show, for the font of pictures has none of
-/// them: each once, as they come. SVG and PDF show more.
+/// them: each once, as they come. A PDF shows more, and an SVG what its viewer's fonts have.
 std::vector<std::string> LettersWithoutPixels(const Figure& figure);
 
 /// Whether this machine can draw: asked before long work is done for a picture.
