@@ -17,8 +17,9 @@ function(boxreel_configure target)
     target_compile_options(${target} PRIVATE -fsanitize=${BOXREEL_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # What instrumented code may leave unset is guessed wrong (GCC's manual, -Wmaybe-uninitialized).
-      target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+      # Of instrumented code these guess wrong (GCC's manual, -Wmaybe-uninitialized); other builds have them.
+      target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict
+                                               -Wno-stringop-overflow)
     endif()
     target_link_options(${target} PUBLIC -fsanitize=${BOXREEL_SANITIZE})
   endif()
