@@ -504,4 +504,56 @@ TEST(DynamicsContinuous, AHeavyBulletDoesNotDriveALightBodyThroughAThinWall)
     }
 }
 
+/// Puts a body to sleep in one of the callbacks.
+struct Lullaby : public b2ContactListener
+{
+    b2Body* body = nullptr;
+    int when = 0;
+    int calls = 0;
+
+    void Sing(int now)
+    {
+        if (now == when)
+        {
+            body->SetAwake(false);
+            ++calls;
+        }
+    }
+    void BeginContact(b2Contact*) override { Sing(0); }
+    void PreSolve(b2Contact*, const b2Manifold*) override { Sing(1); }
+    void PostSolve(b2Contact*, const b2ContactImpulse*) override { Sing(2); }
+};
+
+// What hangs on a body that an impact has stopped is drawn back to it, but for what sleeps.
+TEST(DynamicsContinuous, AListenerMayPutToSleepWhatHangsOnABodyThatIsStopped)
+{
+    for (const int32 subSteps : {1, 2, 8})
+    {
+        for (const int when : {0, 1, 2})
+        {
+            Scene scene(b2Vec2(0.0f, 0.0f));
+            scene.world.SetSubStepCount(subSteps);
+            Scene::AddBox(scene.Body(b2_staticBody, 0.0f, 0.0f), 0.1f, 5.0f);
+            b2Body* front = scene.Box(-2.3f, 0.0f, 0.5f, 0.05f);
+            b2Body* back = scene.Box(-3.3f, 0.0f, 0.5f, 0.05f);
+            b2RevoluteJointDef hinge;
+            hinge.Initialize(front, back, b2Vec2(-2.8f, 0.0f));
+            scene.world.CreateJoint(&hinge);
+            front->SetLinearVelocity(b2Vec2(60.0f, 0.0f));
+            back->SetLinearVelocity(b2Vec2(60.0f, 0.0f));
+            Lullaby listener;
+            listener.body = back;
+            listener.when = when;
+            scene.world.SetContactListener(&listener);
+            for (int step = 0; step < 60; ++step)
+            {
+                scene.Step();
+            }
+            EXPECT_GT(listener.calls, 0) << when;
+            EXPECT_LT(front->GetPosition().x, -0.5f) << subSteps << " sub-steps, " << when;
+            EXPECT_LT(back->GetPosition().x, -0.5f) << subSteps << " sub-steps, " << when;
+        }
+    }
+}
+
 } // namespace

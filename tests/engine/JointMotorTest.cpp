@@ -122,4 +122,32 @@ TEST(MotorJoint, ChangesWakeTheBodiesTheSameValuesDoNot)
     EXPECT_EQ(drive.joint->GetMaxTorque(), 20.0f);
 }
 
+/// A rod on a hinge, let go level, with a motor joint that may do nothing.
+TEST(MotorJoint, WithoutForceAndTorqueDoesNothing)
+{
+    for (const int32 subSteps : {2, 4, 8})
+    {
+        JointScene scene(b2Vec2(0.0f, -10.0f));
+        scene.world.SetSubStepCount(subSteps);
+        b2Body* ground = scene.Body(b2_staticBody, 0.0f, 0.0f);
+        b2Body* rod = scene.Box(1.0f, 0.0f, 0.5f, 0.1f);
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(ground, rod, b2Vec2(0.5f, 0.0f));
+        scene.world.CreateJoint(&hinge);
+        b2MotorJointDef motor;
+        motor.Initialize(ground, rod);
+        motor.maxForce = 0.0f;
+        motor.maxTorque = 0.0f;
+        scene.world.CreateJoint(&motor);
+        float32 highest = -1.0f;
+        for (int step = 0; step < 600; ++step)
+        {
+            scene.Step();
+            highest = b2Max(highest, rod->GetPosition().y);
+        }
+        EXPECT_LT(highest, 0.01f) << subSteps;
+        EXPECT_GT(highest, -0.05f) << subSteps;
+    }
+}
+
 } // namespace

@@ -53,7 +53,7 @@ void Containment::NoteStarts()
 {
     for (const b2Body* body : m_world.awakeBodies)
     {
-        m_starts.push_back(Data(*body).previous);
+        m_starts.push_back(ImpactStart{&Data(*body), Data(*body).previous});
     }
 }
 
@@ -76,7 +76,8 @@ bool Containment::Hold(ImpactJoints& joints)
 const Pose& Containment::StartOf(const BodyData& body) const
 {
     const auto index = std::size_t(body.awakeIndex); // of what is not awake, beyond all
-    return index < m_starts.size() ? m_starts[index] : body.previous;
+    return index < m_starts.size() && m_starts[index].body == &body ? m_starts[index].pose
+                                                                    : body.previous;
 }
 
 bool Containment::Hold(const ContactData& c, ImpactJoints& joints)

@@ -13,6 +13,7 @@ namespace box2d
 {
 
 struct ContactData;
+struct ImpactStart;
 class ImpactJoints;
 class World;
 
@@ -32,7 +33,7 @@ private:
     const Pose& StartOf(const BodyData& body) const;
 
     World& m_world;
-    Array<Pose>& m_starts; // by awake body, when there was an impact
+    Array<ImpactStart>& m_starts; // by awake body, when there was an impact
 };
 
 } // namespace box2d

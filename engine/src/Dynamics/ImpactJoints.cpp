@@ -53,7 +53,11 @@ void ImpactJoints::NoteStarts()
     }
     m_noted = true;
     SolverArrays& arrays = *m_world.solver;
-    arrays.impactStopped.assign(m_world.awakeBodies.size(), 0);
+    arrays.impactFates.clear();
+    for (const b2Body* awake : m_world.awakeBodies)
+    {
+        arrays.impactFates.push_back(ImpactFate{&Data(*awake), false});
+    }
     arrays.jointSystem.NoteOpen(m_world.graph, ClearWays());
 }
 
@@ -61,9 +65,9 @@ void ImpactJoints::NoteStopped(const BodyData& body)
 {
     if (m_noted && IsMoved(body))
     {
-        Array<uint8>& stopped = m_world.solver->impactStopped;
-        stopped.resize(std::max(stopped.size(), m_world.awakeBodies.size()), 0);
-        stopped[std::size_t(body.awakeIndex)] = 1;
+        Array<ImpactFate>& fates = m_world.solver->impactFates;
+        fates.resize(std::max(fates.size(), m_world.awakeBodies.size()), ImpactFate{});
+        fates[std::size_t(body.awakeIndex)] = ImpactFate{&body, true};
         m_any = true;
     }
 }
@@ -74,12 +78,13 @@ bool ImpactJoints::Close()
     {
         return false;
     }
-    const Array<uint8>& stopped = m_world.solver->impactStopped;
+    const Array<ImpactFate>& fates = m_world.solver->impactFates;
     const auto fate = [&](const BodyData& body) {
         const auto index = std::size_t(body.awakeIndex);
-        return index < stopped.size() && stopped[index] != 0 ? AfterImpact::Stopped
-               : Leans(body)                                 ? AfterImpact::Leans
-                                                             : AfterImpact::Free;
+        const bool isKnown = index < fates.size() && fates[index].body == &body;
+        return isKnown && fates[index].isStopped ? AfterImpact::Stopped
+               : Leans(body)                     ? AfterImpact::Leans
+                                                 : AfterImpact::Free;
     };
     const SolverContext context = ClearWays();
     JointSystem& joints = m_world.solver->jointSystem;

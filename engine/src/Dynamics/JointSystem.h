@@ -261,16 +261,20 @@ private:
 };
 
 /// Whether a body of the part was stopped; such ones, and what leans on something, are made hard to
-/// move.
+/// move. Not where a listener has put one to sleep, which is not to be moved: what is open there
+/// closes in later steps.
 template <class Fate>
 bool JointSystem::HoldStopped(int32 part, Fate&& fate)
 {
     double mass = 0.0;
     bool any = false;
+    bool isAwake = true;
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
         mass += 1.0 / double(body.SolverInvMass());
         any = any || fate(body) == AfterImpact::Stopped;
+        isAwake = isAwake && body.awakeIndex != -1;
     });
+    any = any && isAwake;
     if (any)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {

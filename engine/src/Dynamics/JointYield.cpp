@@ -372,8 +372,8 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
             rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
         wanted = SlippingImpulse(k, impulse, lacking, most);
     }
-    const bool slips =
-        wanted.LengthSquared() > most * most || (settles && yields.of[0] == Yield::Most);
+    const bool slips = most == 0.0f || wanted.LengthSquared() > most * most ||
+                       (settles && yields.of[0] == Yield::Most);
     const Yield next = slips ? Yield::Most : Yield::Holds;
     const bool changed = yields.of[0] != next;
     yields.of[0] = yields.of[1] = next;

@@ -26,6 +26,21 @@ struct ImpactEvent
     uint32 versionA, versionB; // of the ways it was computed from
 };
 
+/// Whether an impact has stopped a body. Its place among the awake is another's once a listener has
+/// put one to sleep, so it says whose it is.
+struct ImpactFate
+{
+    const BodyData* body;
+    bool isStopped;
+};
+
+/// Where a body was before all impacts; the same holds of its place.
+struct ImpactStart
+{
+    const BodyData* body;
+    Pose pose;
+};
+
 /// A body as it was before an impact.
 struct ImpactBackup
 {
@@ -72,8 +87,8 @@ struct SolverArrays
     Array<b2Body*> impactBodies;      ///< of one impact
     Array<ImpactBackup> impactBefore; ///< the same bodies as they were
     Array<b2Contact*> impactContacts; ///< of one impact
-    Array<uint8> impactStopped;       ///< by awake body, of small steps: see ImpactJoints
-    Array<Pose> impactStarts;         ///< by awake body: before all impacts
+    Array<ImpactFate> impactFates;    ///< by awake body, of small steps: see ImpactJoints
+    Array<ImpactStart> impactStarts;  ///< by awake body: before all impacts
     Array<ContactConstraint> impact;  ///< of one impact
     Array<OverlapConstraint> impactOverlaps;
     Array<float32> impactDepths;
