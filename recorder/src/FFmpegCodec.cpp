@@ -29,15 +29,21 @@ Error Missing(const EncoderPlan& plan, const std::string& film)
                      " or write another format, such as frames-####.png."};
 }
 
-/// The encoder refused to start: most likely because of what the user asked of it.
-Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std::string& film,
-              int status)
+std::string Given(const VideoSettings& settings)
 {
     std::string options;
     for (const auto& [name, value] : settings.codecOptions)
     {
         options += (options.empty() ? "" : " ") + name + "=" + value;
     }
+    return options;
+}
+
+/// The encoder refused to start: most likely because of what the user asked of it.
+Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std::string& film,
+              int status)
+{
+    const std::string options = Given(settings);
     if (!options.empty())
     {
         return Error{ErrorKind::Unusable, "The encoder " + plan.encoder + " does not take " +
@@ -102,6 +108,26 @@ void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings
     TagColours(context, plan);
 }
 
+/// What an option has changed that other settings decide, and that the film is made by; nothing
+/// when it is as it was set up.
+const char* Overridden(const AVCodecContext& context, const EncoderPlan& plan,
+                       const VideoSettings& settings)
+{
+    const auto equal = [](AVRational a, AVRational b) { return a.num == b.num && a.den == b.den; };
+    FFmpegOwner<AVCodecContext> asked(FFmpeg().avcodec_alloc_context3(context.codec));
+    SetUp(*asked, plan, settings);
+    constexpr int kKept = AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
+    return context.width != asked->width || context.height != asked->height ? "size"
+           : !equal(context.time_base, asked->time_base)                    ? "times"
+           : context.pix_fmt != asked->pix_fmt                              ? "kind of pixels"
+           : context.colorspace != asked->colorspace || context.color_range != asked->color_range ||
+                   context.color_primaries != asked->color_primaries ||
+                   context.color_trc != asked->color_trc
+               ? "colours"
+           : ((context.flags ^ asked->flags) & kKept) != 0 ? "header"
+                                                           : nullptr;
+}
+
 } // namespace
 
 AVRational TickOf(const Rational& framesPerSecond)
@@ -136,6 +162,12 @@ Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettin
     if (!unknown.empty())
     {
         return Unknown(plan, settings, unknown);
+    }
+    if (const char* what = Overridden(*context, plan, settings); what != nullptr)
+    {
+        return Error{ErrorKind::Unusable, "Of the codec options " + Given(settings) +
+                                              " one changes the film's " + what +
+                                              ", which other options decide; leave it out."};
     }
     return FFmpegCodec(std::move(context));
 }

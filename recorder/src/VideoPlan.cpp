@@ -128,12 +128,16 @@ void PlanVp9(EncoderPlan& plan, const VideoSettings& settings)
 void PlanAv1(EncoderPlan& plan, const VideoSettings& settings)
 {
     const bool isLossless = settings.quality == Quality::Lossless;
-    const char* const speeds[] = {"8", "6", "6", "8"};
+    const char* const speeds[] = {"8", "6", "6", "6"};
     const char* const qualities[] = {"36", "26", "12", ""};
     const std::size_t level = std::size_t(settings.quality);
     plan.encoder = "libaom-av1";
     plan.pixelFormat = isLossless ? "gbrp" : YuvOf(settings.chroma);
-    Add(plan, {{"usage", "realtime"}, {"cpu-used", speeds[level]}, {"row-mt", "1"}, {"b", "0"}});
+    // libaom's search for real time is off by up to 46 of 255 where it should be lossless.
+    Add(plan, {{"usage", isLossless ? "good" : "realtime"},
+               {"cpu-used", speeds[level]},
+               {"row-mt", "1"},
+               {"b", "0"}});
     if (isLossless)
     {
         Add(plan, {{"aom-params", "lossless=1"}});
@@ -171,6 +175,37 @@ void PlanApng(EncoderPlan& plan, const VideoSettings& settings)
         Add(plan, {{"pred", "mixed"}, {"compression_level", "6"}});
         break;
     }
+}
+
+/// Whether it says how good the film is to be, which `lossless` has said.
+bool IsRateOption(const std::string& name)
+{
+    constexpr const char* kNames[] = {"b",        "crf",        "qp",          "cqp",
+                                      "qmin",     "qmax",       "qdiff",       "maxrate",
+                                      "lossless", "aom-params", "x264-params", "x264opts"};
+    return std::any_of(std::begin(kNames), std::end(kNames),
+                       [&](const char* known) { return name == known; });
+}
+
+/// The user's options come last, so that they win. x264-params takes what x264 does not know
+/// without a word; x264opts is the same otherwise.
+Result<void> AddUsers(EncoderPlan& plan, const VideoSettings& settings)
+{
+    for (const auto& [name, value] : settings.codecOptions)
+    {
+        if (settings.quality == Quality::Lossless && plan.needsGroups && IsRateOption(name))
+        {
+            return Contradiction("--quality lossless leaves nothing to --codec-option " + name,
+                                 "leave one of them out");
+        }
+        if (name == "flags" && value.find("pass") != std::string::npos)
+        {
+            return Contradiction("A film is made in one pass",
+                                 "leave --codec-option flags=" + value + " out");
+        }
+        plan.codecOptions.emplace_back(name == "x264-params" ? "x264opts" : name, value);
+    }
+    return {};
 }
 
 Result<void> PlanRaw(EncoderPlan& plan, VideoFormat format, const VideoSettings& settings)
@@ -286,8 +321,10 @@ Result<EncoderPlan> PlanFor(VideoFormat format, const VideoSettings& settings)
         return done.GetError();
     }
     PlanPlays(plan, format, settings.plays);
-    plan.codecOptions.insert(plan.codecOptions.end(), settings.codecOptions.begin(),
-                             settings.codecOptions.end());
+    if (Result<void> done = AddUsers(plan, settings); !done)
+    {
+        return done.GetError();
+    }
     return plan;
 }
 

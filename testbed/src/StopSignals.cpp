@@ -16,9 +16,16 @@ constexpr int kStopSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 std::atomic<int> s_caught{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// The first signal is remembered, the second ends the program. Only what POSIX allows in a handler.
+// The first signal is remembered, the second ends the program, unless it is one more write into the
+// same broken pipe, which fails by itself. Only what POSIX allows in a handler.
 void Remember(int signal)
 {
+    int none = 0;
+    if (signal == SIGPIPE)
+    {
+        s_caught.compare_exchange_strong(none, signal);
+        return;
+    }
     if (s_caught.exchange(signal) == 0)
     {
         return;
