@@ -56,6 +56,7 @@ struct MergeOptions
     std::vector<std::filesystem::path> parts;
     std::filesystem::path output;
     bool force = false;
+    bool partial = false; ///< a piece of the film will do
 };
 
 struct ShotOptions

@@ -109,6 +109,7 @@ Result<void> FilmRun::OpenPapers()
                 .frameCount = m_plan.frameCount,
                 .first = m_plan.frames.First(),
                 .end = m_plan.frames.Last() + 1,
+                .checksum = {},
                 .states = {}};
     std::error_code ignored;
     const bool isLeft = std::filesystem::exists(PapersPath(Part()), ignored) ||
@@ -334,6 +335,7 @@ Result<void> FilmRun::FinishPapers()
         }
         Show(m_papers.end);
         m_papers.states[m_papers.end] = StateHashText(m_session->World());
+        m_papers.checksum = ChecksumOfFilm(m_options.output);
         if (Result<void> written = WritePapers(m_options.output, m_papers); !written)
         {
             return written;
