@@ -143,6 +143,8 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
     AddForce(*command, record.film.overwrite);
     command->add_flag("--resume", record.film.resume,
                       "Go on with a film that was stopped, or begin it");
+    command->add_flag("--skip-done", record.skipDone,
+                      "With --frame-range: nothing is to do if this very part is there");
     AddStats(*command, record.stats);
     AddValue(*command, "--progress", "KIND", record.progress,
              OneOf<ProgressMode>({{"auto", ProgressMode::Auto},

@@ -26,7 +26,7 @@ struct Exempt
     bool hasValue;
 };
 
-constexpr std::array<Exempt, 12> kExempt = {{
+constexpr std::array<Exempt, 13> kExempt = {{
     {"-o", true},
     {"--output", true},
     {"--frame-range", true},
@@ -37,6 +37,7 @@ constexpr std::array<Exempt, 12> kExempt = {{
     {"--thumbnail-at", true},
     {"--backend", true},
     {"--resume", false},
+    {"--skip-done", false},
     {"--force", false},
     {"--stats", false},
 }};

@@ -174,6 +174,14 @@ Result<void> FilmRun::Open(SceneSource source)
     m_resumed = m_filmed = writer->ResumedFrames();
     m_writer.emplace(std::move(*writer));
     m_clock = {m_plan.film.framesPerSecond, m_session->StepsPerSecond(), m_options.speed};
+    for (const Condition& condition : m_options.until)
+    {
+        const std::string missing = condition.MissingBody(m_session->World(), m_session->Names());
+        if (!missing.empty()) // a scene may yet make it
+        {
+            WriteMessage("boxreel: " + missing);
+        }
+    }
     BeginSimulation();
     return {};
 }

@@ -439,6 +439,74 @@ TEST_F(Film, PartsThatAreNotTheWholeFilmAreJoinedOnlyWhenAPieceWillDo)
     EXPECT_EQ(ReadFile(folder / "b.mkv"), part);
 }
 
+TEST_F(Film, APartThatIsThereIsNotMadeAgainButAnotherFilmIsRefused)
+{
+    const auto make = [&](const std::string& scene, const std::string& range) {
+        return Run({"record", scene, "--frames", "40", "--group", "20", "--size", "96x54",
+                    "--frame-range", range, "-o", "a.mkv", "--skip-done", "--resume"});
+    };
+    ASSERT_EQ(make("tumbler", "0-19").code, 0);
+    const std::filesystem::path part = folder / "a.mkv";
+    const auto made = std::filesystem::last_write_time(part);
+    const Outcome again = make("tumbler", "0-19");
+    EXPECT_EQ(again.code, 0);
+    EXPECT_THAT(again.errors, HasSubstr("a.mkv is there already."));
+    EXPECT_EQ(std::filesystem::last_write_time(part), made);
+    const Outcome other = make("dominos", "0-19");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_THAT(other.errors, HasSubstr("record tumbler"));
+    const Outcome next = make("tumbler", "20-39");
+    EXPECT_EQ(next.code, 1);
+    EXPECT_THAT(next.errors, HasSubstr("it has the frames 0 to 19"));
+    std::filesystem::resize_file(part, std::filesystem::file_size(part) - 1);
+    const Outcome cut = make("tumbler", "0-19");
+    EXPECT_EQ(cut.code, 1);
+    EXPECT_THAT(cut.errors, HasSubstr("it is cut off or was altered"));
+}
+
+TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
+{
+    const auto make = [&](std::vector<std::string> more) {
+        std::vector<std::string> command{"record",  "tumbler", "--frames", "20",
+                                         "--group", "20",      "--size",   "96x54"};
+        command.insert(command.end(), more.begin(), more.end());
+        return Run(command);
+    };
+    for (const char* name : {"v.mp4.json", "v.part.mp4.json"})
+    {
+        std::ofstream(folder / name) << "mine";
+        const Outcome refused = make({"-o", "v.mp4", "--frame-range", "0-19"});
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_THAT(refused.errors, HasSubstr(std::string(name) + " is in the way"));
+        EXPECT_EQ(ReadFile(folder / name), "mine");
+        EXPECT_THAT(folder.Files(), ElementsAre(name));
+        std::filesystem::remove(folder / name);
+    }
+    for (const char* name : {"v.final.mp4", "v.resume.mp4"})
+    {
+        std::ofstream(folder / name) << "mine";
+    }
+    EXPECT_EQ(make({"-o", "v.mp4", "--frame-range", "0-19"}).code, 0);
+    std::filesystem::rename(folder / "v.mp4", folder / "v.part.mp4");
+    std::filesystem::rename(folder / "v.mp4.json", folder / "v.part.mp4.json");
+    EXPECT_EQ(make({"-o", "v.mp4", "--frame-range", "0-19", "--resume"}).code, 0);
+    EXPECT_THAT(folder.Files(), ElementsAre("v.final.mp4", "v.mp4", "v.mp4.json", "v.resume.mp4"));
+    EXPECT_EQ(ReadFile(folder / "v.final.mp4"), "mine");
+    EXPECT_EQ(ReadFile(folder / "v.resume.mp4"), "mine");
+}
+
+TEST_F(Film, SaysThatABodyItWaitsForIsNotThere)
+{
+    const Outcome outcome = Run({"record", "pyramid", "-o", "a.mkv", "--frames", "2", "--size",
+                                 "96x54", "--until", "nosuch.y < 0", "--until", "9999.y < 0",
+                                 "--until", "ALL.speed < -1", "--until", "1.y < -1000"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.errors, HasSubstr("No body is called 'nosuch' yet"));
+    EXPECT_THAT(outcome.errors, HasSubstr("No body has the number 9999 yet"));
+    EXPECT_THAT(outcome.errors, HasSubstr("did you mean 'all'?"));
+    EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("number 1 ")));
+}
+
 TEST_F(Film, MayBeginLaterAndEndWhenSomethingHolds)
 {
     const std::vector<std::string> look{"--size", "160x90", "--camera", "0,5,30"};
