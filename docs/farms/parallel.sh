@@ -8,7 +8,7 @@
 set -eu
 here=$(dirname "$0")
 output=$1
-: "${BOXREEL:=boxreel}" "${FRAMES:=600}" "${PART:=100}" "${FOLDER:=parts}"
+: "${FRAMES:=600}" "${PART:=100}"
 
 seq 0 $(((FRAMES - 1) / PART)) | parallel --will-cite --retries 3 --halt soon,fail=1 "$here/part.sh" {}
-exec "$BOXREEL" merge "$FOLDER"/part-*.mkv -o "$output"
+exec "$here/merge.sh" "$output"

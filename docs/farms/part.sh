@@ -4,8 +4,8 @@
 # part.sh NUMBER
 #
 # Makes one part of a film, the first of which is number 0. Any scheduler may call it for any part, on any
-# machine that sees the folder, and again when it has failed: what is there is not made twice, what
-# was stopped is gone on with. Ends with the exit code of boxreel.
+# machine that sees the folder, and again when it has failed: this very part is not made twice, what
+# was stopped is gone on with, and a part of another film is refused. Ends with the exit code of boxreel.
 #
 #   BOXREEL   the program (boxreel)
 #   FILM      what is filmed: the arguments of `boxreel record`, without spaces in them (pyramid)
@@ -19,10 +19,9 @@ number=$1
 first=$((number * PART))
 film=$FOLDER/$(printf 'part-%05d.mkv' "$number")
 mkdir -p "$FOLDER"
-if [ -f "$film" ]; then
-    [ ! -f "$film.json" ] || exit 0
+if [ -f "$film" ] && [ ! -f "$film.json" ]; then
     rm "$film" # killed between the film and its papers
 fi
 # shellcheck disable=SC2086 # a list of words
 exec "$BOXREEL" record $FILM --frames "$FRAMES" --frame-range "$first-$((first + PART - 1))" \
-    -o "$film" --resume --snapshots "$FOLDER/snapshots" --progress "${PROGRESS:-lines}"
+    -o "$film" --resume --skip-done --snapshots "$FOLDER/snapshots" --progress "${PROGRESS:-lines}"

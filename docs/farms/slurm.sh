@@ -36,5 +36,5 @@ exec sbatch --parsable --dependency="afterok:$parts" --kill-on-invalid-dep=yes <
 #!/bin/sh
 #SBATCH --job-name=film-merge
 #SBATCH --ntasks=1 --output=merge.log
-exec "$BOXREEL" merge "$FOLDER"/part-*.mkv -o "$OUTPUT"
+exec "$HERE/merge.sh" "$OUTPUT"
 SCRIPT

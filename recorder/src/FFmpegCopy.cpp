@@ -133,7 +133,9 @@ std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTime
 Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,
                                    const std::filesystem::path& from, AVRational tick, int delay)
 {
-    Result<AtomicFile> file = AtomicFile::Create(path, {.overwrite = overwrite, .mark = "final"});
+    // A name that nobody gives to a film: what a killed run left there is replaced.
+    Result<AtomicFile> file =
+        AtomicFile::Create(path, {.overwrite = overwrite, .mark = "part-indexed"});
     if (!file)
     {
         return file.GetError();

@@ -30,9 +30,9 @@ std::uint64_t TakeNumber(std::span<const std::uint8_t>& bytes)
     return number;
 }
 
-std::uint64_t ChecksumOf(std::span<const std::uint8_t> bytes)
+std::uint64_t ChecksumOf(std::span<const std::uint8_t> bytes, std::uint64_t before)
 {
-    std::uint64_t sum = 0xcbf29ce484222325u;
+    std::uint64_t sum = before;
     for (const std::uint8_t byte : bytes)
     {
         sum = (sum ^ byte) * 0x100000001b3u;

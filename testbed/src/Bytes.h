@@ -16,7 +16,9 @@ void PutNumber(std::vector<std::uint8_t>& bytes, std::uint64_t number);
 std::uint64_t TakeNumber(std::span<const std::uint8_t>& bytes);
 
 /// FNV-1a (RFC 9923) in 64 bits: against accidents, not against malice.
-std::uint64_t ChecksumOf(std::span<const std::uint8_t> bytes);
+/// `before`: the checksum of what stands in front of them, when it is not had in one piece.
+std::uint64_t ChecksumOf(std::span<const std::uint8_t> bytes,
+                         std::uint64_t before = 0xcbf29ce484222325u);
 std::uint64_t ChecksumOf(const std::string& text);
 
 /// 16 lower-case hex digits.

@@ -204,6 +204,15 @@ Result<Request> CheckRecord(RecordOptions options)
     {
         return Unusable("--frame-range needs a film whose length is known; leave --until out.");
     }
+    if (options.skipDone && !options.range)
+    {
+        return Unusable("--skip-done asks the papers of a part, and a whole film has none; give "
+                        "--frame-range, too, or leave it out.");
+    }
+    if (options.skipDone && options.film.overwrite)
+    {
+        return Unusable("--skip-done keeps what --force throws away; give one of them.");
+    }
     if (options.progress == ProgressMode::OpenJD && options.output == "-")
     {
         return Unusable("--progress openjd and -o - both need the standard output; write a file.");

@@ -143,6 +143,8 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
     AddForce(*command, record.film.overwrite);
     command->add_flag("--resume", record.film.resume,
                       "Go on with a film that was stopped, or begin it");
+    command->add_flag("--skip-done", record.skipDone,
+                      "With --frame-range: nothing is to do if this very part is there");
     AddStats(*command, record.stats);
     AddValue(*command, "--progress", "KIND", record.progress,
              OneOf<ProgressMode>({{"auto", ProgressMode::Auto},
@@ -201,10 +203,13 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed)
         ->type_name("");
     AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind");
     AddForce(*command, merge.force);
+    command->add_flag("--partial", merge.partial,
+                      "A piece of the film will do: its first or last frames may be missing");
     command->footer(
-        "The parts must be of the same command, follow each other without a gap, and "
-        "the world must be\nin the same state where one ends and the next begins. Stopped by a "
-        "signal it leaves nothing; exit\ncode 75 says so.\n\n"
+        "The parts must be of the same command, unaltered since they were made, and follow each "
+        "other\nwithout a gap from the film's first frame to its last; the world must be in the "
+        "same state where one\nends and the next begins. Stopped by a signal it leaves nothing; "
+        "exit code 75 says so.\n\n"
         "Examples:\n"
         "  boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199\n"
         "  boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399\n"

@@ -38,6 +38,12 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
         {
             return papers.GetError();
         }
+        if (papers->checksum.empty() || ChecksumOfFilm(path) != papers->checksum)
+        {
+            return Error{ErrorKind::Unusable,
+                         path.string() + " is not the film that " + PapersPath(path).string() +
+                             " speaks of: it is cut off or was altered; make that part anew."};
+        }
         parts.push_back({path, std::move(*papers)});
     }
     std::sort(parts.begin(), parts.end(), [](const NamedPart& a, const NamedPart& b) {
@@ -83,6 +89,49 @@ Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
     return {};
 }
 
+std::string FramesText(std::int64_t first, std::int64_t last)
+{
+    return std::to_string(first) + (last > first ? " to " + std::to_string(last) : "");
+}
+
+/// Whether the first and the last part are those of the film.
+Result<void> CheckWhole(const std::vector<NamedPart>& parts)
+{
+    const std::int64_t first = parts.front().papers.first;
+    const std::int64_t end = parts.back().papers.end;
+    const std::int64_t count = parts.back().papers.frameCount;
+    std::string missing = first > 0 ? FramesText(0, first - 1) : "";
+    if (end < count)
+    {
+        missing += (missing.empty() ? "" : " and ") + FramesText(end, count - 1);
+    }
+    if (missing.empty())
+    {
+        return {};
+    }
+    return Error{ErrorKind::Unusable,
+                 "These parts are not the whole film: of its " + std::to_string(count) +
+                     " frames, " + missing +
+                     " are missing; name the parts that have them, or ask for a piece of the film "
+                     "with --partial."};
+}
+
+/// What is replaced by the film cannot be read for it.
+Result<void> CheckOutput(const MergeOptions& options)
+{
+    for (const std::filesystem::path& part : options.parts)
+    {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(part, options.output, ignored))
+        {
+            return Error{ErrorKind::Unusable, options.output.string() +
+                                                  " is one of the parts; give the film another "
+                                                  "name."};
+        }
+    }
+    return {};
+}
+
 /// How many of the frames that it keeps a film encodes together: a GIF's groups hold more.
 int GroupOf(const FilmPapers& papers, const std::filesystem::path& film)
 {
@@ -95,6 +144,10 @@ int GroupOf(const FilmPapers& papers, const std::filesystem::path& film)
 
 Result<int> RunMerge(const MergeOptions& options)
 {
+    if (Result<void> usable = CheckOutput(options); !usable)
+    {
+        return usable.GetError();
+    }
     const Result<std::vector<NamedPart>> parts = ReadParts(options.parts);
     if (!parts)
     {
@@ -112,6 +165,10 @@ Result<int> RunMerge(const MergeOptions& options)
         }
         const FilmPapers& papers = (*parts)[i].papers;
         films.push_back({(*parts)[i].path, papers.first, papers.end - papers.first});
+    }
+    if (Result<void> whole = options.partial ? Result<void>() : CheckWhole(*parts); !whole)
+    {
+        return whole.GetError();
     }
     const FilmPapers& first = parts->front().papers;
     VideoSettings settings;

@@ -31,6 +31,27 @@ Result<int> RunRecord(const RecordOptions& options)
     {
         return plan.GetError();
     }
+    if (options.skipDone)
+    {
+        const Result<bool> isDone = IsPartDone(options, *plan);
+        if (!isDone)
+        {
+            return isDone.GetError();
+        }
+        if (*isDone)
+        {
+            WriteMessage(options.output.string() + " is there already.");
+            return 0;
+        }
+    }
+    if (Result<void> usable = CheckVideoPath(options.output, plan->film); !usable)
+    {
+        return usable.GetError();
+    }
+    if (Result<void> usable = CheckPapersPaths(options, *plan); !usable)
+    {
+        return usable.GetError();
+    }
     if (!options.thumbnail.empty())
     {
         const Result<void> usable = CheckPicturePath(options.thumbnail, options.film.overwrite);

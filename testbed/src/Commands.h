@@ -37,6 +37,7 @@ struct RecordOptions
     std::optional<Duration> from;        ///< simulated before the first frame
     std::vector<Condition> until;        ///< the film ends when one holds; 10 min at most
     std::optional<FrameRange> range;     ///< only these frames
+    bool skipDone = false;               ///< a part that is there is not made again
     Rational speed{1, 1};                ///< simulated seconds per second of film
     bool interpolate = false;            ///< show moments between steps
     std::filesystem::path thumbnail;     ///< a picture of one frame; empty: none
@@ -56,6 +57,7 @@ struct MergeOptions
     std::vector<std::filesystem::path> parts;
     std::filesystem::path output;
     bool force = false;
+    bool partial = false; ///< a piece of the film will do
 };
 
 struct ShotOptions

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "Condition.h"
 
+#include "Nearest.h"
 #include "Values.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
+#include <vector>
 
 namespace boxreel
 {
@@ -229,6 +232,40 @@ bool Condition::IsSubject(const b2Body& body,
         return name != names.end() && name->second == m_name;
     }
     return body.GetType() != b2_staticBody;
+}
+
+std::string Condition::MissingBody(const b2World& world,
+                                   const std::map<std::uint32_t, std::string>& names) const
+{
+    if (m_of != Of::Number && m_of != Of::Name)
+    {
+        return "";
+    }
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        if (IsSubject(*body, names))
+        {
+            return "";
+        }
+    }
+    if (m_of == Of::Number)
+    {
+        return "No body has the number " + m_name + " yet (the scene begins with " +
+               std::to_string(world.GetBodyCount()) + " bodies, counted from 0): '" + m_text +
+               "' waits for it.";
+    }
+    std::vector<std::string> candidates{"any", "all"};
+    for (const auto& [number, name] : names)
+    {
+        candidates.push_back(name);
+    }
+    std::string lowered = m_name;
+    std::transform(lowered.begin(), lowered.end(), lowered.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const int nearest = NearestWord(lowered, candidates);
+    return "No body is called " + Quoted(m_name) + " yet" +
+           (nearest < 0 ? "" : "; did you mean " + Quoted(candidates[std::size_t(nearest)]) + "?") +
+           (nearest < 0 ? ": '" : " '") + m_text + "' waits for it.";
 }
 
 bool Condition::Holds(const b2World& world, const std::map<std::uint32_t, std::string>& names,

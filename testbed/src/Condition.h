@@ -29,6 +29,10 @@ public:
     bool Holds(const b2World& world, const std::map<std::uint32_t, std::string>& names,
                double seconds) const;
 
+    /// A sentence when it is about a body that is not there, with the nearest name; else nothing.
+    std::string MissingBody(const b2World& world,
+                            const std::map<std::uint32_t, std::string>& names) const;
+
     const std::string& Text() const { return m_text; } ///< as it was given
 
 private:

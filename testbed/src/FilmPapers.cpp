@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "FilmPapers.h"
 
+#include "Bytes.h"
+
 #include <debugdraw/AtomicFile.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <span>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -23,7 +26,7 @@ struct Exempt
     bool hasValue;
 };
 
-constexpr std::array<Exempt, 12> kExempt = {{
+constexpr std::array<Exempt, 13> kExempt = {{
     {"-o", true},
     {"--output", true},
     {"--frame-range", true},
@@ -34,13 +37,21 @@ constexpr std::array<Exempt, 12> kExempt = {{
     {"--thumbnail-at", true},
     {"--backend", true},
     {"--resume", false},
+    {"--skip-done", false},
     {"--force", false},
     {"--stats", false},
 }};
 
+/// -oFILE, the only option of one letter that has a value.
+bool IsAttachedOutput(std::string_view word)
+{
+    return word.size() > 2 && word.starts_with("-o");
+}
+
 const Exempt* ExemptionOf(std::string_view word)
 {
-    const std::string_view option = word.substr(0, word.find('='));
+    const bool isAttached = IsAttachedOutput(word);
+    const std::string_view option = isAttached ? "-o" : word.substr(0, word.find('='));
     const auto* found = std::find_if(kExempt.begin(), kExempt.end(),
                                      [option](const Exempt& e) { return e.option == option; });
     return found == kExempt.end() ? nullptr : found;
@@ -71,6 +82,7 @@ json ToJson(const FilmPapers& papers)
             {"frames", papers.frameCount},
             {"first", papers.first},
             {"end", papers.end},
+            {"checksum", papers.checksum},
             {"states", states}};
 }
 
@@ -86,6 +98,7 @@ FilmPapers FromJson(const json& object)
     papers.frameCount = object.at("frames").get<std::int64_t>();
     papers.first = object.at("first").get<std::int64_t>();
     papers.end = object.at("end").get<std::int64_t>();
+    papers.checksum = object.at("checksum").get<std::string>();
     for (const auto& [frame, state] : object.at("states").items())
     {
         papers.states[std::stoll(frame)] = state.get<std::string>();
@@ -141,6 +154,28 @@ Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::stri
                                           remedy + "."};
 }
 
+std::string ChecksumOfFilm(const std::filesystem::path& film)
+{
+    std::error_code ignored;
+    std::ifstream file(film, std::ios::binary);
+    if (!std::filesystem::is_regular_file(film, ignored) || !file)
+    {
+        return "";
+    }
+    std::vector<char> buffer(std::size_t(1) << 20);
+    std::uint64_t checksum = ChecksumOf(std::span<const std::uint8_t>());
+    std::uint64_t size = 0;
+    while (file)
+    {
+        file.read(buffer.data(), std::streamsize(buffer.size()));
+        const std::size_t count = std::size_t(file.gcount());
+        checksum =
+            ChecksumOf({reinterpret_cast<const std::uint8_t*>(buffer.data()), count}, checksum);
+        size += count;
+    }
+    return file.bad() ? "" : HexText(checksum) + " of " + std::to_string(size) + " bytes";
+}
+
 std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments)
 {
     std::vector<std::string> command;
@@ -151,7 +186,8 @@ std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments
         {
             command.push_back(arguments[i]);
         }
-        else if (exempt->hasValue && arguments[i].find('=') == std::string::npos)
+        else if (exempt->hasValue && arguments[i].find('=') == std::string::npos &&
+                 !IsAttachedOutput(arguments[i]))
         {
             ++i; // its value
         }

@@ -26,6 +26,9 @@ struct FilmPapers
     std::int64_t frameCount = 0; ///< of the whole film
     std::int64_t first = 0;      ///< number of this part's first frame
     std::int64_t end = 0;        ///< one more than that of its last
+    /// Of the film's file, once it is closed: what was cut off, altered or put in its place since
+    /// then is not what these papers speak of.
+    std::string checksum;
     /// State hashes by number of the frame that shows them: where groups begin, and at `end`.
     std::map<std::int64_t, std::string> states;
 };
@@ -38,6 +41,9 @@ Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& pa
 
 /// An Error (Unusable) when there are none, or they are not readable. `remedy`: what to do then.
 Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy);
+
+/// Of all bytes of a film and their number; nothing when it cannot be read or is no file.
+std::string ChecksumOfFilm(const std::filesystem::path& film);
 
 /// The command without the options that do not change a frame: where it goes, how it is reported,
 /// which part it is, that it goes on.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "FilmPlan.h"
 
+#include "FilmPapers.h"
+
+#include <debugdraw/AtomicFile.h>
+
 namespace boxreel
 {
 namespace
@@ -51,8 +55,64 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options)
     plan.film.height = options.look.height;
     plan.film.frames = plan.frames;
     plan.groupFrames = PartLength(options.output, plan.film);
-    const Result<void> usable = CheckVideoPath(options.output, plan.film);
-    return usable ? Result<FilmPlan>(std::move(plan)) : usable.GetError();
+    return plan;
+}
+
+Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
+{
+    std::error_code ignored;
+    if (!HasPapers(options, plan) || !std::filesystem::is_regular_file(options.output, ignored))
+    {
+        return false;
+    }
+    const std::string remedy = "make that part anew with --force, or choose another place";
+    const Result<FilmPapers> there = ReadPapers(options.output, remedy);
+    if (!there)
+    {
+        return there.GetError();
+    }
+    FilmPapers asked;
+    asked.version = BOXREEL_VERSION;
+    asked.command = CommandOfFilm(options.arguments);
+    std::string difference = DifferenceOf(*there, asked);
+    if (there->first != plan.frames.First() || there->end != plan.frames.Last() + 1)
+    {
+        difference = "it has the frames " + std::to_string(there->first) + " to " +
+                     std::to_string(there->end - 1);
+    }
+    if (difference.empty() && ChecksumOfFilm(options.output) != there->checksum)
+    {
+        difference = "it is cut off or was altered";
+    }
+    if (!difference.empty())
+    {
+        return Error{ErrorKind::Unusable, options.output.string() +
+                                              " is there, but is not what is asked for (" +
+                                              difference + "); " + remedy + "."};
+    }
+    return true;
+}
+
+Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan)
+{
+    if (!HasPapers(options, plan) || options.film.overwrite)
+    {
+        return {};
+    }
+    for (const std::filesystem::path& film : {options.output, PartPath(options.output)})
+    {
+        std::error_code ignored;
+        const std::filesystem::path papers = PapersPath(film);
+        if (std::filesystem::exists(std::filesystem::symlink_status(papers, ignored)) &&
+            !ReadPapers(film, ""))
+        {
+            return Error{ErrorKind::Unusable,
+                         papers.string() + " is in the way: what is known of the film goes there, "
+                                           "and this file is something else; move it, choose "
+                                           "another name, or allow overwriting (--force)."};
+        }
+    }
+    return {};
 }
 
 bool HasPapers(const RecordOptions& options, const FilmPlan& plan)

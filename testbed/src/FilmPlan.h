@@ -16,8 +16,15 @@ struct FilmPlan
     std::int64_t groupFrames = 0; ///< from a frame that a part may begin with to the next
 };
 
-/// Unusable when the options contradict each other or the format of the output.
+/// Unusable when the options contradict each other.
 Result<FilmPlan> PlanFilm(const RecordOptions& options);
+
+/// Whether the part that is to be made is there, whole. An Error (Unusable) when what is there is
+/// another film, or no longer what its papers speak of.
+Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan);
+
+/// Unusable when a file of somebody else lies where the papers go, and may not be replaced.
+Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan);
 
 /// A film that may be stopped and continued, or be a part of another, has papers beside it.
 bool HasPapers(const RecordOptions& options, const FilmPlan& plan);

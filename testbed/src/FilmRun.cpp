@@ -109,6 +109,7 @@ Result<void> FilmRun::OpenPapers()
                 .frameCount = m_plan.frameCount,
                 .first = m_plan.frames.First(),
                 .end = m_plan.frames.Last() + 1,
+                .checksum = {},
                 .states = {}};
     std::error_code ignored;
     const bool isLeft = std::filesystem::exists(PapersPath(Part()), ignored) ||
@@ -173,6 +174,14 @@ Result<void> FilmRun::Open(SceneSource source)
     m_resumed = m_filmed = writer->ResumedFrames();
     m_writer.emplace(std::move(*writer));
     m_clock = {m_plan.film.framesPerSecond, m_session->StepsPerSecond(), m_options.speed};
+    for (const Condition& condition : m_options.until)
+    {
+        const std::string missing = condition.MissingBody(m_session->World(), m_session->Names());
+        if (!missing.empty()) // a scene may yet make it
+        {
+            WriteMessage("boxreel: " + missing);
+        }
+    }
     BeginSimulation();
     return {};
 }
@@ -334,6 +343,7 @@ Result<void> FilmRun::FinishPapers()
         }
         Show(m_papers.end);
         m_papers.states[m_papers.end] = StateHashText(m_session->World());
+        m_papers.checksum = ChecksumOfFilm(m_options.output);
         if (Result<void> written = WritePapers(m_options.output, m_papers); !written)
         {
             return written;

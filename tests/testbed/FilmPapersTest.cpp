@@ -25,6 +25,7 @@ FilmPapers Papers()
             .frameCount = 400,
             .first = 100,
             .end = 200,
+            .checksum = "0011223344556677 of 8 bytes",
             .states = {{100, "0123456789abcdef"}, {200, "fedcba9876543210"}}};
 }
 
@@ -58,6 +59,7 @@ TEST_F(FilmPapersFile, ComeBackAsTheyWereWritten)
     EXPECT_EQ(read->frameCount, 400);
     EXPECT_EQ(read->first, 100);
     EXPECT_EQ(read->end, 200);
+    EXPECT_EQ(read->checksum, Papers().checksum);
     EXPECT_EQ(read->states, Papers().states);
 }
 
@@ -91,6 +93,23 @@ TEST_F(FilmPapersFile, ThatAreDamagedAreNamedWithTheRemedy)
     }
 }
 
+TEST_F(FilmPapersFile, TellAFilmFromEveryOther)
+{
+    const auto checksum = [this](const std::string& bytes) {
+        std::ofstream(m_folder / "a.mkv") << bytes;
+        return ChecksumOfFilm(m_folder / "a.mkv");
+    };
+    std::string film(3'000'000, 'x'); // more than is read at once
+    const std::string whole = checksum(film);
+    EXPECT_THAT(whole, HasSubstr(" of 3000000 bytes"));
+    film[2'999'999] = 'y';
+    EXPECT_NE(checksum(film), whole);
+    film[2'999'999] = 'x';
+    EXPECT_EQ(checksum(film), whole);
+    EXPECT_EQ(ChecksumOfFilm(m_folder / "none.mkv"), "");
+    EXPECT_EQ(ChecksumOfFilm(m_folder.Path()), "");
+}
+
 TEST(FilmPapers, TheCommandIsWithoutWhatChangesNoFrame)
 {
     EXPECT_THAT(CommandOfFilm({"record", "pyramid", "-o", "a.mkv", "--force", "--resume",
@@ -98,6 +117,16 @@ TEST(FilmPapers, TheCommandIsWithoutWhatChangesNoFrame)
                                "--thumbnail", "a.png", "--thumbnail-at", "1s", "--stats",
                                "--backend=osmesa"}),
                 ElementsAre("record", "pyramid", "--quality", "high"));
+}
+
+TEST(FilmPapers, TheCommandIsWithoutAFileAttachedToItsOption)
+{
+    for (const char* output : {"-oa.mkv", "-o=a.mkv", "-oa=b.mkv"})
+    {
+        EXPECT_THAT(CommandOfFilm({"record", "pyramid", output, "--quality", "high"}),
+                    ElementsAre("record", "pyramid", "--quality", "high"))
+            << output;
+    }
 }
 
 TEST(FilmPapers, SayWhatDiffers)

@@ -384,6 +384,49 @@ TEST_F(Film, PartsAreJoinedToTheFramesOfTheWhole)
     EXPECT_THAT(Run({"merge", "a.mkv", "b.mkv", "-o", "gap.mkv"}).errors, HasSubstr("b.mkv.json"));
 }
 
+TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
+{
+    const auto make = [&](std::vector<std::string> more) {
+        std::vector<std::string> command{"record",  "tumbler", "--frames", "20",
+                                         "--group", "20",      "--size",   "96x54"};
+        command.insert(command.end(), more.begin(), more.end());
+        return Run(command);
+    };
+    for (const char* name : {"v.mp4.json", "v.part.mp4.json"})
+    {
+        std::ofstream(folder / name) << "mine";
+        const Outcome refused = make({"-o", "v.mp4", "--frame-range", "0-19"});
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_THAT(refused.errors, HasSubstr(std::string(name) + " is in the way"));
+        EXPECT_EQ(ReadFile(folder / name), "mine");
+        EXPECT_THAT(folder.Files(), ElementsAre(name));
+        std::filesystem::remove(folder / name);
+    }
+    for (const char* name : {"v.final.mp4", "v.resume.mp4"})
+    {
+        std::ofstream(folder / name) << "mine";
+    }
+    EXPECT_EQ(make({"-o", "v.mp4", "--frame-range", "0-19"}).code, 0);
+    std::filesystem::rename(folder / "v.mp4", folder / "v.part.mp4");
+    std::filesystem::rename(folder / "v.mp4.json", folder / "v.part.mp4.json");
+    EXPECT_EQ(make({"-o", "v.mp4", "--frame-range", "0-19", "--resume"}).code, 0);
+    EXPECT_THAT(folder.Files(), ElementsAre("v.final.mp4", "v.mp4", "v.mp4.json", "v.resume.mp4"));
+    EXPECT_EQ(ReadFile(folder / "v.final.mp4"), "mine");
+    EXPECT_EQ(ReadFile(folder / "v.resume.mp4"), "mine");
+}
+
+TEST_F(Film, SaysThatABodyItWaitsForIsNotThere)
+{
+    const Outcome outcome = Run({"record", "pyramid", "-o", "a.mkv", "--frames", "2", "--size",
+                                 "96x54", "--until", "nosuch.y < 0", "--until", "9999.y < 0",
+                                 "--until", "ALL.speed < -1", "--until", "1.y < -1000"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.errors, HasSubstr("No body is called 'nosuch' yet"));
+    EXPECT_THAT(outcome.errors, HasSubstr("No body has the number 9999 yet"));
+    EXPECT_THAT(outcome.errors, HasSubstr("did you mean 'all'?"));
+    EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("number 1 ")));
+}
+
 TEST_F(Film, MayBeginLaterAndEndWhenSomethingHolds)
 {
     const std::vector<std::string> look{"--size", "160x90", "--camera", "0,5,30"};

@@ -18,6 +18,17 @@ touch -d '2001-01-01' parts/part-0000[02].mkv
 expect_whole film.mkv
 [ -z "$(find parts -name 'part-0000[02].mkv' -newermt 2002-01-01)" ] || fail 'whole parts were made again'
 
+# A leftover and a part of another film with the same names are neither taken nor kept in silence.
+cp parts/part-00000.mkv parts/part-00099.mkv
+cp parts/part-00000.mkv parts/part-00007.part.mkv
+rm film.mkv
+"$checkout/docs/farms/parallel.sh" film.mkv 2>log || { cat log >&2; fail 'other files in the folder are in the way'; }
+expect_whole film.mkv
+code=0
+FILM='dominos --size 160x90 --group 50' "$checkout/docs/farms/part.sh" 0 2>log || code=$?
+[ $code -eq 1 ] || fail "a part of another film ends with $code"
+grep -q 'is not what is asked for' log || { cat log >&2; fail 'it does not say that it is another film'; }
+
 # What cannot work ends with its exit code, and no film.
 code=0
 FILM='tumbler --colour blue' FOLDER=others "$checkout/docs/farms/part.sh" 0 2>/dev/null || code=$?

@@ -54,7 +54,7 @@ export FOLDER="$work/parts"
 for index in 3 1 0 2; do
     (cd "$checkout" && $python "$work/container.py" $index) 2>log || { cat log >&2; fail "pod $index"; }
 done
-"$BOXREEL" merge parts/part-*.mkv -o film.mkv
+"$checkout/docs/farms/merge.sh" film.mkv
 expect_whole film.mkv
 
 for step in Parts Merge; do

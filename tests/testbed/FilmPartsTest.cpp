@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "FilmFixture.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+using FilmParts = FilmFixture;
+
+TEST_F(FilmParts, PartsThatAreNotWhatTheirPapersSayAreNotJoined)
+{
+    for (const std::string kind : {".mkv", ".mp4", ".webm", ".gif", ".apng", ".webp"})
+    {
+        SCOPED_TRACE(kind);
+        const auto make = [&](const std::string& name, const std::string& range) {
+            return Run({"record", "tumbler", "--frames", "40", "--fps", "20", "--group", "20",
+                        "--size", "96x54", "--frame-range", range, "-o", name + kind})
+                .code;
+        };
+        ASSERT_EQ(make("a", "0-19"), 0);
+        ASSERT_EQ(make("b", "20-39"), 0);
+        const std::string whole = ReadFile(folder / ("b" + kind));
+        std::string flipped = whole;
+        flipped[whole.size() / 2] ^= 1;
+        for (const std::string& bad : {whole.substr(0, whole.size() * 99 / 100), flipped,
+                                       ReadFile(folder / ("a" + kind)), whole + "more"})
+        {
+            std::ofstream(folder / ("b" + kind)) << bad;
+            const Outcome refused = Run({"merge", "a" + kind, "b" + kind, "-o", "film" + kind});
+            EXPECT_EQ(refused.code, 1);
+            EXPECT_THAT(refused.errors, HasSubstr("b" + kind + " is not the film that b" + kind +
+                                                  ".json speaks of"));
+            EXPECT_FALSE(std::filesystem::exists(folder / ("film" + kind)));
+        }
+        std::ofstream(folder / ("b" + kind)) << whole;
+        EXPECT_EQ(Run({"merge", "a" + kind, "b" + kind, "-o", "film" + kind}).code, 0);
+    }
+}
+
+TEST_F(FilmParts, PartsThatAreNotTheWholeFilmAreJoinedOnlyWhenAPieceWillDo)
+{
+    const auto make = [&](const std::string& name, const std::string& range) {
+        EXPECT_EQ(Run({"record", "tumbler", "--frames", "41", "--group", "10", "--size", "96x54",
+                       "--frame-range", range, "-o", name})
+                      .code,
+                  0);
+    };
+    make("b.mkv", "10-19");
+    make("c.mkv", "20-39");
+    const Outcome refused = Run({"merge", "b.mkv", "c.mkv", "-o", "film.mkv"});
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_THAT(refused.errors, HasSubstr("of its 41 frames, 0 to 9 and 40 are missing"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "film.mkv"));
+    const Outcome piece = Run({"merge", "b.mkv", "c.mkv", "-o", "film.mkv", "--partial"});
+    ASSERT_EQ(piece.code, 0) << piece.errors;
+    EXPECT_EQ(Decode("film.mkv").size(), 30u);
+    const std::string part = ReadFile(folder / "b.mkv");
+    const Outcome replaced =
+        Run({"merge", "b.mkv", "c.mkv", "-o", "./b.mkv", "--partial", "--force"});
+    EXPECT_EQ(replaced.code, 1);
+    EXPECT_THAT(replaced.errors, HasSubstr("./b.mkv is one of the parts"));
+    EXPECT_EQ(ReadFile(folder / "b.mkv"), part);
+}
+
+TEST_F(FilmParts, APartThatIsThereIsNotMadeAgainButAnotherFilmIsRefused)
+{
+    const auto make = [&](const std::string& scene, const std::string& range) {
+        return Run({"record", scene, "--frames", "40", "--group", "20", "--size", "96x54",
+                    "--frame-range", range, "-o", "a.mkv", "--skip-done", "--resume"});
+    };
+    ASSERT_EQ(make("tumbler", "0-19").code, 0);
+    const std::filesystem::path part = folder / "a.mkv";
+    const auto made = std::filesystem::last_write_time(part);
+    const Outcome again = make("tumbler", "0-19");
+    EXPECT_EQ(again.code, 0);
+    EXPECT_THAT(again.errors, HasSubstr("a.mkv is there already."));
+    EXPECT_EQ(std::filesystem::last_write_time(part), made);
+    const Outcome other = make("dominos", "0-19");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_THAT(other.errors, HasSubstr("record tumbler"));
+    const Outcome next = make("tumbler", "20-39");
+    EXPECT_EQ(next.code, 1);
+    EXPECT_THAT(next.errors, HasSubstr("it has the frames 0 to 19"));
+    std::filesystem::resize_file(part, std::filesystem::file_size(part) - 1);
+    const Outcome cut = make("tumbler", "0-19");
+    EXPECT_EQ(cut.code, 1);
+    EXPECT_THAT(cut.errors, HasSubstr("it is cut off or was altered"));
+}
+
+} // namespace
+} // namespace boxreel
