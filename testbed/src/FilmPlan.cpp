@@ -99,7 +99,12 @@ Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan
     {
         return {};
     }
-    for (const std::filesystem::path& film : {options.output, PartPath(options.output)})
+    std::vector<std::filesystem::path> films{PartPath(options.output)};
+    if (options.range)
+    {
+        films.push_back(options.output); // a whole film has none
+    }
+    for (const std::filesystem::path& film : films)
     {
         std::error_code ignored;
         const std::filesystem::path papers = PapersPath(film);

@@ -3,7 +3,7 @@
 
 #include "Commands.h"
 
-/// Which frames a recording makes, and how they are encoded. Opens nothing.
+/// Which frames a recording makes, and how they are encoded. Writes nothing.
 namespace boxreel
 {
 

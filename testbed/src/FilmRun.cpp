@@ -332,9 +332,13 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
 /// A part keeps its papers, a whole film needs none.
 Result<void> FilmRun::FinishPapers()
 {
+    if (!m_hasPapers)
+    {
+        return {};
+    }
     std::error_code ignored;
     std::filesystem::remove(PapersPath(Part()), ignored);
-    if (m_hasPapers && m_options.range)
+    if (m_options.range)
     {
         m_papers.end = m_plan.frames.First() + m_filmed;
         for (const std::int64_t step = StepOf(m_papers.end); m_session->Step() < step;)
@@ -412,7 +416,7 @@ void FilmRun::Abandon()
     {
         (void)m_writer->Suspend(); // what failed before is what is said
     }
-    else if (m_writer)
+    else if (m_writer && m_hasPapers)
     {
         std::error_code ignored;
         std::filesystem::remove(PapersPath(Part()), ignored);
