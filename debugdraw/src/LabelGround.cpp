@@ -82,8 +82,6 @@ LabelGround::LabelGround(const Camera& camera, const DrawList& list)
         case DrawLayer::JointGlyphs:
         case DrawLayer::CentersOfMass:
         case DrawLayer::Annotations:
-            AddItem(list, item, LabelRole::Sign);
-            break;
         case DrawLayer::Labels:
             AddItem(list, item, item.kind == DrawKind::Text ? LabelRole::Label : LabelRole::Sign);
             break;

@@ -37,7 +37,7 @@ enum class LabelRole
 {
     Sign,
     Shape,
-    Label,
+    Label,  ///< any text
     Center, ///< of a body
 };
 

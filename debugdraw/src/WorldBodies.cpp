@@ -21,6 +21,7 @@ namespace
 // have no name while it rests.
 constexpr double kFarthestShape = 1000.0;
 
+constexpr double kWidestLetter = 32.0; // only to see which cannot be in the picture [px]
 constexpr double kBeside = 8.0; // what the longest name leaves free of the picture's width [px]
 
 constexpr double kMarkRadius = 6.0; // [px]
@@ -87,8 +88,8 @@ void AddLabel(const Label& label, const LabelSpot& spot, const Camera& camera, D
                  label.name, kInk);
 }
 
-/// Each on its place, or beside it when something is there. Outside of the picture nothing is in
-/// the way, and only a list of everything has them.
+/// Each on its place, or beside it when something is there. Those that nothing of can be seen, by
+/// a guess that is wider than that of renderers, are on their place, in lists of everything.
 void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& list)
 {
     std::vector<LabelWish> wishes;
@@ -98,6 +99,7 @@ void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& lis
     }
     LabelSpots room(view.camera, list);
     const std::vector<std::optional<LabelSpot>> spots = room.Settle(wishes);
+    const View picture = ViewOf(view.camera, 0.0);
     list.layer = DrawLayer::Labels;
     for (std::size_t i = 0; i < labels.size(); ++i)
     {
@@ -105,7 +107,8 @@ void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& lis
         {
             AddLabel(labels[i], *spots[i], view.camera, list);
         }
-        else if (!view.area && !ViewOf(view.camera, 0.0).Shows(labels[i].place, wishes[i].width))
+        else if (!view.area &&
+                 !picture.Shows(labels[i].place, kWidestLetter * double(1 + labels[i].name.size())))
         {
             AddLabel(labels[i], {labels[i].place, std::nullopt}, view.camera, list);
         }
