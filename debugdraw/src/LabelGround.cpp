@@ -193,6 +193,8 @@ void LabelGround::Add(const LabelThing& thing)
         }
     }
     m_things.push_back(thing);
+    m_things.back().column = first.first;
+    m_things.back().row = first.second;
 }
 
 void LabelGround::AddLine(Point from, Point to, std::uint32_t owner)

@@ -29,6 +29,11 @@ struct Box
 
 Point MiddleOf(const Box& box);
 Box Widened(const Box& box, double by);
+inline bool Touch(const Box& a, const Box& b)
+{
+    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
+           b.lower.y <= a.upper.y;
+}
 bool Crosses(Point a, Point b, const Box& box); ///< the segment from a to b
 
 } // namespace labels
@@ -56,6 +61,8 @@ struct LabelThing
     labels::Box bounds{};
     std::size_t first = 0; ///< Lines: the number of the first point
     std::size_t count = 0;
+    int column = 0; ///< of its first cell, which LabelGround finds
+    int row = 0;
 };
 
 class LabelGround
@@ -86,10 +93,9 @@ public:
                 for (const std::size_t index : m_cells[std::size_t(row * m_columns + column)])
                 {
                     const LabelThing& thing = m_things[index];
-                    const auto start = CellsOf(thing.bounds).first;
-                    const bool isFirstCell = column == std::max(start.first, first.first) &&
-                                             row == std::max(start.second, first.second);
-                    if (isFirstCell && !visit(thing))
+                    if (column == std::max(thing.column, first.first) &&
+                        row == std::max(thing.row, first.second) &&
+                        labels::Touch(thing.bounds, box) && !visit(thing))
                     {
                         return;
                     }
