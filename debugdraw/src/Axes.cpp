@@ -21,6 +21,8 @@ constexpr double kGap = 4.0;         // between a tick and its number
 constexpr double kLetterGap = 14.0;  // between two numbers at least
 constexpr double kTickHeight = 45.0; // between two ticks of the upright axis at least
 
+constexpr const char* kUnit = " m"; // of the last number that has room for it
+
 // Ticks closer than this share of a step to the end count as in it.
 constexpr double kRounding = 1e-6;
 
@@ -66,7 +68,7 @@ std::vector<Label> Labels(const Range& range, double step)
     }
     if (!labels.empty())
     {
-        labels.back().text += " m";
+        labels.back().text += kUnit;
     }
     return labels;
 }
@@ -86,7 +88,7 @@ double StepUpwards(const Camera& view)
     return NiceAbove(kTickHeight / view.pixelsPerMeter);
 }
 
-/// The smallest step whose numbers have room beside each other, the outer ones moved inwards.
+/// The smallest step whose numbers have room beside each other.
 double StepAcross(const Camera& view)
 {
     double step = StepUpwards(view);
@@ -97,25 +99,38 @@ double StepAcross(const Camera& view)
     return step;
 }
 
-/// As near to `place` as leaves half of `size` to both ends.
-double Inside(double place, double size, double lower, double upper)
-{
-    return upper - lower > size ? std::clamp(place, lower + 0.5 * size, upper - 0.5 * size)
-                                : 0.5 * (lower + upper);
-}
-
+/// Numbers stand in the middle of their ticks, whether they have the unit or not; a tick has none
+/// where it would not fit.
 void AddAcross(const Paper& paper, const Camera& view, PixelPoint corner)
 {
     const double y = corner.y + view.height + kBeside;
     const double right = corner.x + view.width;
     const Range range = Across(view);
+    const double step = StepAcross(view);
+    const std::vector<double> ticks = Ticks(range.lower, range.upper, step);
+    const auto middle = [&](double tick) {
+        return corner.x + (tick - range.lower) * view.pixelsPerMeter;
+    };
+    const auto left = [&](double tick) {
+        return middle(tick) - 0.5 * TextWidth(NumberBy(tick, step));
+    };
+    const auto fits = [&](double tick, const std::string& text) {
+        return left(tick) >= corner.x - RoomForAxis(view) &&
+               left(tick) + TextWidth(text) <= right + kAxisOver;
+    };
+    const auto unit = std::find_if(ticks.rbegin(), ticks.rend(), [&](double tick) {
+        return fits(tick, NumberBy(tick, step) + kUnit);
+    });
     paper.Line({corner.x - kBeside, y}, {right, y}, kNoteInk);
-    for (const Label& label : Labels(range, StepAcross(view)))
+    for (const double& tick : ticks)
     {
-        const double x = corner.x + (label.tick - range.lower) * view.pixelsPerMeter;
-        paper.Line({x, y}, {x, y + kTick}, kNoteInk);
-        paper.Text({Inside(x, TextWidth(label.text), corner.x, right), y + kTick + kGap},
-                   label.text, {0.5, 0.0}, kNoteInk);
+        paper.Line({middle(tick), y}, {middle(tick), y + kTick}, kNoteInk);
+        const bool hasUnit = unit != ticks.rend() && &tick == &*unit;
+        const std::string text = NumberBy(tick, step) + (hasUnit ? kUnit : "");
+        if (fits(tick, text))
+        {
+            paper.Text({left(tick), y + kTick + kGap}, text, {0.0, 0.0}, kNoteInk);
+        }
     }
 }
 
@@ -129,8 +144,7 @@ void AddUpwards(const Paper& paper, const Camera& view, PixelPoint corner)
     {
         const double y = bottom - (label.tick - range.lower) * view.pixelsPerMeter;
         paper.Line({x - kTick, y}, {x, y}, kNoteInk);
-        paper.Text({x - kTick - kGap, Inside(y, kTextHeight, corner.y, bottom)}, label.text,
-                   {1.0, 0.5}, kNoteInk);
+        paper.Text({x - kTick - kGap, y}, label.text, {1.0, 0.5}, kNoteInk);
     }
 }
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "LabelSpots.h"
 
-#include <debugdraw/TextWidth.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace boxreel
 {
@@ -13,180 +9,252 @@ namespace boxreel
 namespace
 {
 
-constexpr double kCell = 64.0; // [px]
-constexpr double kTouch = 0.5; // boxes that overlap by less do not [px]
+using labels::Box;
+using labels::Crosses;
+using labels::MiddleOf;
+using labels::Point;
+using labels::Widened;
+
+constexpr double kLetterHeight = 12.0; // of a line, what letters have ink on [px]
+constexpr double kEdge = 2.0;          // from a label to the picture's edge at least [px]
+
+constexpr double kCenter = 0.5; // half of what a body's centre takes [px]
+constexpr double kApart = 3.0;  // between labels in a row at least: less, and they read as one
+
+// How far a label may reach over another body's shape, as long as its centre stays free [px]. Less,
+// and labels of small bodies leave them, and jump in films, for a neighbour that is merely near.
+constexpr double kSpill = 5.0;
+
+constexpr double kCorner = 2.0; // of a label, what is nearly always empty [px]
 
 // From the place to the nearest edge of the label [px]: beside a hinge or a centre of mass, beside
-// a hinge with a motor, beside a gear.
-constexpr double kDistances[] = {9.0, 17.0, 25.0};
+// a hinge with a motor, beside a gear, and out of crowds.
+constexpr double kDistances[] = {9.0, 17.0, 25.0, 36.0, 50.0};
 
-// As on maps: above on the right first, and straight beside it last, where lines are likely.
-constexpr double kDirections[][2] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1},
+// A line that passes another body's centre as near as this seems to be its [px].
+constexpr double kNear = 3.0;
+
+// Farther than this from what is no body, a label needs a line to say where it belongs [px].
+constexpr double kFar = 26.0;
+
+using Direction = double[2];
+
+// Of a body's label: straight above or below, where a line to it is shortest, then as on maps.
+constexpr Direction kAroundBody[] = {{0, 1},  {0, -1},  {1, 1}, {1, -1},
+                                     {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}};
+
+// Of others as on maps: above on the right first, and straight beside it last, where lines are
+// likely.
+constexpr Direction kAroundSign[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1},
                                      {1, 0}, {-1, 0}, {0, 1},  {0, -1}};
-
-bool IsInTheWay(DrawLayer layer)
-{
-    return layer == DrawLayer::JointGlyphs || layer == DrawLayer::CentersOfMass ||
-           layer == DrawLayer::Labels;
-}
-
-/// What of the segment from a to b, from share `t0` to share `t1` of it, lies between two bounds.
-bool Clip(double a, double b, double lower, double upper, double& t0, double& t1)
-{
-    const double way = b - a;
-    if (way == 0.0)
-    {
-        return a >= lower && a <= upper;
-    }
-    const double in = (lower - a) / way;
-    const double out = (upper - a) / way;
-    t0 = std::max(t0, std::min(in, out));
-    t1 = std::min(t1, std::max(in, out));
-    return t0 <= t1;
-}
-
-int CellOf(double pixels)
-{
-    return static_cast<int>(std::floor(pixels / kCell));
-}
 
 } // namespace
 
-LabelSpots::LabelSpots(const Camera& camera, const DrawList& list) : m_camera(camera)
+LabelSpots::LabelSpots(const Camera& camera, const DrawList& list)
+    : m_camera(camera), m_ground(camera, list)
+{}
+
+bool LabelSpots::IsInPicture(const Box& box) const
 {
-    for (const DrawItem& item : list.items)
-    {
-        if (IsInTheWay(item.layer))
-        {
-            AddItem(list, item);
-        }
-    }
+    return m_ground.IsInPicture(Point{box.lower.x - kEdge, box.lower.y - kEdge}) &&
+           m_ground.IsInPicture(Point{box.upper.x + kEdge, box.upper.y + kEdge});
 }
 
-void LabelSpots::AddItem(const DrawList& list, const DrawItem& item)
+/// How many things are in the way of a label there; none when it must not be there at all.
+std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) const
 {
-    const double scale = m_camera.pixelsPerMeter;
-    const auto x = [&](Vec2 p) { return (double(p.x) - m_camera.centerX) * scale; };
-    const auto y = [&](Vec2 p) { return (double(p.y) - m_camera.centerY) * scale; };
-    const Vec2* const points = list.points.data() + item.first;
-    if (item.kind == DrawKind::Segment)
+    if (!IsInPicture(box))
     {
-        Add({x(points[0]), y(points[0]), x(points[1]), y(points[1]), true});
+        return std::nullopt;
     }
-    else if (item.kind == DrawKind::Text)
-    {
-        const double width = TextWidth(list.texts[item.text]);
-        Add({x(points[0]), y(points[0]) - kTextHeight, x(points[0]) + width, y(points[0]), false});
-    }
-    else
-    {
-        Rect box;
-        for (std::size_t i = 0; i < item.count; ++i)
-        {
-            // The second point of these two kinds is a direction.
-            const bool isPlace =
-                i == 0 || (item.kind != DrawKind::SolidCircle && item.kind != DrawKind::Transform);
-            box.Include(isPlace ? points[i] : points[0]);
-        }
-        const double reach =
-            item.kind == DrawKind::Point ? 0.5 * double(item.size) : double(item.size) * scale;
-        Add({x(box.lower) - reach, y(box.lower) - reach, x(box.upper) + reach, y(box.upper) + reach,
-             false});
-    }
-}
-
-/// As much of it as lies in the picture: what lies outside must not matter, for a list may have it
-/// or not, and the picture be the same.
-void LabelSpots::Add(const Thing& thing)
-{
-    const double right = 0.5 * m_camera.width;
-    const double up = 0.5 * m_camera.height;
-    double t0 = 0.0;
-    double t1 = 1.0;
-    if (!Clip(thing.x0, thing.x1, -right, right, t0, t1) ||
-        !Clip(thing.y0, thing.y1, -up, up, t0, t1))
-    {
-        return;
-    }
-    const auto [left, rightmost] =
-        std::minmax({thing.x0 + t0 * (thing.x1 - thing.x0), thing.x0 + t1 * (thing.x1 - thing.x0)});
-    const auto [low, high] =
-        std::minmax({thing.y0 + t0 * (thing.y1 - thing.y0), thing.y0 + t1 * (thing.y1 - thing.y0)});
-    for (int i = CellOf(left); i <= CellOf(rightmost); ++i)
-    {
-        for (int j = CellOf(low); j <= CellOf(high); ++j)
-        {
-            m_cells[{i, j}].push_back(m_things.size());
-        }
-    }
-    m_things.push_back(thing);
-}
-
-/// Things in more than one cell may count more than once: only none, and fewer, matter.
-int LabelSpots::CountIn(const Thing& box) const
-{
+    const Point place = m_ground.ToPixels(wish.place);
+    const Box core = Crosses(place, place, box) ? Widened(box, -kSpill) : box;
+    const Box apart{{box.lower.x - kApart, box.lower.y}, {box.upper.x + kApart, box.upper.y}};
     int count = 0;
-    for (int i = CellOf(box.x0); i <= CellOf(box.x1); ++i)
-    {
-        for (int j = CellOf(box.y0); j <= CellOf(box.y1); ++j)
+    bool isRefused = false;
+    m_ground.VisitNear(apart, [&](const LabelThing& thing) {
+        const bool isOwn = thing.owner == wish.owner && wish.owner != kNoOwner;
+        switch (thing.role)
         {
-            const auto cell = m_cells.find({i, j});
-            if (cell == m_cells.end())
+        case LabelRole::Label:
+            isRefused = m_ground.Meets(thing, apart);
+            break;
+        case LabelRole::Center:
+            isRefused = !isOwn && m_ground.Meets(thing, box);
+            break;
+        case LabelRole::Sign:
+            count += m_ground.Meets(thing, box) ? 1 : 0;
+            break;
+        case LabelRole::Shape:
+            // What the body itself lies over (a region, a vehicle around its wheel) tells nobody
+            // apart.
+            count +=
+                !isOwn && m_ground.Meets(thing, core) && !m_ground.Contains(thing, place) ? 1 : 0;
+            break;
+        }
+        return !isRefused;
+    });
+    return isRefused ? std::nullopt : std::optional<int>(count);
+}
+
+/// Whether a line would seem to come from another body, or to lead to another label.
+bool LabelSpots::Misleads(Point from, Point to) const
+{
+    const Box bounds{{std::min(from.x, to.x), std::min(from.y, to.y)},
+                     {std::max(from.x, to.x), std::max(from.y, to.y)}};
+    bool misleads = false;
+    m_ground.VisitNear(Widened(bounds, kNear), [&](const LabelThing& thing) {
+        const Box around = Widened(thing.bounds, kNear);
+        misleads = (thing.role == LabelRole::Label && Crosses(from, to, thing.bounds)) ||
+                   (thing.role == LabelRole::Center && !Crosses(from, from, around) &&
+                    Crosses(from, to, around));
+        return !misleads;
+    });
+    return misleads;
+}
+
+bool LabelSpots::IsOnOwner(Point point, std::uint32_t owner) const
+{
+    bool isOn = false;
+    m_ground.VisitNear({point, point}, [&](const LabelThing& thing) {
+        isOn = thing.role == LabelRole::Shape && thing.owner == owner &&
+               m_ground.Contains(thing, point);
+        return !isOn;
+    });
+    return isOn;
+}
+
+/// Where a line from the place to the label would end; none when one sees whose it is without.
+std::optional<Point> LabelSpots::TieTo(const Box& box, const LabelWish& wish) const
+{
+    const Point place = m_ground.ToPixels(wish.place);
+    const Point end{std::clamp(place.x, box.lower.x, box.upper.x),
+                    std::clamp(place.y, box.lower.y, box.upper.y)};
+    const double dx = end.x - place.x;
+    const double dy = end.y - place.y;
+    const bool isPlain = wish.owner != kNoOwner
+                             ? end == place || IsOnOwner(MiddleOf(box), wish.owner)
+                             : dx * dx + dy * dy < kFar * kFar;
+    return isPlain ? std::nullopt : std::optional<Point>(end);
+}
+
+Box LabelSpots::BoxAround(Point middle, double width) const
+{
+    return {{middle.x - 0.5 * width, middle.y - 0.5 * kLetterHeight},
+            {middle.x + 0.5 * width, middle.y + 0.5 * kLetterHeight}};
+}
+
+/// At the picture's edge it is moved in.
+Box LabelSpots::BoxOnPlace(const LabelWish& wish) const
+{
+    const auto inside = [](double place, double size, double room) {
+        const double most = std::max(0.0, 0.5 * (room - size) - kEdge);
+        return std::clamp(place, -most, most);
+    };
+    const Point place = m_ground.ToPixels(wish.place);
+    return BoxAround({inside(place.x, wish.width, m_camera.width),
+                      inside(place.y, kLetterHeight, m_camera.height)},
+                     wish.width);
+}
+
+std::optional<Box> LabelSpots::BestBox(const LabelWish& wish) const
+{
+    const Point place = m_ground.ToPixels(wish.place);
+    std::optional<Box> best;
+    std::optional<int> fewest;
+    const auto consider = [&](const Box& box) {
+        const std::optional<int> count = CountIn(box, wish);
+        if (!count || (fewest && *count >= *fewest))
+        {
+            return;
+        }
+        const std::optional<Point> tie = TieTo(box, wish);
+        if (!tie || !Misleads(place, *tie))
+        {
+            fewest = count;
+            best = box;
+        }
+    };
+    consider(BoxOnPlace(wish));
+    for (const double distance : kDistances)
+    {
+        for (const auto& [right, up] : wish.owner != kNoOwner ? kAroundBody : kAroundSign)
+        {
+            if (fewest == 0)
+            {
+                return best;
+            }
+            // A corner is nearer to the place than a side: there it may come closer.
+            const double away = right != 0.0 && up != 0.0 ? 0.7 * distance : distance;
+            consider(BoxAround({place.x + right * (away + 0.5 * wish.width),
+                                place.y + up * (away + 0.5 * kLetterHeight)},
+                               wish.width));
+        }
+    }
+    return best;
+}
+
+LabelSpot LabelSpots::Take(const Box& box, const LabelWish& wish)
+{
+    m_ground.Add({LabelRole::Label, LabelForm::Box, wish.owner, box, 0, 0});
+    const std::optional<Point> tie = TieTo(box, wish);
+    if (!tie)
+    {
+        return {m_ground.ToWorld(MiddleOf(box)), std::nullopt};
+    }
+    m_ground.AddLine(m_ground.ToPixels(wish.place), *tie, wish.owner);
+    return {m_ground.ToWorld(MiddleOf(box)), m_ground.ToWorld(*tie)};
+}
+
+/// Whether a label there lies on its body, but for its corners.
+bool LabelSpots::FitsIn(const Box& box, std::uint32_t owner) const
+{
+    const Box core = Widened(box, -kCorner);
+    return owner != kNoOwner && IsOnOwner(core.lower, owner) && IsOnOwner(core.upper, owner) &&
+           IsOnOwner({core.lower.x, core.upper.y}, owner) &&
+           IsOnOwner({core.upper.x, core.lower.y}, owner);
+}
+
+void LabelSpots::AddCenter(const LabelWish& wish)
+{
+    const Point center = m_ground.ToPixels(wish.place);
+    m_ground.Add({LabelRole::Center, LabelForm::Box, wish.owner,
+                  Widened(Box{center, center}, kCenter), 0, 0});
+}
+
+std::vector<std::optional<LabelSpot>> LabelSpots::Settle(const std::vector<LabelWish>& wishes)
+{
+    std::vector<std::optional<LabelSpot>> spots(wishes.size());
+    for (const LabelWish& wish : wishes)
+    {
+        if (wish.owner != kNoOwner)
+        {
+            AddCenter(wish);
+        }
+    }
+    const auto settle = [&](const auto& boxFor) {
+        for (std::size_t i = 0; i < wishes.size(); ++i)
+        {
+            if (spots[i] || !m_ground.IsInPicture(m_ground.ToPixels(wishes[i].place)))
             {
                 continue;
             }
-            for (const std::size_t index : cell->second)
+            if (const std::optional<Box> box = boxFor(wishes[i]))
             {
-                const Thing& t = m_things[index];
-                double t0 = 0.0;
-                double t1 = 1.0;
-                const bool meets = t.isLine ? Clip(t.x0, t.x1, box.x0, box.x1, t0, t1) &&
-                                                  Clip(t.y0, t.y1, box.y0, box.y1, t0, t1)
-                                            : t.x0 < box.x1 - kTouch && box.x0 < t.x1 - kTouch &&
-                                                  t.y0 < box.y1 - kTouch && box.y0 < t.y1 - kTouch;
-                count += meets ? 1 : 0;
+                spots[i] = Take(*box, wishes[i]);
             }
         }
-    }
-    return count;
-}
-
-Vec2 LabelSpots::Take(Vec2 place, double width, double height)
-{
-    const double scale = m_camera.pixelsPerMeter;
-    const double x = (double(place.x) - m_camera.centerX) * scale;
-    const double y = (double(place.y) - m_camera.centerY) * scale;
-    const double farthest = 1e6; // [px], where nobody looks and cells would not be whole numbers
-    if (!(std::abs(x) < farthest && std::abs(y) < farthest))
-    {
-        return place;
-    }
-    const auto boxAt = [&](double dx, double dy) {
-        return Thing{x + dx - 0.5 * width, y + dy - 0.5 * height, x + dx + 0.5 * width,
-                     y + dy + 0.5 * height, false};
     };
-    double bestX = 0.0;
-    double bestY = 0.0;
-    int fewest = CountIn(boxAt(0.0, 0.0));
-    for (const double distance : kDistances)
-    {
-        for (const auto& [right, up] : kDirections)
-        {
-            // A corner is nearer to the place than a side: there it may come closer.
-            const double away = right != 0.0 && up != 0.0 ? 0.7 * distance : distance;
-            const double dx = right * (away + 0.5 * width);
-            const double dy = up * (away + 0.5 * height);
-            const int count = fewest > 0 ? CountIn(boxAt(dx, dy)) : fewest;
-            if (count < fewest)
-            {
-                fewest = count;
-                bestX = dx;
-                bestY = dy;
-            }
-        }
-    }
-    Add(boxAt(bestX, bestY));
-    return {float(place.x + bestX / scale), float(place.y + bestY / scale)};
+    const auto onPlace = [&](const LabelWish& wish) {
+        const Box box = BoxOnPlace(wish);
+        return CountIn(box, wish) == 0 ? std::optional<Box>(box) : std::nullopt;
+    };
+    settle([&](const LabelWish& wish) {
+        return FitsIn(BoxOnPlace(wish), wish.owner) ? onPlace(wish) : std::nullopt;
+    });
+    settle(onPlace);
+    settle([&](const LabelWish& wish) { return BestBox(wish); });
+    return spots;
 }
 
 } // namespace boxreel

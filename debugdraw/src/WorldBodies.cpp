@@ -3,9 +3,12 @@
 #include "WorldSeen.h"
 
 #include <debugdraw/GlyphPen.h>
+#include <debugdraw/TextWidth.h>
 #include <debugdraw/WorldBodies.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace boxreel
@@ -14,18 +17,17 @@ namespace boxreel
 namespace
 {
 
-// Of a digit in the renderer's font [px]. A little off is a label a little off its centre.
-constexpr double kDigitWidth = 8.3;
-constexpr double kLineHeight = 16.0;
-constexpr double kLetterHeight = 12.0; // of the line, what letters have ink on
-constexpr double kWidestLetter = 32.0; // only to see which are in the picture [px]
+// Of a body whose centre is in the picture, some shape is at most so far beside it [px], or it may
+// have no name while it rests.
+constexpr double kFarthestShape = 1000.0;
 
-// Beside its body, half a name of the longest reaches into the picture from here at most [px].
-constexpr double kFarthestLetter = 1000.0;
+constexpr double kWidestLetter = 32.0; // only to see which cannot be in the picture [px]
+constexpr double kBeside = 8.0; // what the longest name leaves free of the picture's width [px]
 
 constexpr double kMarkRadius = 6.0; // [px]
 
 constexpr Color kInk{255, 255, 255, 255};
+constexpr Color kTieInk{255, 255, 255, 128};
 
 Vec2 CenterOf(const b2Body& body)
 {
@@ -37,80 +39,120 @@ bool BeginsLetter(char c)
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
-std::size_t LetterCount(const std::string& text)
-{
-    return std::size_t(std::count_if(text.begin(), text.end(), BeginsLetter));
-}
-
-/// At most so many bytes, cut between letters: a file may have names of any length.
-std::string Shortened(const std::string& name)
+/// At most so many bytes, and so wide [px], cut between letters: a file may have names of any
+/// length.
+std::string Shortened(const std::string& name, double room)
 {
     constexpr std::size_t kMost = 60;
-    std::size_t length = std::min(name.size(), kMost);
-    while (length < name.size() && length > 0 && !BeginsLetter(name[length]))
+    std::string shown = name.substr(0, kMost);
+    while (!shown.empty() && (shown.size() < name.size() && !BeginsLetter(name[shown.size()])))
     {
-        --length;
+        shown.pop_back();
     }
-    return length < name.size() ? name.substr(0, length) + "..." : name;
+    if (shown.size() == name.size() && TextWidth(name) <= room)
+    {
+        return name;
+    }
+    while (!shown.empty() && TextWidth(shown + "...") > room)
+    {
+        do
+        {
+            shown.pop_back();
+        } while (!shown.empty() && !BeginsLetter(name[shown.size()]));
+    }
+    return shown + "...";
 }
 
-std::string NameOf(const BodyNames& names, std::uint32_t number)
+double RoomIn(const View& view)
 {
-    const auto named = names.find(number);
-    return named != names.end() && !named->second.empty() ? Shortened(named->second)
-                                                          : std::to_string(number);
+    return view.camera.width - kBeside;
 }
 
-/// Centred on `place`, or beside it when something is there.
-void AddLabel(Vec2 place, const std::string& name, const View& view, LabelSpots& spots,
-              DrawList& list)
+struct Label
 {
-    if (!view.Shows(place, kWidestLetter * double(1 + name.size())))
+    Vec2 place; // [m]
+    std::string name;
+    std::uint32_t owner = kNoOwner;
+};
+
+void AddLabel(const Label& label, const LabelSpot& spot, const Camera& camera, DrawList& list)
+{
+    list.owner = label.owner;
+    if (spot.tie)
     {
-        return;
+        list.AddSegment(label.place, *spot.tie, kTieInk);
     }
-    const double width = kDigitWidth * double(LetterCount(name));
-    const Vec2 middle = spots.Take(place, width, kLetterHeight);
-    const double metersPerPixel = 1.0 / view.camera.pixelsPerMeter;
-    list.AddText({float(middle.x - 0.5 * width * metersPerPixel),
-                  float(middle.y + 0.5 * kLineHeight * metersPerPixel)},
-                 name, kInk);
+    const double metersPerPixel = 1.0 / camera.pixelsPerMeter;
+    list.AddText({float(spot.middle.x - 0.5 * TextWidth(label.name) * metersPerPixel),
+                  float(spot.middle.y + 0.5 * kTextHeight * metersPerPixel)},
+                 label.name, kInk);
+}
+
+/// Each on its place, or beside it when something is there. Those that nothing of can be seen, by
+/// a guess that is wider than that of renderers, are on their place, in lists of everything.
+void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& list)
+{
+    std::vector<LabelWish> wishes;
+    for (const Label& label : labels)
+    {
+        wishes.push_back({label.place, TextWidth(label.name), label.owner});
+    }
+    LabelSpots room(view.camera, list);
+    const std::vector<std::optional<LabelSpot>> spots = room.Settle(wishes);
+    const View picture = ViewOf(view.camera, 0.0);
+    list.layer = DrawLayer::Labels;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+    {
+        if (spots[i])
+        {
+            AddLabel(labels[i], *spots[i], view.camera, list);
+        }
+        else if (!view.area &&
+                 !picture.Shows(labels[i].place, kWidestLetter * double(1 + labels[i].name.size())))
+        {
+            AddLabel(labels[i], {labels[i].place, std::nullopt}, view.camera, list);
+        }
+    }
+    list.owner = kNoOwner;
 }
 
 } // namespace
 
 void AddBodyNames(const b2World& world, const View& view, const BodyNames& names, DrawList& list)
 {
-    LabelSpots spots(view.camera, list);
-    list.layer = DrawLayer::Labels;
-    for (const b2Body* body : SeenBodies(world, view, kFarthestLetter))
+    std::vector<Label> labels;
+    for (const b2Body* body : SeenBodies(world, view, kFarthestShape))
     {
-        list.owner = static_cast<std::uint32_t>(body->GetNumber());
-        AddLabel(CenterOf(*body), NameOf(names, list.owner), view, spots, list);
+        if (view.Shows(CenterOf(*body)))
+        {
+            const auto number = static_cast<std::uint32_t>(body->GetNumber());
+            const auto named = names.find(number);
+            const bool hasName = named != names.end() && !named->second.empty();
+            labels.push_back(
+                {CenterOf(*body),
+                 Shortened(hasName ? named->second : std::to_string(number), RoomIn(view)),
+                 number});
+        }
     }
-    list.owner = kNoOwner;
+    AddLabels(labels, view, list);
 }
 
 void AddJointNames(const b2World& world, const View& view, const JointNames& names, DrawList& list)
 {
-    LabelSpots spots(view.camera, list);
-    list.layer = DrawLayer::Labels;
-    list.owner = kNoOwner;
-    std::vector<const b2Joint*> joints; // newest first
+    std::vector<Label> labels; // newest first
     for (const b2Joint* joint = names.empty() ? nullptr : world.GetJointList(); joint != nullptr;
          joint = joint->GetNext())
     {
-        joints.push_back(joint);
-    }
-    for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint)
-    {
-        const auto named = names.find(*joint);
-        if (named != names.end() && !named->second.empty())
+        const auto named = names.find(joint);
+        const b2Vec2 place = 0.5f * (joint->GetAnchorA() + joint->GetAnchorB());
+        if (named != names.end() && !named->second.empty() && view.Shows(Vec2{place.x, place.y}))
         {
-            const b2Vec2 place = 0.5f * ((*joint)->GetAnchorA() + (*joint)->GetAnchorB());
-            AddLabel({place.x, place.y}, Shortened(named->second), view, spots, list);
+            labels.push_back(
+                {{place.x, place.y}, Shortened(named->second, RoomIn(view)), kNoOwner});
         }
     }
+    std::reverse(labels.begin(), labels.end());
+    AddLabels(labels, view, list);
 }
 
 void AddCenterMarks(const b2World& world, const View& view, DrawList& list)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/GlyphPen.h>
+#include <debugdraw/TextWidth.h>
 #include <debugdraw/Theme.h>
 #include <debugdraw/WorldGlyphs.h>
 
@@ -37,8 +38,6 @@ constexpr double kTooth = 4.0;
 constexpr double kStrut = 26.0; // length of the spring above an axle
 constexpr double kWeld = 5.0;   // half the square
 constexpr double kRopeEnd = 4.0;
-
-constexpr double kDigitWidth = 8.3; // in the renderer's font [px]
 
 Vec2 From(const b2Vec2& v)
 {
@@ -325,7 +324,7 @@ void GlyphWriter::Add(const b2RopeJoint& joint)
     GlyphPen letters(m_list, m_view.camera, at(0.5), {1.0f, 0.0f}, kGlyphColor);
     const std::string text = Meters(length);
     // Below it, or to the right of one that is steep.
-    const double middle = -0.5 * kDigitWidth * double(text.size());
+    const double middle = -0.5 * TextWidth(text);
     const double left = middle + steepness * (7.0 - middle);
     m_list.AddText(letters.At({left, -3.0 + 11.0 * steepness}), text, kGlyphColor);
 }

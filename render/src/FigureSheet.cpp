@@ -20,6 +20,7 @@ constexpr int kTitleHeight = 24; // of a line above a picture
 constexpr int kLine = 20;        // from one line of the caption to the next
 constexpr int kCaptionGap = 14;  // above the caption
 constexpr int kAxisEnd = 6;      // beside numbers, to the next picture
+static_assert(kBorder >= kAxisOver);
 
 /// What there is around each picture.
 struct Margins

@@ -213,7 +213,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
     {
         motion->AdvanceTo(*session, moment);
         content = {};
-        session->Fill(content);
+        session->Fill(content, motion->Notes(*session));
         parts.push_back({motion->Picture(*session, content.list), session->CurrentCamera(),
                          moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
     }

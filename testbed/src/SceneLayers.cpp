@@ -4,6 +4,7 @@
 #include "Values.h"
 
 #include <debugdraw/DrawCollector.h>
+#include <debugdraw/Faded.h>
 #include <debugdraw/WorldArrows.h>
 #include <debugdraw/WorldGlyphs.h>
 
@@ -121,7 +122,8 @@ void LayerCollector::BeforeStep(const b2World& world)
 }
 
 void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& names,
-                             const JointNames& jointNames, DrawList& list) const
+                             const JointNames& jointNames, DrawList& list,
+                             const DrawList& notes) const
 {
     DrawCollector collector(list);
     collector.SetFlags(EngineFlags(m_layers));
@@ -149,6 +151,7 @@ void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& 
     {
         m_contacts.Collect(world, view, m_contactLook, list);
     }
+    Append(list, notes);
     if (m_layers.names)
     {
         AddBodyNames(world, view, names, list);

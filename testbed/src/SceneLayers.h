@@ -61,10 +61,10 @@ public:
 
     void BeforeStep(const b2World& world);
 
-    /// Into a list that may have something already. The world's debug drawing is borrowed for it
-    /// and none is registered afterwards.
+    /// Into a list that may have something already; `notes` go over all but names, which keep clear
+    /// of them. The world's debug drawing is borrowed for it and none is registered afterwards.
     void Collect(b2World& world, const View& view, const BodyNames& names,
-                 const JointNames& jointNames, DrawList& list) const;
+                 const JointNames& jointNames, DrawList& list, const DrawList& notes = {}) const;
 
 private:
     SceneLayers m_layers;

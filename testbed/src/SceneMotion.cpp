@@ -42,7 +42,7 @@ std::int64_t StepsIn(const Interval& interval, std::int64_t count, const Rationa
                               : StepAt(Duration{count * interval.time.nanoseconds}, stepsPerSecond);
 }
 
-std::optional<Vec2> PlaceOf(const MeasuredEnd& end, b2World& world)
+std::optional<Vec2> PlaceOf(const MeasuredEnd& end, const b2World& world)
 {
     if (const BodyRef* const measured = std::get_if<BodyRef>(&end))
     {
@@ -290,12 +290,9 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
     }
 }
 
-DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene)
+DrawList SceneMotion::Notes(const SceneSession& session)
 {
     DrawList list;
-    AddPoses(session, list);
-    AddTrails(session, list);
-    Append(list, scene);
     if (m_look.axes)
     {
         AddOriginMark(list, session.CurrentCamera());
@@ -316,6 +313,15 @@ DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene)
             m_measured.insert(body);
         }
     }
+    return list;
+}
+
+DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) const
+{
+    DrawList list;
+    AddPoses(session, list);
+    AddTrails(session, list);
+    Append(list, scene);
     return list;
 }
 

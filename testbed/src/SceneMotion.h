@@ -24,9 +24,12 @@ public:
     /// Takes the session on to `step`, looking at every step on the way.
     void AdvanceTo(SceneSession& session, std::int64_t step);
 
-    /// What the picture of the session's step shows: `scene`, which is drawn at scale 1, with
-    /// trails and earlier poses beneath it and dimensions on top. The step is one of the moments.
-    DrawList Picture(SceneSession& session, const DrawList& scene);
+    /// What lies over the picture of the session's step, but for labels: dimensions and the origin.
+    DrawList Notes(const SceneSession& session);
+
+    /// What the picture of the session's step shows: `scene`, which is drawn at scale 1 and has the
+    /// notes already, with trails and earlier poses beneath it. The step is one of the moments.
+    DrawList Picture(SceneSession& session, const DrawList& scene) const;
 
     /// After the last picture: Unusable when a body that the look names has never been there, or,
     /// of those between which it measures, in none of the pictures.

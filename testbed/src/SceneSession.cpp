@@ -167,16 +167,16 @@ Camera SceneSession::CurrentCamera() const
     return m_fraction ? Between(m_viewBefore, m_camera.View(), *m_fraction) : m_camera.View();
 }
 
-void SceneSession::Fill(FrameContent& content)
+void SceneSession::Fill(FrameContent& content, const DrawList& notes)
 {
     if (m_fraction)
     {
         const b2PosesBetween between(m_scene->World(), m_posesBefore, *m_fraction);
-        Collect(double(between.GetFarthest()), content.list);
+        Collect(double(between.GetFarthest()), content.list, notes);
     }
     else
     {
-        Collect(0.0, content.list);
+        Collect(0.0, content.list, notes);
     }
     content.camera = Scaled(CurrentCamera(), m_look.scale);
     if (m_hud)
@@ -185,11 +185,11 @@ void SceneSession::Fill(FrameContent& content)
     }
 }
 
-void SceneSession::Collect(double farthest, DrawList& list)
+void SceneSession::Collect(double farthest, DrawList& list, const DrawList& notes)
 {
     static const JointNames kNone;
     m_layers.Collect(m_scene->World(), CollectedView(farthest), m_shownNames,
-                     m_look.layers.names ? m_scene->JointNames() : kNone, list);
+                     m_look.layers.names ? m_scene->JointNames() : kNone, list, notes);
 }
 
 /// What has jumped is found where it is now, not farther than `farthest` [m] from where it is

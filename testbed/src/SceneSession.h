@@ -58,8 +58,9 @@ public:
     /// AdvanceTo. Moments must not go back.
     void AdvanceBetween(std::int64_t step, double fraction);
 
-    /// What the picture of this moment shows. Expects an empty list.
-    void Fill(FrameContent& content);
+    /// What the picture of this moment shows, with `notes` over all but labels, which keep clear of
+    /// them. Expects an empty list.
+    void Fill(FrameContent& content, const DrawList& notes = {});
 
     std::int64_t Step() const { return m_step; } ///< the last that was simulated
     const Rational& StepsPerSecond() const { return m_stepsPerSecond; }
@@ -89,7 +90,7 @@ private:
     SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
                  const SceneCamera& camera);
     void StepOnce();
-    void Collect(double farthest, DrawList& list);
+    void Collect(double farthest, DrawList& list, const DrawList& notes);
     HudContent DescribeState() const;
     boxreel::View CollectedView(double farthest) const;
 

@@ -63,12 +63,45 @@ TEST(Axes, HaveTicksAtNiceSteps)
     EXPECT_THAT(Ticks(0.0, 4.0, 2.0), ElementsAre(0.0, 2.0, 4.0));
     EXPECT_TRUE(Ticks(0.1, 0.9, 1.0).empty());
     const DrawList list = AxesOf(View(40.0)); // 16 m x 9 m
-    EXPECT_THAT(list.texts, ElementsAre("-8", "-6", "-4", "-2", "0", "2", "4", "6", "8 m", "-4",
+    EXPECT_THAT(list.texts, ElementsAre("-8", "-6", "-4", "-2", "0", "2", "4", "6 m", "8", "-4",
                                         "-2", "0", "2", "4 m"));
     for (const DrawItem& item : list.items)
     {
         EXPECT_EQ(item.layer, DrawLayer::Annotations);
     }
+}
+
+TEST(Axes, NumbersStandInTheMiddleOfTheirTicks)
+{
+    int units = 0;
+    for (double zoom = 0.3; zoom < 3000.0; zoom *= 1.23)
+    {
+        const DrawList list = AxesOf(View(zoom, -12.3, 5.7));
+        double tickX = 0.0;
+        double tickY = 0.0;
+        for (const DrawItem& item : list.items)
+        {
+            const Vec2 p = list.points[item.first];
+            if (item.kind == DrawKind::Segment)
+            {
+                tickX = p.x;
+                tickY = -p.y;
+                continue;
+            }
+            const std::string& text = list.texts[item.text];
+            const std::string number = text.substr(0, text.find(' '));
+            const bool isBelow = -p.y > 385.0;
+            units += number != text ? 1 : 0;
+            EXPECT_NEAR(isBelow ? p.x + 0.5 * TextWidth(number) - tickX
+                                : -p.y + 0.5 * kTextHeight - tickY,
+                        0.0, 1e-3)
+                << text << " at " << zoom;
+            EXPECT_LE(p.x + TextWidth(text), 740.0 + kAxisOver);
+            EXPECT_GE(-p.y, 20.0 - kAxisOver);
+        }
+    }
+    EXPECT_EQ(units % 2, 0) << "one an axis";
+    EXPECT_GT(units, 60);
 }
 
 TEST(Axes, HideNothingOfThePicture)

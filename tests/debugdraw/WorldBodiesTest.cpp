@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "../engine/DynamicsScene.h"
 
+#include <debugdraw/DrawCollector.h>
+#include <debugdraw/Paper.h>
+#include <debugdraw/TextWidth.h>
 #include <debugdraw/WorldBodies.h>
 
 #include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <set>
 
 using namespace boxreel;
 
@@ -53,8 +60,8 @@ TEST_F(WorldBodies, ANameTakesTheNumbersPlaceInTheMiddle)
 {
     AddBodyNames(scene.world, ViewOfEverything(camera), {{1, "M\u00fchle"}, {0, ""}}, list);
     EXPECT_THAT(list.texts, testing::ElementsAre("0", "M\u00fchle"));
-    EXPECT_NEAR(list.points[list.items[1].first].x, 7.5f - 0.5f * 5.0f * 0.083f, 1e-4f)
-        << "five letters, whatever their bytes";
+    EXPECT_NEAR(list.points[list.items[1].first].x, 7.5 - 0.005 * TextWidth("M\u00fchle"), 1e-4)
+        << "as wide as its letters are, whatever their bytes";
 }
 
 TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
@@ -64,8 +71,16 @@ TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
     {
         name += "\u00fc";
     }
+    camera.width = 1000;
     AddBodyNames(scene.world, ViewOfEverything(camera), {{0, name}}, list);
     EXPECT_EQ(list.texts[0], name.substr(0, 59) + "...");
+    list.Clear();
+    camera.width = 201;
+    AddBodyNames(scene.world, ViewOfEverything(camera), {{0, name}}, list);
+    const std::string narrow = list.texts[0];
+    EXPECT_EQ(narrow, name.substr(0, narrow.size() - 3) + "...") << "or between edges";
+    EXPECT_LE(TextWidth(narrow), 201.0);
+    EXPECT_GE(TextWidth(narrow), 180.0);
 }
 
 TEST_F(WorldBodies, NamesAndMarksOutsideOfThePictureAreLeftOut)
@@ -100,19 +115,83 @@ TEST_F(WorldBodies, MarksLieOnCentresOfMassAndTurnWithTheBody)
 namespace
 {
 
-/// As labels are laid out: letters of 8.3 px, with ink on 12 of 16 px.
+/// What letters have ink on: 12 of 15 px.
 Rect BoxOf(const DrawList& list, const DrawItem& text, double pixelsPerMeter)
 {
     const Vec2 corner = list.points[text.first];
     const float pixel = float(1.0 / pixelsPerMeter);
-    const float right = 8.3f * float(list.texts[text.text].size()) * pixel;
-    return {{corner.x, corner.y - 14.0f * pixel}, {corner.x + right, corner.y - 2.0f * pixel}};
+    const float right = float(TextWidth(list.texts[text.text])) * pixel;
+    return {{corner.x, corner.y - 13.5f * pixel}, {corner.x + right, corner.y - 1.5f * pixel}};
 }
 
 bool Overlap(const Rect& a, const Rect& b)
 {
     return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y &&
            b.lower.y < a.upper.y;
+}
+
+struct SeenLabel
+{
+    std::uint32_t owner;
+    Rect box;
+    bool isTied = false; // by a line from its owner's centre
+};
+
+/// The labels of a list, by their owners.
+std::map<std::uint32_t, SeenLabel> LabelsOf(const DrawList& list, double pixelsPerMeter)
+{
+    std::map<std::uint32_t, SeenLabel> labels;
+    std::set<std::uint32_t> tied;
+    for (const DrawItem& item : list.items)
+    {
+        if (item.layer == DrawLayer::Labels && item.kind == DrawKind::Segment)
+        {
+            tied.insert(item.owner);
+        }
+        else if (item.layer == DrawLayer::Labels)
+        {
+            labels[item.owner] = {item.owner, BoxOf(list, item, pixelsPerMeter),
+                                  tied.contains(item.owner)};
+        }
+    }
+    return labels;
+}
+
+bool Holds(const Rect& box, const b2Vec2& point)
+{
+    return box.lower.x < point.x && point.x < box.upper.x && box.lower.y < point.y &&
+           point.y < box.upper.y;
+}
+
+/// That nobody takes a label for another body's, and that all can be read.
+void ExpectClear(const b2World& world, const DrawList& list, const Camera& camera)
+{
+    const std::map<std::uint32_t, SeenLabel> labels = LabelsOf(list, camera.pixelsPerMeter);
+    const Rect picture = camera.VisibleArea();
+    for (const auto& [owner, label] : labels)
+    {
+        EXPECT_TRUE(label.box.lower.x >= picture.lower.x && label.box.upper.x <= picture.upper.x &&
+                    label.box.lower.y >= picture.lower.y && label.box.upper.y <= picture.upper.y)
+            << owner << " is cut";
+        for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+        {
+            const bool isOwn = std::uint32_t(body->GetNumber()) == owner;
+            const bool lies = Holds(label.box, body->GetWorldCenter());
+            EXPECT_TRUE(isOwn ? lies || label.isTied ||
+                                    body->GetFixtureList()->TestPoint(
+                                        b2Vec2(0.5f * (label.box.lower.x + label.box.upper.x),
+                                               0.5f * (label.box.lower.y + label.box.upper.y)))
+                              : !lies)
+                << owner << " and the centre of " << body->GetNumber();
+        }
+        for (const auto& [other, beside] : labels)
+        {
+            Rect apart = beside.box;
+            apart.lower.x -= float(2.9 / camera.pixelsPerMeter);
+            apart.upper.x += float(2.9 / camera.pixelsPerMeter);
+            EXPECT_TRUE(owner == other || !Overlap(label.box, apart)) << owner << ", " << other;
+        }
+    }
 }
 
 } // namespace
@@ -125,11 +204,11 @@ TEST_F(WorldBodies, NamesMoveAsideFromSignsAndFromEachOther)
     scene.Add(near, ball, 0.2f, 0.0f);
     const View view = ViewOf(camera, 2.0);
     AddCenterMarks(scene.world, view, list);
-    const std::size_t marks = list.items.size();
     AddBodyNames(scene.world, view, {{0, "anvil"}, {2, "hammer"}}, list);
-    ASSERT_EQ(list.items.size(), marks + 2);
-    const Rect first = BoxOf(list, list.items[marks], camera.pixelsPerMeter);
-    const Rect second = BoxOf(list, list.items[marks + 1], camera.pixelsPerMeter);
+    const std::map<std::uint32_t, SeenLabel> labels = LabelsOf(list, camera.pixelsPerMeter);
+    ASSERT_EQ(labels.size(), 2u);
+    const Rect first = labels.at(0).box;
+    const Rect second = labels.at(2).box;
     EXPECT_FALSE(Overlap(first, second));
     for (const Vec2 center : {Vec2{-2.5f, 2.0f}, Vec2{-2.45f, 2.05f}})
     {
@@ -138,6 +217,137 @@ TEST_F(WorldBodies, NamesMoveAsideFromSignsAndFromEachOther)
         EXPECT_FALSE(Overlap(second, mark));
     }
     EXPECT_LT(std::abs(first.lower.x - -2.5f), 0.6f) << "but stay near";
+}
+
+namespace
+{
+
+struct Labels : testing::Test
+{
+    b2Body* Box(float x, float y, float halfWidth, float halfHeight)
+    {
+        b2PolygonShape box;
+        box.SetAsBox(halfWidth, halfHeight);
+        b2Body* const body = scene.Body(b2_dynamicBody, x, y);
+        scene.Add(body, box, 0.2f, 0.0f);
+        return body;
+    }
+    std::map<std::uint32_t, SeenLabel> Named(const BodyNames& names = {})
+    {
+        list = DrawListOf(scene.world, b2Draw::e_shapeBit);
+        for (const DrawItem& item : signs.items)
+        {
+            list.layer = item.layer;
+            list.AddSegment(signs.points[item.first], signs.points[item.first + 1], item.color);
+        }
+        AddBodyNames(scene.world, ViewOf(camera, 2.0), names, list);
+        return LabelsOf(list, camera.pixelsPerMeter);
+    }
+    dynamics::Scene scene;
+    Camera camera{
+        .width = 320, .height = 240, .centerX = 0.0, .centerY = 0.0, .pixelsPerMeter = 100.0};
+    DrawList signs; // of segments
+    DrawList list;
+};
+
+} // namespace
+
+TEST_F(Labels, StandOnTheirBodiesOrAreTiedToThemOverFreeGround)
+{
+    for (int i = 0; i < 24; ++i)
+    {
+        Box(-1.38f + 0.12f * float(i), 0.05f * float(i % 5), 0.06f, 0.03f); // 12 px by 6
+    }
+    Box(0.0f, 0.33f, 0.1f, 0.1f);
+    const auto labels = Named();
+    EXPECT_GE(labels.size(), 21u);
+    ExpectClear(scene.world, list, camera);
+    EXPECT_TRUE(Holds(labels.at(24).box, b2Vec2(0.0f, 0.33f))) << "what fits in its body is in it";
+    int away = 0;
+    for (const auto& [owner, label] : labels)
+    {
+        const b2Vec2 center = scene.world.GetBodyList()->GetNumber() == int(owner)
+                                  ? b2Vec2(0.0f, 0.33f)
+                                  : b2Vec2(-1.38f + 0.12f * float(owner), 0.05f * float(owner % 5));
+        const bool stays = Holds(label.box, center);
+        EXPECT_NE(stays, label.isTied) << owner;
+        away += stays ? 0 : 1;
+        for (const b2Body* body = scene.world.GetBodyList(); !stays && body != nullptr;
+             body = body->GetNext())
+        {
+            const b2AABB& box = body->GetFixtureList()->GetAABB(0);
+            const float margin = b2_aabbExtension;
+            const Rect shape{{box.lowerBound.x + margin, box.lowerBound.y + margin},
+                             {box.upperBound.x - margin, box.upperBound.y - margin}};
+            EXPECT_FALSE(Overlap(label.box, shape)) << owner << " on " << body->GetNumber();
+        }
+    }
+    EXPECT_GE(away, 5);
+}
+
+TEST_F(Labels, OfCrowdsAreLeftOutRatherThanOnOthers)
+{
+    for (int i = 0; i < 400; ++i)
+    {
+        Box(-0.9f + 0.09f * float(i % 20), -0.9f + 0.09f * float(i / 20), 0.04f, 0.04f);
+    }
+    const auto labels = Named();
+    EXPECT_LT(labels.size(), 200u);
+    EXPECT_GT(labels.size(), 40u);
+    ExpectClear(scene.world, list, camera);
+}
+
+TEST_F(Labels, AreAsWideAsTheirLetters)
+{
+    Box(-0.5f, 0.5f, 0.3f, 0.2f);
+    Box(-0.2f, -0.5f, 0.02f, 0.02f);
+    Box(0.26f, -0.5f, 0.02f, 0.02f); // 46 px apart, and the names are 50 px wide
+    const auto labels = Named({{0, "iiiiiiiiii"}, {1, "WWWW"}, {2, "MMMM"}});
+    ASSERT_EQ(labels.size(), 3u);
+    EXPECT_NEAR(0.5f * (labels.at(0).box.lower.x + labels.at(0).box.upper.x), -0.5f, 1e-4f);
+    EXPECT_FALSE(Overlap(labels.at(1).box, labels.at(2).box));
+    EXPECT_NEAR(labels.at(1).box.upper.x - labels.at(1).box.lower.x, 0.01 * TextWidth("WWWW"),
+                1e-4);
+    ExpectClear(scene.world, list, camera);
+}
+
+TEST_F(Labels, LieWhollyInThePicture)
+{
+    Box(-1.58f, 0.0f, 0.1f, 0.1f);
+    Box(1.55f, 1.18f, 0.1f, 0.1f);
+    Box(0.0f, -1.19f, 0.1f, 0.1f);
+    Box(1.65f, 0.0f, 0.1f, 0.1f); // in the picture with a part that is not its centre
+    const auto labels = Named({{0, "a name on the left"}, {1, "up there"}});
+    EXPECT_EQ(labels.size(), 3u);
+    ExpectClear(scene.world, list, camera);
+}
+
+TEST_F(Labels, AvoidAnnotations)
+{
+    Box(0.0f, 0.0f, 0.03f, 0.03f);
+    const Rect alone = Named({{0, "stone"}}).at(0).box;
+    EXPECT_TRUE(Holds(alone, b2Vec2(0.0f, 0.0f)));
+    Paper(signs, camera).Line({100.0, 120.0}, {220.0, 120.0}, Color{});
+    const Rect beside = Named({{0, "stone"}}).at(0).box;
+    EXPECT_FALSE(Overlap(beside, Rect{{-0.6f, -0.001f}, {0.6f, 0.001f}}));
+}
+
+TEST_F(Labels, DoNotMindWhatTheirBodyLiesOver)
+{
+    Box(0.0f, 0.0f, 0.2f, 0.2f); // a region
+    Box(0.1f, 0.13f, 0.05f, 0.05f);
+    const auto labels = Named({{1, "leaf"}});
+    EXPECT_TRUE(Holds(labels.at(1).box, b2Vec2(0.1f, 0.13f)));
+    EXPECT_FALSE(labels.at(1).isTied);
+}
+
+TEST_F(Labels, NeedNoLineOnTheirBody)
+{
+    Box(0.0f, 0.0f, 0.8f, 0.8f);
+    Paper(signs, camera).Line({150.0, 120.0}, {170.0, 120.0}, Color{});
+    const auto labels = Named({{0, "house"}});
+    EXPECT_FALSE(Holds(labels.at(0).box, b2Vec2(0.0f, 0.0f)));
+    EXPECT_FALSE(labels.at(0).isTied);
 }
 
 TEST_F(WorldBodies, WithAViewTheNamesAreThoseOfAPictureOfEverythingInTheSameOrder)
@@ -165,7 +375,8 @@ TEST_F(WorldBodies, WithAViewTheNamesAreThoseOfAPictureOfEverythingInTheSameOrde
         }
         for (const DrawItem& item : all.items)
         {
-            if (ViewOf(camera, 2.0).Shows(all.points[item.first], 64.0))
+            if (item.kind == DrawKind::Segment ||
+                ViewOf(camera, 2.0).Shows(BoxOf(all, item, camera.pixelsPerMeter)))
             {
                 expected.push_back(item.owner);
             }
@@ -188,7 +399,7 @@ TEST_F(WorldBodies, JointsThatHaveANameCarryItBetweenTheirAnchors)
     EXPECT_THAT(list.texts, testing::ElementsAre("knee"));
     EXPECT_EQ(list.items[0].layer, DrawLayer::Labels);
     EXPECT_EQ(list.items[0].owner, kNoOwner);
-    EXPECT_NEAR(list.points[0].x, -2.0f - 2.0f * 0.083f, 1e-4f);
+    EXPECT_NEAR(list.points[0].x, -2.0 - 0.005 * TextWidth("knee"), 1e-4);
     list.Clear();
     camera.centerX = 100.0;
     AddJointNames(scene.world, ViewOf(camera, 2.0), {{named, "knee"}}, list);

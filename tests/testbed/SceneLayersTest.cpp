@@ -70,9 +70,11 @@ TEST(SceneLayers, ThatAreOffCollectNothing)
         {
             ASSERT_EQ(item.layer, list.items.front().layer) << name;
         }
-        if (list.items.front().layer != DrawLayer::CentersOfMass) // which two have
+        const DrawLayer layer = list.items.front().layer;
+        // Two have centres of mass, and names have lines where other layers are in their way.
+        if (layer != DrawLayer::CentersOfMass && layer != DrawLayer::Labels)
         {
-            EXPECT_EQ(int(list.items.size()), items[list.items.front().layer]) << name;
+            EXPECT_EQ(int(list.items.size()), items[layer]) << name;
         }
     }
 }

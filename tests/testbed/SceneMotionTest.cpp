@@ -3,6 +3,8 @@
 
 #include "SceneLabels.h"
 
+#include <debugdraw/TextWidth.h>
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -39,7 +41,7 @@ DrawList Added(const std::string& name, const MotionLook& look, std::int64_t ste
     Result<SceneMotion> motion = SceneMotion::Create(look, session, {step});
     EXPECT_TRUE(motion) << motion.GetError().message;
     motion->AdvanceTo(session, step);
-    return motion->Picture(session, {});
+    return motion->Picture(session, motion->Notes(session));
 }
 
 std::string Refusal(const MotionLook& look, const std::vector<std::int64_t>& moments = {60})
@@ -190,6 +192,52 @@ TEST(SceneMotion, MeasuresBetweenBodiesWhereTheyAre)
     const float distance = (bodies[0]->GetWorldCenter() - bodies[1]->GetWorldCenter()).Length();
     ASSERT_EQ(list.texts.size(), 2u);
     EXPECT_NEAR(std::stod(list.texts[0]), distance, 0.005);
+}
+
+TEST(SceneMotion, LabelsKeepClearOfNotes)
+{
+    Result<SceneSource> source = OpenScene("bridge");
+    ASSERT_TRUE(source);
+    SceneLook sceneLook;
+    sceneLook.labels = true;
+    sceneLook.width = 640;
+    sceneLook.height = 360;
+    Result<SceneSession> session = SceneSession::Open(std::move(*source), sceneLook);
+    ASSERT_TRUE(session);
+    MotionLook look;
+    look.axes = true;
+    look.dimensions = {{0, 1}, {34, 28}};
+    Result<SceneMotion> motion = SceneMotion::Create(look, *session, {120});
+    ASSERT_TRUE(motion);
+    motion->AdvanceTo(*session, 120);
+    FrameContent content;
+    session->Fill(content, motion->Notes(*session));
+    const DrawList list = motion->Picture(*session, content.list);
+    const auto scale = float(session->CurrentCamera().pixelsPerMeter);
+    std::vector<Rect> labels;
+    std::vector<Rect> notes;
+    for (const DrawItem& item : list.items)
+    {
+        if (item.kind == DrawKind::Text)
+        {
+            const Vec2 corner = list.points[item.first];
+            const float width = float(TextWidth(list.texts[item.text])) / scale;
+            (item.layer == DrawLayer::Labels ? labels : notes)
+                .push_back({{corner.x, corner.y - 12.0f / scale}, {corner.x + width, corner.y}});
+        }
+    }
+    notes.push_back({{-8.0f / scale, -1.0f / scale}, {8.0f / scale, 1.0f / scale}}); // the origin
+    ASSERT_EQ(notes.size(), 3u);
+    EXPECT_GT(labels.size(), 30u);
+    for (const Rect& label : labels)
+    {
+        for (const Rect& note : notes)
+        {
+            EXPECT_FALSE(label.lower.x < note.upper.x && note.lower.x < label.upper.x &&
+                         label.lower.y < note.upper.y && note.lower.y < label.upper.y)
+                << label.lower.x << ", " << label.lower.y;
+        }
+    }
 }
 
 TEST(SceneMotion, BodiesThatAreNotThereAreRefused)

@@ -20,10 +20,14 @@ using BodyNames = std::map<std::uint32_t, std::string>;
 using JointNames = std::map<const b2Joint*, std::string>;
 
 /// The name of each body, or its number where it has none, centred on its centre of mass; where the
-/// list has a sign or a label there, a little aside if there is room. So call it after signs.
+/// list has a sign, a note, a label or another body's shape there, beside it, with a thin line from
+/// the centre when it is not on its body. So call it after all that should be in the way. Wholly in
+/// the picture; no name where the centre is not in it, nor in a crowd where it would lie on another
+/// body's centre or label.
 void AddBodyNames(const b2World& world, const View& view, const BodyNames& names, DrawList& list);
 
-/// The names of those joints that have one, between their anchors, and out of the way likewise.
+/// The names of those joints that have one, between their anchors, and out of the way likewise,
+/// with a line only from far away.
 void AddJointNames(const b2World& world, const View& view, const JointNames& names, DrawList& list);
 
 /// The sign of a centre of mass, a disc of 12 pixels in four quarters, on every body with a mass.
