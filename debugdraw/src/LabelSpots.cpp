@@ -48,6 +48,14 @@ constexpr Direction kAroundBody[] = {{0, 1},  {0, -1},  {1, 1}, {1, -1},
 constexpr Direction kAroundSign[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1},
                                      {1, 0}, {-1, 0}, {0, 1},  {0, -1}};
 
+/// What of a label on its place must be free of other bodies.
+Box CoreOf(const Box& box)
+{
+    const double across = std::min(kSpill, 0.5 * (box.upper.x - box.lower.x));
+    return {{box.lower.x + across, box.lower.y + kSpill},
+            {box.upper.x - across, box.upper.y - kSpill}};
+}
+
 } // namespace
 
 LabelSpots::LabelSpots(const Camera& camera, const DrawList& list)
@@ -68,9 +76,10 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
         return std::nullopt;
     }
     const Point place = m_ground.ToPixels(wish.place);
-    const Box core = Crosses(place, place, box) ? Widened(box, -kSpill) : box;
+    const Box core = Crosses(place, place, box) ? CoreOf(box) : box;
     const Box apart{{box.lower.x - kApart, box.lower.y}, {box.upper.x + kApart, box.upper.y}};
-    int count = 0;
+    int signs = 0;
+    int shapes = 0;
     bool isRefused = false;
     m_ground.VisitNear(apart, [&](const LabelThing& thing) {
         const bool isOwn = thing.owner == wish.owner && wish.owner != kNoOwner;
@@ -83,18 +92,23 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
             isRefused = !isOwn && m_ground.Meets(thing, box);
             break;
         case LabelRole::Sign:
-            count += m_ground.Meets(thing, box) ? 1 : 0;
+            signs += m_ground.Meets(thing, box) ? 1 : 0;
             break;
         case LabelRole::Shape:
             // What the body itself lies over (a region, a vehicle around its wheel) tells nobody
             // apart.
-            count +=
+            shapes +=
                 !isOwn && m_ground.Meets(thing, core) && !m_ground.Contains(thing, place) ? 1 : 0;
             break;
         }
         return !isRefused;
     });
-    return isRefused ? std::nullopt : std::optional<int>(count);
+    if (isRefused)
+    {
+        return std::nullopt;
+    }
+    // On its own body it stays, whatever else lies there.
+    return signs + (shapes > 0 && FitsIn(box, wish.owner) ? 0 : shapes);
 }
 
 /// Whether a line would seem to come from another body, or to lead to another label.

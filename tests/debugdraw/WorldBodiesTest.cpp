@@ -341,6 +341,13 @@ TEST_F(Labels, DoNotMindWhatTheirBodyLiesOver)
     EXPECT_FALSE(labels.at(1).isTied);
 }
 
+TEST_F(Labels, StayOnTheirBodyWhateverLiesOnItToo)
+{
+    Box(0.0f, 0.0f, 0.2f, 0.2f);
+    Box(0.3f, 0.0f, 0.297f, 0.03f); // a rod that ends beside the other's centre
+    EXPECT_TRUE(Holds(Named({{0, "box"}}).at(0).box, b2Vec2(0.0f, 0.0f)));
+}
+
 TEST_F(Labels, NeedNoLineOnTheirBody)
 {
     Box(0.0f, 0.0f, 0.8f, 0.8f);
