@@ -269,6 +269,13 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         {"film.mp4", {.width = 1281, .height = 721}, "1281x721 is odd"},
         {"film.mp4", {.width = 1281, .height = 721}, "use 1282x722, --chroma 444"},
         {"film.mkv", {.width = 1281, .height = 720}, "1282x720"},
+        {"film.mkv",
+         {.width = 1281, .height = 720},
+         "--quality lossless, .gif or frames-####.png."},
+        {"film.y4m", {.width = 1281, .height = 720}, "use 1282x720, --chroma 444 or nut."},
+        {"-",
+         {.width = 1281, .height = 720, .format = "y4m"},
+         "use 1282x720, --chroma 444 or nut."},
         {"film.webm", {.width = 1280, .height = 721}, "1280x722"},
         {"film.gif", {.width = 0, .height = 720}, "0x720"},
         {"film.mp4", {.width = -2, .height = 720}, "-2x720"},
@@ -299,6 +306,10 @@ TEST(CheckVideoPath, AcceptsEveryFormatInAnyCaseAndOddSizesWhereColoursAreWhole)
     VideoSettings odd{.width = 1281, .height = 721};
     EXPECT_TRUE(CheckVideoPath("a.gif", odd));
     EXPECT_TRUE(CheckVideoPath("a-#.png", odd));
+    EXPECT_TRUE(CheckVideoPath("a.nut", odd));
+    odd.chroma = boxreel::Chroma::Full;
+    EXPECT_TRUE(CheckVideoPath("a.y4m", odd));
+    odd.chroma = boxreel::Chroma::Half;
     odd.quality = Quality::Lossless;
     EXPECT_TRUE(CheckVideoPath("a.mp4", odd));
     EXPECT_TRUE(CheckVideoPath("a.mkv", odd));
