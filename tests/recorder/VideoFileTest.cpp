@@ -335,6 +335,17 @@ TEST_F(VideoFileErrors, OddAndTinySizesComeBackWhole)
         WriteFilm(m_folder / name, {.framesPerSecond = {25, 1}}, {frame, frame, frame});
         EXPECT_EQ(ReadFilm(m_folder / name).frames.size(), 3u);
     }
+    for (int k = 0; k < 5 * 5; ++k)
+    {
+        const int width = 1 + k % 5;
+        const int height = 1 + k / 5;
+        SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+        const std::vector<Frame> frames{Noise(width, height, 0), Noise(width, height, 1)};
+        WriteFilm(m_folder / "film.mkv",
+                  {.framesPerSecond = {25, 1}, .quality = Quality::Lossless, .overwrite = true},
+                  frames);
+        EXPECT_EQ(ReadFilm(m_folder / "film.mkv").frames, frames);
+    }
 }
 
 TEST(StoredFrameRate, IsAsAskedButForAFastGif)
