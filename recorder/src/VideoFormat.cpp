@@ -183,6 +183,12 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
                                               " cannot be continued; leave --resume out, or write "
                                               "a file of another kind."};
     }
+    if (settings.constantRate && format == VideoFormat::WebP)
+    {
+        return Error{ErrorKind::Unusable,
+                     path.string() + " stores no frame twice, its library joins those that are "
+                                     "equal; leave --constant-rate out, or write .apng."};
+    }
     if (!IsOfLibav(format))
     {
         const bool asksCodec = !settings.codec.empty() || settings.chroma != Chroma::Half;

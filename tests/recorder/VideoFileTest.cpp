@@ -284,6 +284,7 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         {"film.mp4", {.framesPerSecond = {1001, 1}}, "1000"},
         {"film.mp4", {.framesPerSecond = {0, 1}}, "0/1"},
         {"film.mp4", {.threads = 65}, "65 threads"},
+        {"film.webp", {.constantRate = true}, "leave --constant-rate out, or write .apng"},
         {"film.mp4", {.threads = -1}, "-1 threads"},
     };
     for (const Refused& c : cases)
@@ -305,6 +306,7 @@ TEST(CheckVideoPath, AcceptsEveryFormatInAnyCaseAndOddSizesWhereColoursAreWhole)
     }
     VideoSettings odd{.width = 1281, .height = 721};
     EXPECT_TRUE(CheckVideoPath("a.gif", odd));
+    EXPECT_TRUE(CheckVideoPath("a.apng", {.constantRate = true}));
     EXPECT_TRUE(CheckVideoPath("a-#.png", odd));
     EXPECT_TRUE(CheckVideoPath("a.nut", odd));
     odd.chroma = boxreel::Chroma::Full;
