@@ -274,6 +274,7 @@ void FilmRun::See(std::int64_t frame, const Frame& pixels)
 
 Result<RecordingEnd> FilmRun::Film()
 {
+    m_progress.Update({.framesDone = m_resumed, .framesTotal = m_plan.frames.Count()});
     if (ThumbnailIsThere())
     {
         if (Result<void> drawn = DrawThumbnail(); !drawn)

@@ -516,6 +516,7 @@ TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
                                  "160x90", "--progress", "openjd"});
     EXPECT_EQ(outcome.code, 0);
     ExpectOpenJd(outcome.output);
+    EXPECT_THAT(outcome.output, testing::StartsWith("openjd_progress: 0.0\nopenjd_status: 0/5 "));
     EXPECT_THAT(outcome.output, HasSubstr("openjd_progress: 100.0\nopenjd_status: 5/5 frames"));
     const Outcome failed = Run({"record", "pyramid", "-o", "a.mkv", "--progress", "openjd"});
     EXPECT_EQ(failed.code, 1);
