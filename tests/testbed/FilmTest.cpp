@@ -338,10 +338,9 @@ TEST_F(Film, AnAnimationIsContinuedAndJoinedToTheFramesOfAnUninterruptedOne)
         ASSERT_EQ(merged.code, 0) << merged.errors;
         EXPECT_EQ(Decode("film" + kind), Decode("whole" + kind));
         // What a run leaves that was stopped after 40 frames.
-        std::filesystem::rename(folder / ("b" + kind), folder / ("c" + kind));
-        ASSERT_EQ(make("b", {"--frame-range", "0-39"}).code, 0);
-        std::filesystem::rename(folder / ("b" + kind), folder / ("left.part" + kind));
-        std::filesystem::rename(folder / ("b" + kind + ".json"),
+        ASSERT_EQ(make("c", {"--frame-range", "0-39"}).code, 0);
+        std::filesystem::rename(folder / ("c" + kind), folder / ("left.part" + kind));
+        std::filesystem::rename(folder / ("c" + kind + ".json"),
                                 folder / ("left.part" + kind + ".json"));
         const Outcome resumed = make("left", {"--resume"});
         ASSERT_EQ(resumed.code, 0) << resumed.errors;
