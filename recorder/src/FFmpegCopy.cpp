@@ -133,9 +133,9 @@ std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTime
 Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,
                                    const std::filesystem::path& from, AVRational tick, int delay)
 {
-    // A name that nobody gives to a film: what a killed run left there is replaced.
+    // Nobody else's name: what a killed run left there is replaced.
     Result<AtomicFile> file =
-        AtomicFile::Create(path, {.overwrite = overwrite, .mark = "part-indexed"});
+        AtomicFile::Create(path, {.overwrite = overwrite, .mark = "boxreel-indexed"});
     if (!file)
     {
         return file.GetError();

@@ -118,7 +118,7 @@ Result<void> FFmpegFilm::OpenFile()
     const bool isFresh = m_settings.overwrite && !m_settings.resume;
     Result<AtomicFile> file =
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
-                                    .mark = m_settings.resume ? "part-resumed" : "part",
+                                    .mark = m_settings.resume ? kResumedMark : "part",
                                     .replacesLeftover = isFresh || m_settings.resume});
     if (!file)
     {

@@ -142,7 +142,8 @@ Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     }
     FillDecodingTimes(*parts);
     Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
-    Result<AtomicFile> file = AtomicFile::Create(path, settings.overwrite);
+    Result<AtomicFile> file = AtomicFile::Create(
+        path, {.overwrite = settings.overwrite, .replacesLeftover = settings.overwrite});
     if (!first || !file)
     {
         return first ? file.GetError() : first.GetError();

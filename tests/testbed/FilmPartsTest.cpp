@@ -70,6 +70,25 @@ TEST_F(FilmParts, PartsThatAreNotTheWholeFilmAreJoinedOnlyWhenAPieceWillDo)
     EXPECT_EQ(ReadFile(folder / "b.mkv"), part);
 }
 
+TEST_F(FilmParts, AreNotJoinedOverAFilmThatWasStopped)
+{
+    for (const std::string kind : {".mkv", ".mp4", ".gif", ".apng", ".webp"})
+    {
+        SCOPED_TRACE(kind);
+        ASSERT_EQ(Run({"record", "tumbler", "--frames", "10", "--group", "10", "--size", "96x54",
+                       "--fps", "20", "--frame-range", "0-9", "-o", "a" + kind})
+                      .code,
+                  0);
+        std::ofstream(folder / ("film.part" + kind)) << "left";
+        const Outcome refused = Run({"merge", "a" + kind, "-o", "film" + kind});
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_THAT(refused.errors, HasSubstr("film.part" + kind + " was left by a run"));
+        EXPECT_EQ(ReadFile(folder / ("film.part" + kind)), "left");
+        EXPECT_EQ(Run({"merge", "a" + kind, "-o", "film" + kind, "--force"}).code, 0);
+        EXPECT_FALSE(std::filesystem::exists(folder / ("film.part" + kind)));
+    }
+}
+
 TEST_F(FilmParts, APartThatIsThereIsNotMadeAgainButAnotherFilmIsRefused)
 {
     const auto make = [&](const std::string& scene, const std::string& range) {

@@ -401,7 +401,9 @@ TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
         EXPECT_THAT(folder.Files(), ElementsAre(name));
         std::filesystem::remove(folder / name);
     }
-    for (const char* name : {"v.final.mp4", "v.resume.mp4"})
+    const std::vector<std::string> mine{"v.final.mp4", "v.part-indexed.mp4", "v.part-resumed.mp4",
+                                        "v.resume.mp4"};
+    for (const std::string& name : mine)
     {
         std::ofstream(folder / name) << "mine";
     }
@@ -409,9 +411,12 @@ TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
     std::filesystem::rename(folder / "v.mp4", folder / "v.part.mp4");
     std::filesystem::rename(folder / "v.mp4.json", folder / "v.part.mp4.json");
     EXPECT_EQ(make({"-o", "v.mp4", "--frame-range", "0-19", "--resume"}).code, 0);
-    EXPECT_THAT(folder.Files(), ElementsAre("v.final.mp4", "v.mp4", "v.mp4.json", "v.resume.mp4"));
-    EXPECT_EQ(ReadFile(folder / "v.final.mp4"), "mine");
-    EXPECT_EQ(ReadFile(folder / "v.resume.mp4"), "mine");
+    EXPECT_THAT(folder.Files(),
+                ElementsAre(mine[0], "v.mp4", "v.mp4.json", mine[1], mine[2], mine[3]));
+    for (const std::string& name : mine)
+    {
+        EXPECT_EQ(ReadFile(folder / name), "mine") << name;
+    }
 }
 
 TEST_F(Film, SaysThatABodyItWaitsForIsNotThere)
