@@ -79,17 +79,27 @@ Error InTheWay(const fs::path& path)
                        "it exists already; choose another name or allow overwriting (--force)");
 }
 
+Error PartInTheWay(const fs::path& path, const fs::path& part)
+{
+    return CannotWrite(ErrorKind::Unusable, path,
+                       part.string() +
+                           ", as it is called until it is whole, is a folder, a link or "
+                           "a device; move that away or choose another name");
+}
+
 // Opens and locks the part file. Whoever held the lock before may have renamed or removed the file
 // meanwhile, in which case the descriptor is not what the name says and the attempt is repeated.
 Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replacesLeftover)
 {
     for (int attempt = 0; attempt < 100; ++attempt)
     {
+        // O_NONBLOCK: a pipe would wait for whoever is at its other end.
         const int descriptor =
-            ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+            ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
         if (descriptor < 0)
         {
-            return CannotOpen(path, errno);
+            const bool isOther = errno == EISDIR || errno == ELOOP || errno == ENXIO;
+            return isOther ? PartInTheWay(path, part) : CannotOpen(path, errno);
         }
         // File systems without locks refuse with another code; then two writers are the users'
         // risk.
@@ -102,6 +112,11 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
         }
         struct stat opened = {};
         struct stat named = {};
+        if (::fstat(descriptor, &opened) == 0 && !S_ISREG(opened.st_mode))
+        {
+            ::close(descriptor);
+            return PartInTheWay(path, part);
+        }
         if (::fstat(descriptor, &opened) == 0 && ::stat(part.c_str(), &named) == 0 &&
             opened.st_dev == named.st_dev && opened.st_ino == named.st_ino)
         {

@@ -80,7 +80,7 @@ Result<void> Copy(const CopiedPart& part, std::span<const std::int64_t> decoding
         }
         packet->pts += part.offset;
         packet->dts = decodingTimes[copied++];
-        packet->duration = 1;
+        packet->duration = copied == decodingTimes.size() ? part.lastDuration : 1;
         if (Result<void> written = muxer.Write(*packet); !written)
         {
             return written;
@@ -133,9 +133,9 @@ std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTime
 Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,
                                    const std::filesystem::path& from, AVRational tick, int delay)
 {
-    // A name that nobody gives to a film: what a killed run left there is replaced.
+    // Nobody else's name: what a killed run left there is replaced.
     Result<AtomicFile> file =
-        AtomicFile::Create(path, {.overwrite = overwrite, .mark = "part-indexed"});
+        AtomicFile::Create(path, {.overwrite = overwrite, .mark = "boxreel-indexed"});
     if (!file)
     {
         return file.GetError();
@@ -153,14 +153,15 @@ Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overw
     {
         return muxer.GetError();
     }
-    const CopiedPart whole{.from = from, .tick = tick};
+    CopiedPart whole{.from = from, .tick = tick};
     const Result<std::vector<std::int64_t>> shown = TimesIn(whole);
     if (!shown)
     {
         return shown.GetError();
     }
-    if (Result<void> copied = CopyPackets(whole, LatestDecodingTimes(*shown, delay), *muxer);
-        !copied)
+    const std::vector<std::int64_t> decoded = LatestDecodingTimes(*shown, delay);
+    whole.lastDuration = LastDuration(*shown, decoded, delay);
+    if (Result<void> copied = CopyPackets(whole, decoded, *muxer); !copied)
     {
         return copied;
     }

@@ -24,6 +24,7 @@ struct CopiedPart
     AVRational tick{1, 60};
     std::int64_t before = std::numeric_limits<std::int64_t>::max();
     std::int64_t offset = 0;
+    std::int64_t lastDuration = 1; ///< of its last packet
 };
 
 /// When the part's frames are shown, in the order of its packets.

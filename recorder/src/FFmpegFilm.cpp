@@ -118,7 +118,7 @@ Result<void> FFmpegFilm::OpenFile()
     const bool isFresh = m_settings.overwrite && !m_settings.resume;
     Result<AtomicFile> file =
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
-                                    .mark = m_settings.resume ? "part-resumed" : "part",
+                                    .mark = m_settings.resume ? kResumedMark : "part",
                                     .replacesLeftover = isFresh || m_settings.resume});
     if (!file)
     {
@@ -241,8 +241,7 @@ bool FFmpegFilm::MustShow(std::int64_t index) const
     const bool isFirst = group != m_group;
     const bool isLast = group != m_frameTimes.GroupOf(index + 1);
     const bool isSecond = m_shown == 0 && m_frameTimes.NumberOf(0) == 0;
-    return m_plan.isConstantRate || m_settings.constantRate || isSecond ||
-           (m_plan.needsGroups && (isFirst || isLast));
+    return m_plan.isConstantRate || m_settings.constantRate || isSecond || isFirst || isLast;
 }
 
 /// Encodes the picture as this frame.
@@ -322,7 +321,6 @@ Result<void> FFmpegFilm::Write(const Packets& packets)
     const StageTimer timer(m_settings.stages, Stage::Write);
     for (const FFmpegOwner<AVPacket>& packet : packets)
     {
-        // An animated PNG's encoder gives none for a frame that is equal to the one before.
         packet->dts = m_plan.needsGroups ? m_decodingTimes->Next() : packet->pts;
         m_lastWritten = packet->pts;
         packet->duration = 1;

@@ -43,7 +43,7 @@ Result<std::vector<Part>> LookAt(const std::vector<FilmPart>& films, const Frame
     return parts;
 }
 
-/// When each packet is needed, over all parts.
+/// When each packet is needed, over all parts, and how long the last of all lasts.
 void FillDecodingTimes(std::vector<Part>& parts)
 {
     std::vector<std::int64_t> shown;
@@ -51,7 +51,9 @@ void FillDecodingTimes(std::vector<Part>& parts)
     {
         shown.insert(shown.end(), part.shown.begin(), part.shown.end());
     }
-    const std::vector<std::int64_t> decoded = LatestDecodingTimes(shown, DelayOf(shown));
+    const int delay = DelayOf(shown);
+    const std::vector<std::int64_t> decoded = LatestDecodingTimes(shown, delay);
+    parts.back().copied.lastDuration = LastDuration(shown, decoded, delay);
     auto next = decoded.begin();
     for (Part& part : parts)
     {
@@ -140,7 +142,8 @@ Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     }
     FillDecodingTimes(*parts);
     Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
-    Result<AtomicFile> file = AtomicFile::Create(path, settings.overwrite);
+    Result<AtomicFile> file = AtomicFile::Create(
+        path, {.overwrite = settings.overwrite, .replacesLeftover = settings.overwrite});
     if (!first || !file)
     {
         return first ? file.GetError() : first.GetError();

@@ -85,6 +85,13 @@ std::vector<std::int64_t> LatestDecodingTimes(const std::vector<std::int64_t>& s
     return times;
 }
 
+std::int64_t LastDuration(const std::vector<std::int64_t>& shown,
+                          const std::vector<std::int64_t>& decoded, int delay)
+{
+    const std::int64_t end = shown.empty() ? 0 : *std::max_element(shown.begin(), shown.end()) + 1;
+    return decoded.empty() ? 1 : end - delay - decoded.back();
+}
+
 int DelayOf(const std::vector<std::int64_t>& shown)
 {
     std::vector<std::int64_t> sorted = shown;

@@ -62,9 +62,14 @@ private:
 };
 
 /// The same for packets that are all known, given when each is shown, in the order of the packets:
-/// as late as can be, but `delay` ticks before the j-th frame is shown. So the last one is needed
-/// when the film ends, which is how an MP4 tells its length.
+/// as late as can be, but `delay` ticks before the j-th frame is shown.
 std::vector<std::int64_t> LatestDecodingTimes(const std::vector<std::int64_t>& shown, int delay);
+
+/// How long the last of these packets lasts [ticks], where a film's length is what all of them
+/// last, each until the next is decoded: an MP4. One tick, unless a packet comes last whose frame
+/// is shown before others that are held.
+std::int64_t LastDuration(const std::vector<std::int64_t>& shown,
+                          const std::vector<std::int64_t>& decoded, int delay);
 
 /// How many places a packet of such a film comes before its frame, at most.
 int DelayOf(const std::vector<std::int64_t>& shown);

@@ -173,7 +173,7 @@ Result<void> GifFilm::Open()
     const bool isResumed = m_settings.resume;
     Result<AtomicFile> file =
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
-                                    .mark = isResumed ? "part-resumed" : "part",
+                                    .mark = isResumed ? kResumedMark : "part",
                                     .replacesLeftover = m_settings.overwrite || isResumed});
     if (!file)
     {

@@ -109,7 +109,7 @@ Result<void> CheckSize(const VideoSettings& settings)
 }
 
 /// The size that halved colours need.
-Result<void> CheckEvenSize(const VideoSettings& settings)
+Result<void> CheckEvenSize(VideoFormat format, const VideoSettings& settings)
 {
     const int w = settings.width;
     const int h = settings.height;
@@ -117,12 +117,14 @@ Result<void> CheckEvenSize(const VideoSettings& settings)
     {
         return {};
     }
+    const char* const others = format == VideoFormat::Y4m // which cannot be lossless
+                                   ? ", --chroma 444 or nut."
+                                   : ", --chroma 444, --quality lossless, .gif or frames-####.png.";
     return Error{ErrorKind::Unusable,
                  SizeText(w, h) +
                      " is odd, and this film halves the resolution of colours, so it "
                      "needs even sizes; use " +
-                     SizeText(w + w % 2, h + h % 2) +
-                     ", --chroma 444, --quality lossless, .gif or frames-####.png."};
+                     SizeText(w + w % 2, h + h % 2) + others};
 }
 
 Result<void> CheckRate(const Rational& rate)
@@ -181,6 +183,12 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
                                               " cannot be continued; leave --resume out, or write "
                                               "a file of another kind."};
     }
+    if (settings.constantRate && format == VideoFormat::WebP)
+    {
+        return Error{ErrorKind::Unusable,
+                     path.string() + " stores no frame twice, its library joins those that are "
+                                     "equal; leave --constant-rate out, or write .apng."};
+    }
     if (!IsOfLibav(format))
     {
         const bool asksCodec = !settings.codec.empty() || settings.chroma != Chroma::Half;
@@ -198,7 +206,7 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
     {
         return plan.GetError();
     }
-    return plan->pixelFormat == "yuv420p" ? CheckEvenSize(settings) : Result<void>();
+    return plan->pixelFormat == "yuv420p" ? CheckEvenSize(format, settings) : Result<void>();
 }
 
 } // namespace

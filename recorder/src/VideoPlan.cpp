@@ -150,11 +150,22 @@ void PlanAv1(EncoderPlan& plan, const VideoSettings& settings)
 
 /// A fixed number of slices, or the bytes would depend on the threads; the sums let a reader see
 /// damage. Each frame by itself, so that parts of films are what they are in the whole.
-void PlanFfv1(EncoderPlan& plan)
+void PlanFfv1(EncoderPlan& plan, const VideoSettings& settings)
 {
     plan.encoder = "ffv1";
     plan.pixelFormat = "bgr0";
-    Add(plan, {{"level", "3"}, {"slices", "4"}, {"slicecrc", "1"}, {"g", "1"}});
+    Add(plan, {{"g", "1"}});
+    // 2 x 2 slices of a side of one pixel are refused, those of two come back black (libav 5.1): so
+    // small a frame is coded whole, as before there were slices.
+    const bool isTiny = std::min(settings.width, settings.height) < 3;
+    if (isTiny)
+    {
+        Add(plan, {{"level", "1"}});
+    }
+    else
+    {
+        Add(plan, {{"level", "3"}, {"slices", "4"}, {"slicecrc", "1"}});
+    }
 }
 
 /// Every pixel survives at any quality. For 720p drawings, a frame: none and 1 30 ms and 71 kB,
@@ -280,7 +291,7 @@ Result<void> PlanCodec(EncoderPlan& plan, VideoFormat format, const std::string&
     }
     else if (codec == "ffv1")
     {
-        PlanFfv1(plan);
+        PlanFfv1(plan, settings);
     }
     else if (codec == "apng")
     {

@@ -6,10 +6,15 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 /// What a VideoWriter hands its frames to: one implementation per way of storing them.
 namespace boxreel
 {
+
+/// NAME.MARK.EXT is what a film that is continued is called until all that was left has been
+/// copied. With the program's name in it, for what a killed run left there is replaced.
+inline constexpr std::string_view kResumedMark = "boxreel-resumed";
 
 class VideoSink
 {

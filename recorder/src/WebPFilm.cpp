@@ -219,7 +219,7 @@ Result<void> WebPFilm::Open()
     const bool isResumed = m_settings.resume;
     Result<AtomicFile> file =
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
-                                    .mark = isResumed ? "part-resumed" : "part",
+                                    .mark = isResumed ? kResumedMark : "part",
                                     .replacesLeftover = m_settings.overwrite || isResumed});
     if (!file)
     {

@@ -2,15 +2,25 @@
 #include "AccuracySweep.h"
 #include "FieldRange.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace boxreel
 {
 namespace
 {
 
+constexpr double kMostSettings = 1e6; // iterations, steps: what Integer tells apart
+
 /// The errors of what bursts are large, those of what is exact small.
-constexpr FieldRange kRanges[] = {{"cpuSecondsOfAStep", kSmallest, kLongest},
+constexpr FieldRange kRanges[] = {{"velocityIterations", 1.0, kMostSettings},
+                                  {"positionIterations", 1.0, kMostSettings},
+                                  {"hz", 1.0, kMostSettings},
+                                  {"subSteps", 1.0, kMostSettings},
+                                  {"velocityIterationsOfASubStep", 1.0, kMostSettings},
+                                  {"positionIterationsOfASubStep", 1.0, kMostSettings},
+                                  {"cpuSecondsOfAStep", kSmallest, kLongest},
                                   {"error", 1e-100, 1e100},
                                   {"goal", 1e-100, 1e100},
                                   {"least", 1e-100, 1e100},
@@ -86,6 +96,22 @@ Json GoalsOf(const Json& json)
     return has ? json["goals"] : Json::array();
 }
 
+/// The first of a run's numbers that is there and is something else; the error may be null.
+std::string NoNumberOf(const Json& run)
+{
+    for (const auto& [name, value] : run.items())
+    {
+        const bool isRanged =
+            std::any_of(std::begin(kRanges), std::end(kRanges),
+                        [&](const FieldRange& known) { return name == known.name; });
+        if (isRanged && !value.is_number() && !(name == "error" && value.is_null()))
+        {
+            return name;
+        }
+    }
+    return "";
+}
+
 /// What is wrong with the numbers of a case, to be put behind the name of its file; empty: nothing.
 std::string WrongNumberOf(const Json& json, const AccuracyResult& result)
 {
@@ -98,6 +124,14 @@ std::string WrongNumberOf(const Json& json, const AccuracyResult& result)
     if (!goalsAreNumbers)
     {
         return " has a goal for '" + result.info.name + "' that is no number from 0 on";
+    }
+    for (const Json& run : json["runs"])
+    {
+        const std::string name = NoNumberOf(run);
+        if (!name.empty())
+        {
+            return " has '" + name + "' in '" + result.info.name + "' that is no number";
+        }
     }
     return "";
 }

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -86,14 +86,21 @@ Result<int> PrintNames(const std::vector<Entry>& entries)
 /// The text of a file; `maker` is the command that makes such files, for the error.
 inline Result<std::string> ReadFigures(const std::filesystem::path& path, const std::string& maker)
 {
+    const std::string name = std::string("'").append(path.string()).append("'");
+    const std::string remedy = "; name a file that `" + maker + "` made.";
+    std::error_code ignored;
     std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf()))
+    if (!file || std::filesystem::is_directory(path, ignored))
+    {
+        return Error{ErrorKind::Unusable, "Cannot read " + name + remedy};
+    }
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (file.bad() || text.empty())
     {
         return Error{ErrorKind::Unusable,
-                     "Cannot read '" + path.string() + "'; name a file that `" + maker + "` made."};
+                     file.bad() ? "Cannot read " + name + remedy : name + " is empty" + remedy};
     }
-    return text.str();
+    return text;
 }
 
 /// The file of one chart of several: error.svg becomes error-A-projectile.svg.

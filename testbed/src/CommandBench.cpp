@@ -109,6 +109,13 @@ Result<int> Show(const BenchOptions& options, const std::vector<BenchResult>& re
 
 Result<int> RunBench(const BenchOptions& options)
 {
+    for (const std::filesystem::path& chart : options.charts)
+    {
+        if (const Result<void> named = CheckChartName(chart); !named)
+        {
+            return named.GetError();
+        }
+    }
     if (options.accuracy)
     {
         return RunBenchAccuracy(options);

@@ -78,7 +78,8 @@ void AddFormat(CLI::App& command, VideoSettings& film)
         ->group("Format");
     command
         .add_flag("--constant-rate", film.constantRate,
-                  "Store each frame, also one that shows the same")
+                  "Store each frame, also one that shows the same, for programs\nthat encode the "
+                  "film again (not webp)")
         ->group("Format");
     AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
              "Of the encoder; H.264's bytes depend on it (2)")

@@ -154,6 +154,15 @@ Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::stri
                                           remedy + "."};
 }
 
+std::string WriterOfPapers(const std::filesystem::path& film)
+{
+    std::ifstream file(PapersPath(film));
+    const json object = json::parse(file, nullptr, false);
+    const bool isOurs = object.is_object() && object.contains("boxreel") &&
+                        object["boxreel"].is_string() && object.contains("command");
+    return isOurs ? object["boxreel"].get<std::string>() : "";
+}
+
 std::string ChecksumOfFilm(const std::filesystem::path& film)
 {
     std::error_code ignored;

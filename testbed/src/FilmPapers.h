@@ -42,6 +42,10 @@ Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& pa
 /// An Error (Unusable) when there are none, or they are not readable. `remedy`: what to do then.
 Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy);
 
+/// The version of this program that left what lies where the papers go, whether they are readable
+/// or not; empty when it is nothing of this program's.
+std::string WriterOfPapers(const std::filesystem::path& film);
+
 /// Of all bytes of a film and their number; nothing when it cannot be read or is no file.
 std::string ChecksumOfFilm(const std::filesystem::path& film);
 

@@ -28,6 +28,48 @@ Result<std::int64_t> FrameCount(const RecordOptions& options)
     return frames;
 }
 
+std::string FramesOf(const FilmPapers& papers)
+{
+    return "it has the frames " + std::to_string(papers.first) + " to " +
+           std::to_string(papers.end - 1);
+}
+
+/// What tells the film of these papers from the one that is asked for, as a clause; nothing where
+/// it is the same, or another length of it.
+std::string DifferenceFromAsked(const FilmPapers& there, const RecordOptions& options,
+                                const FilmPlan& plan)
+{
+    FilmPapers asked;
+    asked.version = BOXREEL_VERSION;
+    asked.command = CommandOfFilm(options.arguments);
+    return there.first != plan.frames.First() ? FramesOf(there) : DifferenceOf(there, asked);
+}
+
+/// Why the papers of `film` may not be replaced, with the remedy; empty: they may.
+std::string WhyPapersStay(const std::filesystem::path& film, const RecordOptions& options,
+                          const FilmPlan& plan)
+{
+    const std::string writer = WriterOfPapers(film);
+    const std::string remedy = "; delete it, choose another name, or begin anew with --force.";
+    if (writer.empty())
+    {
+        return "what is known of the film goes there, and this file is something else; move it, "
+               "choose another name, or allow overwriting (--force).";
+    }
+    if (writer != BOXREEL_VERSION)
+    {
+        return "version " + writer + " of this program left it there, and this is version " +
+               BOXREEL_VERSION + remedy;
+    }
+    const Result<FilmPapers> papers = ReadPapers(film, "");
+    if (!papers)
+    {
+        return "another build of this program left it there, and this one cannot read it" + remedy;
+    }
+    const std::string difference = DifferenceFromAsked(*papers, options, plan);
+    return difference.empty() ? "" : "it is left of another film (" + difference + ")" + remedy;
+}
+
 } // namespace
 
 Result<FilmPlan> PlanFilm(const RecordOptions& options)
@@ -71,14 +113,10 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     {
         return there.GetError();
     }
-    FilmPapers asked;
-    asked.version = BOXREEL_VERSION;
-    asked.command = CommandOfFilm(options.arguments);
-    std::string difference = DifferenceOf(*there, asked);
-    if (there->first != plan.frames.First() || there->end != plan.frames.Last() + 1)
+    std::string difference = DifferenceFromAsked(*there, options, plan);
+    if (difference.empty() && there->end != plan.frames.Last() + 1)
     {
-        difference = "it has the frames " + std::to_string(there->first) + " to " +
-                     std::to_string(there->end - 1);
+        difference = FramesOf(*there);
     }
     if (difference.empty() && ChecksumOfFilm(options.output) != there->checksum)
     {
@@ -108,13 +146,12 @@ Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan
     {
         std::error_code ignored;
         const std::filesystem::path papers = PapersPath(film);
-        if (std::filesystem::exists(std::filesystem::symlink_status(papers, ignored)) &&
-            !ReadPapers(film, ""))
+        const bool isThere =
+            std::filesystem::exists(std::filesystem::symlink_status(papers, ignored));
+        const std::string why = isThere ? WhyPapersStay(film, options, plan) : "";
+        if (!why.empty())
         {
-            return Error{ErrorKind::Unusable,
-                         papers.string() + " is in the way: what is known of the film goes there, "
-                                           "and this file is something else; move it, choose "
-                                           "another name, or allow overwriting (--force)."};
+            return Error{ErrorKind::Unusable, papers.string() + " is in the way: " + why};
         }
     }
     return {};

@@ -23,7 +23,8 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options);
 /// another film, or no longer what its papers speak of.
 Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan);
 
-/// Unusable when a file of somebody else lies where the papers go, and may not be replaced.
+/// Unusable when a file of somebody else lies where the papers go, or papers of another film or
+/// another version of this program, and may not be replaced.
 Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan);
 
 /// A film that may be stopped and continued, or be a part of another, has papers beside it.

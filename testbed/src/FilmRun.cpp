@@ -274,6 +274,7 @@ void FilmRun::See(std::int64_t frame, const Frame& pixels)
 
 Result<RecordingEnd> FilmRun::Film()
 {
+    m_progress.Update({.framesDone = m_resumed, .framesTotal = m_plan.frames.Count()});
     if (ThumbnailIsThere())
     {
         if (Result<void> drawn = DrawThumbnail(); !drawn)
@@ -306,6 +307,16 @@ Result<RecordingEnd> FilmRun::Film()
     return Record(settings, *m_renderer, *m_writer);
 }
 
+/// Of the film that is being made.
+void FilmRun::RemovePapers()
+{
+    std::error_code ignored;
+    if (m_hasPapers)
+    {
+        std::filesystem::remove(PapersPath(Part()), ignored);
+    }
+}
+
 /// What there is stays, can be played, and can be continued.
 Result<int> FilmRun::Stopped(std::int64_t framesDone)
 {
@@ -313,6 +324,7 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
     if (m_options.output != "-" && m_resumed + framesDone == 0)
     {
         stopped += " before the first frame";
+        RemovePapers();
     }
     else if (m_options.output != "-")
     {
@@ -336,8 +348,7 @@ Result<void> FilmRun::FinishPapers()
     {
         return {};
     }
-    std::error_code ignored;
-    std::filesystem::remove(PapersPath(Part()), ignored);
+    RemovePapers();
     if (m_options.range)
     {
         m_papers.end = m_plan.frames.First() + m_filmed;
@@ -416,10 +427,9 @@ void FilmRun::Abandon()
     {
         (void)m_writer->Suspend(); // what failed before is what is said
     }
-    else if (m_writer && m_hasPapers)
+    else if (m_writer)
     {
-        std::error_code ignored;
-        std::filesystem::remove(PapersPath(Part()), ignored);
+        RemovePapers();
     }
 }
 

@@ -37,6 +37,7 @@ private:
     Result<int> Stopped(std::int64_t framesDone);
     Result<int> Finished();
     void Abandon();
+    void RemovePapers();
     Result<void> FinishPapers();
     Result<void> WriteThumbnail();
     void BeginSimulation();

@@ -12,6 +12,22 @@ namespace boxreel
 namespace
 {
 
+constexpr const char* kChartFormats = ".png or .svg, the two formats charts are written in";
+
+bool IsChartName(const std::filesystem::path& path)
+{
+    return path.extension() == ".png" || path.extension() == ".svg";
+}
+
+Error WrongEnd(const std::filesystem::path& path, const std::string& formats)
+{
+    return Error{ErrorKind::Unusable, std::string("'")
+                                          .append(path.string())
+                                          .append("' does not end in ")
+                                          .append(formats)
+                                          .append(".")};
+}
+
 /// `isFormat`: the name's end is one of those that can be written; `formats` says which these are.
 Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFormat,
                        const std::string& formats)
@@ -25,7 +41,7 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFor
     }
     if (!isFormat)
     {
-        return Error{ErrorKind::Unusable, name + " does not end in " + formats + "."};
+        return WrongEnd(path, formats);
     }
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     if (!std::filesystem::is_directory(folder, ignored))
@@ -71,10 +87,14 @@ Result<void> CheckFigurePath(const std::filesystem::path& path, bool force)
                      ".png, .svg or .pdf, the formats pictures are written in");
 }
 
+Result<void> CheckChartName(const std::filesystem::path& path)
+{
+    return IsChartName(path) ? Result<void>() : WrongEnd(path, kChartFormats);
+}
+
 Result<void> CheckChartPath(const std::filesystem::path& path, bool force)
 {
-    return CheckPath(path, force, path.extension() == ".png" || path.extension() == ".svg",
-                     ".png or .svg, the two formats charts are written in");
+    return CheckPath(path, force, IsChartName(path), kChartFormats);
 }
 
 Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,

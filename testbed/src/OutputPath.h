@@ -29,7 +29,10 @@ std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path);
 /// The same for a picture of a scene, whose name ends in .png, .svg or .pdf.
 Result<void> CheckFigurePath(const std::filesystem::path& path, bool force);
 
-/// The same for a chart, whose name ends in .png or .svg.
+/// Whether a chart's name ends in .png or .svg, whatever it becomes the name of.
+Result<void> CheckChartName(const std::filesystem::path& path);
+
+/// CheckPicturePath for a chart, whose name ends so.
 Result<void> CheckChartPath(const std::filesystem::path& path, bool force);
 
 /// Whether none of these names the same file as an earlier one, whatever the spelling. `option` is

@@ -155,7 +155,11 @@ Result<Rational> ParseRatio(std::string_view option, std::string_view text, doub
                             double highest)
 {
     const Result<Rational> ratio = Rational::Parse(text);
-    if (!ratio || ratio->ToDouble() < lowest || ratio->ToDouble() > highest)
+    if (!ratio)
+    {
+        return Error{ErrorKind::Unusable, std::string(option) + ": " + ratio.GetError().message};
+    }
+    if (ratio->ToDouble() < lowest || ratio->ToDouble() > highest)
     {
         char range[80];
         std::snprintf(range, sizeof range,

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <fstream>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 using namespace boxreel;
 using testing::ElementsAre;
@@ -202,6 +203,23 @@ TEST(AtomicFile, SaysWhatIsWrongWithAPlaceThatCannotBeWritten)
                   "too long");
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
     EXPECT_THAT(folder.Names(), UnorderedElementsAre("file", "sub"));
+}
+
+TEST(AtomicFile, NamesWhatIsInTheWayOfItsPart)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "folder.part.txt");
+    WriteBytes(folder / "mine", "mine");
+    std::filesystem::create_symlink(folder / "mine", folder / "link.part.txt");
+    ASSERT_EQ(mkfifo((folder / "pipe.part.txt").c_str(), 0600), 0);
+    for (const char* name : {"folder", "link", "pipe"})
+    {
+        ExpectRefused(WriteWhole(folder / (std::string(name) + ".txt"), "x", true),
+                      ErrorKind::Unusable,
+                      std::string(name) + ".part.txt, as it is called until it is whole, is a "
+                                          "folder, a link or a device; move that away");
+    }
+    EXPECT_EQ(ReadBytes(folder / "mine"), "mine");
 }
 
 TEST(AtomicFile, LeavesTheOldFileAndNoPartWhenTheDiskIsFull)

@@ -43,4 +43,24 @@ inline std::vector<boxreel::Frame> ReadShown(const std::filesystem::path& path,
     return shown;
 }
 
+/// What a film has stored, frame by frame.
+inline std::vector<boxreel::StoredFrame> ReadStored(const std::filesystem::path& path)
+{
+    const auto source = boxreel::OpenVideoSource(path);
+    EXPECT_TRUE(source) << (source ? "" : source.GetError().message);
+    std::vector<boxreel::StoredFrame> all;
+    boxreel::StoredFrame stored;
+    while (source)
+    {
+        const boxreel::Result<bool> more = (*source)->Next(stored);
+        EXPECT_TRUE(more) << (more ? "" : more.GetError().message);
+        if (!more || !*more)
+        {
+            break;
+        }
+        all.push_back(stored);
+    }
+    return all;
+}
+
 } // namespace testfilm

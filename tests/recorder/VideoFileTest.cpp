@@ -269,6 +269,13 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         {"film.mp4", {.width = 1281, .height = 721}, "1281x721 is odd"},
         {"film.mp4", {.width = 1281, .height = 721}, "use 1282x722, --chroma 444"},
         {"film.mkv", {.width = 1281, .height = 720}, "1282x720"},
+        {"film.mkv",
+         {.width = 1281, .height = 720},
+         "--quality lossless, .gif or frames-####.png."},
+        {"film.y4m", {.width = 1281, .height = 720}, "use 1282x720, --chroma 444 or nut."},
+        {"-",
+         {.width = 1281, .height = 720, .format = "y4m"},
+         "use 1282x720, --chroma 444 or nut."},
         {"film.webm", {.width = 1280, .height = 721}, "1280x722"},
         {"film.gif", {.width = 0, .height = 720}, "0x720"},
         {"film.mp4", {.width = -2, .height = 720}, "-2x720"},
@@ -277,6 +284,7 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         {"film.mp4", {.framesPerSecond = {1001, 1}}, "1000"},
         {"film.mp4", {.framesPerSecond = {0, 1}}, "0/1"},
         {"film.mp4", {.threads = 65}, "65 threads"},
+        {"film.webp", {.constantRate = true}, "leave --constant-rate out, or write .apng"},
         {"film.mp4", {.threads = -1}, "-1 threads"},
     };
     for (const Refused& c : cases)
@@ -298,7 +306,12 @@ TEST(CheckVideoPath, AcceptsEveryFormatInAnyCaseAndOddSizesWhereColoursAreWhole)
     }
     VideoSettings odd{.width = 1281, .height = 721};
     EXPECT_TRUE(CheckVideoPath("a.gif", odd));
+    EXPECT_TRUE(CheckVideoPath("a.apng", {.constantRate = true}));
     EXPECT_TRUE(CheckVideoPath("a-#.png", odd));
+    EXPECT_TRUE(CheckVideoPath("a.nut", odd));
+    odd.chroma = boxreel::Chroma::Full;
+    EXPECT_TRUE(CheckVideoPath("a.y4m", odd));
+    odd.chroma = boxreel::Chroma::Half;
     odd.quality = Quality::Lossless;
     EXPECT_TRUE(CheckVideoPath("a.mp4", odd));
     EXPECT_TRUE(CheckVideoPath("a.mkv", odd));
@@ -323,6 +336,17 @@ TEST_F(VideoFileErrors, OddAndTinySizesComeBackWhole)
         FillRect(frame, 0, 0, 2, 2, kOutline);
         WriteFilm(m_folder / name, {.framesPerSecond = {25, 1}}, {frame, frame, frame});
         EXPECT_EQ(ReadFilm(m_folder / name).frames.size(), 3u);
+    }
+    for (int k = 0; k < 5 * 5; ++k)
+    {
+        const int width = 1 + k % 5;
+        const int height = 1 + k / 5;
+        SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+        const std::vector<Frame> frames{Noise(width, height, 0), Noise(width, height, 1)};
+        WriteFilm(m_folder / "film.mkv",
+                  {.framesPerSecond = {25, 1}, .quality = Quality::Lossless, .overwrite = true},
+                  frames);
+        EXPECT_EQ(ReadFilm(m_folder / "film.mkv").frames, frames);
     }
 }
 

@@ -329,7 +329,26 @@ TEST(AccuracySweep, RefusesNumbersThatCannotBe)
     EXPECT_THAT(with("\"least\": 98.0", "\"least\": null"), HasSubstr("no number"));
     EXPECT_THAT(with("\"error\": 0.0", "\"error\": -5"),
                 HasSubstr("'a.json' has 'error' of -5, which is no number from "));
-    EXPECT_THAT(with("\"hz\": 60", "\"hz\": 1e300"), HasSubstr("is not what"));
+    EXPECT_THAT(with("\"hz\": 60", "\"hz\": 0"), HasSubstr("is not what"));
+    for (const char* field : {"velocityIterations", "positionIterations", "hz", "subSteps",
+                              "velocityIterationsOfASubStep", "positionIterationsOfASubStep"})
+    {
+        const std::string name = "\"" + std::string(field) + "\": ";
+        const std::size_t value = text.find(name) + name.size();
+        const std::string whole =
+            name + text.substr(value, text.find_first_of(",\n", value) - value);
+        EXPECT_THAT(with(whole, name + "1000001"),
+                    HasSubstr("has '" + std::string(field) + "' of 1e+06, which is no number"));
+        EXPECT_THAT(with(whole, name + "1e300"), HasSubstr("which is no number from 1 to 1e+06"));
+        EXPECT_THAT(with(whole, name + "\"x\""), HasSubstr("'a.json' has '" + std::string(field) +
+                                                           "' in 'X-walls' that is no "));
+    }
+    EXPECT_EQ(with("\"error\": 0.0", "\"error\": null"), "none") << "there may be none";
+    for (const char* error : {"\"x\"", "true", "[]", "{}"})
+    {
+        EXPECT_THAT(with("\"error\": 0.0", std::string("\"error\": ") + error),
+                    HasSubstr("'a.json' has 'error' in 'X-walls' that is no number"));
+    }
 }
 
 TEST(AccuracySweep, SumsUpWhatTheUsualSettingsReach)

@@ -89,6 +89,15 @@ TEST_F(BenchCommand, RefusesFiguresThatAreNoFigures)
     std::ofstream(folder / "other.json") << "{}";
     ExpectRefusal({"--from", "other.json"}, "'other.json'");
     ExpectRefusal({"--from", "absent.json"}, "Cannot read 'absent.json'");
+    ExpectRefusal({"--from", "."}, "Cannot read '.'");
+    std::ofstream(folder / "empty.json").flush();
+    for (const char* kind : {"--accuracy", "--render", "--record"})
+    {
+        ExpectRefusal({kind, "--from", "empty.json"}, "'empty.json' is empty; name a file that");
+        ExpectRefusal({kind, "--from", "run.json", "--chart", "a.txt"},
+                      "'a.txt' does not end in .png or .svg");
+        ExpectRefusal({kind, "--chart", "b/a.txt"}, "'b/a.txt' does not end in .png or .svg");
+    }
     std::string text = kEarlierRun;
     text.replace(text.find("\"cpuSeconds\":1e-5"), 17, "\"cpuSeconds\":-1");
     std::ofstream(folder / "negative.json") << text;

@@ -10,6 +10,7 @@ namespace boxreel
 namespace
 {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 using FilmParts = FilmFixture;
@@ -69,6 +70,25 @@ TEST_F(FilmParts, PartsThatAreNotTheWholeFilmAreJoinedOnlyWhenAPieceWillDo)
     EXPECT_EQ(ReadFile(folder / "b.mkv"), part);
 }
 
+TEST_F(FilmParts, AreNotJoinedOverAFilmThatWasStopped)
+{
+    for (const std::string kind : {".mkv", ".mp4", ".gif", ".apng", ".webp"})
+    {
+        SCOPED_TRACE(kind);
+        ASSERT_EQ(Run({"record", "tumbler", "--frames", "10", "--group", "10", "--size", "96x54",
+                       "--fps", "20", "--frame-range", "0-9", "-o", "a" + kind})
+                      .code,
+                  0);
+        std::ofstream(folder / ("film.part" + kind)) << "left";
+        const Outcome refused = Run({"merge", "a" + kind, "-o", "film" + kind});
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_THAT(refused.errors, HasSubstr("film.part" + kind + " was left by a run"));
+        EXPECT_EQ(ReadFile(folder / ("film.part" + kind)), "left");
+        EXPECT_EQ(Run({"merge", "a" + kind, "-o", "film" + kind, "--force"}).code, 0);
+        EXPECT_FALSE(std::filesystem::exists(folder / ("film.part" + kind)));
+    }
+}
+
 TEST_F(FilmParts, APartThatIsThereIsNotMadeAgainButAnotherFilmIsRefused)
 {
     const auto make = [&](const std::string& scene, const std::string& range) {
@@ -92,6 +112,58 @@ TEST_F(FilmParts, APartThatIsThereIsNotMadeAgainButAnotherFilmIsRefused)
     const Outcome cut = make("tumbler", "0-19");
     EXPECT_EQ(cut.code, 1);
     EXPECT_THAT(cut.errors, HasSubstr("it is cut off or was altered"));
+}
+
+TEST_F(FilmParts, KeepThePapersOfOtherFilmsAndOfOtherBuilds)
+{
+    const auto make = [&](const std::string& scene, std::vector<std::string> more) {
+        std::vector<std::string> command{"record", scene,    "--frames", "40", "--group",
+                                         "20",     "--size", "96x54",    "-o", "v.mkv"};
+        command.insert(command.end(), more.begin(), more.end());
+        return Run(command);
+    };
+    ASSERT_EQ(make("pyramid", {"--frame-range", "0-19"}).code, 0);
+    std::filesystem::remove(folder / "v.mkv");
+    const std::string papers = ReadFile(folder / "v.mkv.json");
+    std::string older = papers;
+    older.replace(older.find(BOXREEL_VERSION), std::string(BOXREEL_VERSION).size(), "0.0.1");
+    std::string unread = papers;
+    unread.replace(unread.find("\"checksum\""), 10, "\"sum\"");
+    const std::string remedy = "; delete it, choose another name, or begin anew with --force.";
+    struct Case
+    {
+        std::string papers;
+        std::string scene;
+        std::string range;
+        std::string says;
+    };
+    const Case cases[] = {
+        {papers, "tumbler", "0-19", "left of another film (the commands differ: `record pyramid"},
+        {papers, "pyramid", "20-39", "left of another film (it has the frames 0 to 19)"},
+        {older, "pyramid", "0-19", "version 0.0.1 of this program left it there, and this is"},
+        {unread, "pyramid", "0-19", "another build of this program left it there, and this one"},
+    };
+    for (const char* name : {"v.mkv.json", "v.part.mkv.json"})
+    {
+        for (const Case& c : cases)
+        {
+            SCOPED_TRACE(std::string(name) + ": " + c.says);
+            std::ofstream(folder / name) << c.papers;
+            const Outcome refused = make(c.scene, {"--frame-range", c.range});
+            EXPECT_EQ(refused.code, 1);
+            EXPECT_THAT(refused.errors, HasSubstr(std::string(name) + " is in the way: "));
+            EXPECT_THAT(refused.errors, HasSubstr(c.says));
+            EXPECT_THAT(refused.errors, HasSubstr(remedy));
+            EXPECT_THAT(folder.Files(), ElementsAre(name));
+            EXPECT_EQ(ReadFile(folder / name), c.papers);
+        }
+        std::filesystem::remove(folder / name);
+    }
+    std::ofstream(folder / "v.part.mkv.json") << older;
+    EXPECT_EQ(make("tumbler", {"--frame-range", "0-19", "--force"}).code, 0);
+    EXPECT_THAT(folder.Files(), ElementsAre("v.mkv", "v.mkv.json"));
+    std::filesystem::remove(folder / "v.mkv");
+    EXPECT_EQ(make("tumbler", {"--frame-range", "0-19"}).code, 0) << "they are of this film";
 }
 
 } // namespace

@@ -338,10 +338,9 @@ TEST_F(Film, AnAnimationIsContinuedAndJoinedToTheFramesOfAnUninterruptedOne)
         ASSERT_EQ(merged.code, 0) << merged.errors;
         EXPECT_EQ(Decode("film" + kind), Decode("whole" + kind));
         // What a run leaves that was stopped after 40 frames.
-        std::filesystem::rename(folder / ("b" + kind), folder / ("c" + kind));
-        ASSERT_EQ(make("b", {"--frame-range", "0-39"}).code, 0);
-        std::filesystem::rename(folder / ("b" + kind), folder / ("left.part" + kind));
-        std::filesystem::rename(folder / ("b" + kind + ".json"),
+        ASSERT_EQ(make("c", {"--frame-range", "0-39"}).code, 0);
+        std::filesystem::rename(folder / ("c" + kind), folder / ("left.part" + kind));
+        std::filesystem::rename(folder / ("c" + kind + ".json"),
                                 folder / ("left.part" + kind + ".json"));
         const Outcome resumed = make("left", {"--resume"});
         ASSERT_EQ(resumed.code, 0) << resumed.errors;
@@ -402,7 +401,9 @@ TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
         EXPECT_THAT(folder.Files(), ElementsAre(name));
         std::filesystem::remove(folder / name);
     }
-    for (const char* name : {"v.final.mp4", "v.resume.mp4"})
+    const std::vector<std::string> mine{"v.final.mp4", "v.part-indexed.mp4", "v.part-resumed.mp4",
+                                        "v.resume.mp4"};
+    for (const std::string& name : mine)
     {
         std::ofstream(folder / name) << "mine";
     }
@@ -410,9 +411,12 @@ TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
     std::filesystem::rename(folder / "v.mp4", folder / "v.part.mp4");
     std::filesystem::rename(folder / "v.mp4.json", folder / "v.part.mp4.json");
     EXPECT_EQ(make({"-o", "v.mp4", "--frame-range", "0-19", "--resume"}).code, 0);
-    EXPECT_THAT(folder.Files(), ElementsAre("v.final.mp4", "v.mp4", "v.mp4.json", "v.resume.mp4"));
-    EXPECT_EQ(ReadFile(folder / "v.final.mp4"), "mine");
-    EXPECT_EQ(ReadFile(folder / "v.resume.mp4"), "mine");
+    EXPECT_THAT(folder.Files(),
+                ElementsAre(mine[0], "v.mp4", "v.mp4.json", mine[1], mine[2], mine[3]));
+    for (const std::string& name : mine)
+    {
+        EXPECT_EQ(ReadFile(folder / name), "mine") << name;
+    }
 }
 
 TEST_F(Film, SaysThatABodyItWaitsForIsNotThere)
@@ -516,6 +520,7 @@ TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
                                  "160x90", "--progress", "openjd"});
     EXPECT_EQ(outcome.code, 0);
     ExpectOpenJd(outcome.output);
+    EXPECT_THAT(outcome.output, testing::StartsWith("openjd_progress: 0.0\nopenjd_status: 0/5 "));
     EXPECT_THAT(outcome.output, HasSubstr("openjd_progress: 100.0\nopenjd_status: 5/5 frames"));
     const Outcome failed = Run({"record", "pyramid", "-o", "a.mkv", "--progress", "openjd"});
     EXPECT_EQ(failed.code, 1);

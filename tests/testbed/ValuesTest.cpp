@@ -117,6 +117,14 @@ TEST(Values, RatesAreFractionsWithinTheirRange)
     {
         EXPECT_FALSE(ParseRatio("--fps", text, 0.1, 1000.0)) << text;
     }
+    const auto refusal = [](const char* text) {
+        return ParseRatio("--fps", text, 0.1, 1000.0).GetError().message;
+    };
+    EXPECT_EQ(refusal("1001"),
+              "--fps 1001: give a number from 0.1 to 1000, such as 60, 0.25 or 30000/1001.");
+    EXPECT_EQ(refusal("29.97002997"),
+              "--fps: \"29.97002997\" has too many digits to be kept exactly; write a number above "
+              "zero such as 60, 29.97 or 30000/1001.");
 }
 
 TEST(Values, NumbersAreFinite)

@@ -87,8 +87,8 @@ struct VideoSettings
     int plays = 0;   ///< how often a gif, apng or webp plays; 0: for ever
     int threads = 0; ///< of the encoder, at most 64; 0: two. H.264's bytes depend on it, the film's
                      ///< look does not.
-    bool constantRate = false; ///< every frame is encoded, also one that shows the same; apng and
-                               ///< webp cannot
+    bool constantRate = false; ///< every frame is encoded, also one that shows the same; webp
+                               ///< cannot
     int groupFrames = 100;     ///< length of a group; at least 1 [frames that are kept]
     /// The numbers of the frames that are appended, in the film of which this one may be a part:
     /// groups begin at multiples of their length, and pictures are called by them.
