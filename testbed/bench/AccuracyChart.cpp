@@ -272,11 +272,15 @@ private:
     {
         for (const RemarkGoal& goal : m_result.info.remarkGoals)
         {
-            std::string name = goal.name;
+            // Remarks have their unit behind the last line: gap_mm.
+            const std::size_t line = goal.name.rfind('_');
+            std::string name = goal.name.substr(0, line);
+            const std::string unit =
+                line == std::string::npos ? std::string() : goal.name.substr(line + 1);
             std::replace(name.begin(), name.end(), '_', ' ');
-            m_chart.frame.notes.push_back("Another goal: " + name + " at " +
+            m_chart.frame.notes.push_back("The goal is also: " + name + " at " +
                                           (goal.isLeast ? "least " : "most ") +
-                                          ChartNumber(goal.bound) + ".");
+                                          ChartNumber(goal.bound) + " " + unit + ".");
         }
     }
 

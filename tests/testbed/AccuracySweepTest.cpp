@@ -311,7 +311,7 @@ TEST(AccuracySweep, JudgesAllGoalsOfACase)
     ASSERT_TRUE(chart);
     EXPECT_EQ(chart->lines[0].points[0].mark, ChartMark::Cross);
     EXPECT_EQ(chart->lines[0].points[1].mark, ChartMark::Ring);
-    EXPECT_THAT(chart->frame.notes.back(), HasSubstr("kept percent at least 98"));
+    EXPECT_THAT(chart->frame.notes.back(), HasSubstr("kept at least 98 percent"));
 }
 
 TEST(AccuracySweep, RefusesNumbersThatCannotBe)

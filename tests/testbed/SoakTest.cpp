@@ -55,7 +55,10 @@ Decoded Decode(const std::filesystem::path& path)
 
 TEST(Soak, AHundredThousandFramesTakeNoMoreMemoryThanAThousandAndNoneIsLost)
 {
-    constexpr long kRoom = 8 * 1024; // the index of a film has an entry a frame [KB]
+    constexpr long kRoom = 2 * 1024; // [KB]
+    // An MP4 has its index in front, so it is copied when it is complete: the library's reader and
+    // writer keep an entry a frame each meanwhile (143 bytes together). Until then nothing grows.
+    constexpr long kIndexRoom = 100000L * 160 / 1024; // [KB]
     const TemporaryFolder folder;
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
     {
@@ -67,9 +70,10 @@ TEST(Soak, AHundredThousandFramesTakeNoMoreMemoryThanAThousandAndNoneIsLost)
         std::printf("%s: %ld MB, of a thousand frames %ld MB\n", name, lasting.peakKilobytes / 1024,
                     brief.peakKilobytes / 1024);
         EXPECT_GT(brief.peakKilobytes, 1024) << name;
-        EXPECT_LT(lasting.peakKilobytes, brief.peakKilobytes + kRoom) << name;
-        const std::int64_t gif = 50000 + 1; // shown at most 50 times a second, so every other one
-        EXPECT_EQ(Decode(folder / name).frames, name == std::string("film.gif") ? gif - 1 : 100000)
+        const long room = kRoom + (name == std::string("film.mp4") ? kIndexRoom : 0);
+        EXPECT_LT(lasting.peakKilobytes, brief.peakKilobytes + room) << name;
+        // A GIF is shown at most 50 times a second, so it has every other frame.
+        EXPECT_EQ(Decode(folder / name).frames, name == std::string("film.gif") ? 50000 : 100000)
             << name;
     }
 }
