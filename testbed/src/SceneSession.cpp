@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "SceneSession.h"
 
+#include <debugdraw/DrawCollector.h>
+#include <debugdraw/Faded.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -188,8 +191,13 @@ void SceneSession::Fill(FrameContent& content, const DrawList& notes)
 void SceneSession::Collect(double farthest, DrawList& list, const DrawList& notes)
 {
     static const JointNames kNone;
+    DrawList own;
+    own.layer = DrawLayer::Scene;
+    DrawCollector collector(own);
+    m_scene->Draw(collector);
+    Append(own, notes);
     m_layers.Collect(m_scene->World(), CollectedView(farthest), m_shownNames,
-                     m_look.layers.names ? m_scene->JointNames() : kNone, list, notes);
+                     m_look.layers.names ? m_scene->JointNames() : kNone, list, own);
 }
 
 /// What has jumped is found where it is now, not farther than `farthest` [m] from where it is
@@ -222,6 +230,10 @@ HudContent SceneSession::DescribeState() const
                     {"step", std::to_string(m_fraction ? m_step - 1 : m_step)},
                     {"bodies", std::to_string(world.GetBodyCount())},
                     {"contacts", std::to_string(world.GetContactCount())}};
+    for (auto& row : m_scene->Describe())
+    {
+        content.rows.push_back(std::move(row));
+    }
     if (m_look.hudMilliseconds)
     {
         content.rows.emplace_back("ms per step", Decimals(m_stepMilliseconds, 2));
