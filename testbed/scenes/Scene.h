@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,6 +35,14 @@ struct StepSettings
     int32 positionIterations = 3;
 };
 
+/// Where to look.
+struct SceneArea
+{
+    b2Vec2 center;              ///< [m]; of a body that is followed, ignored
+    b2Vec2 halfSize;            ///< all of this is seen, in a picture of any shape [m]
+    b2Body* followed = nullptr; ///< stays in the middle
+};
+
 /// A key that a scene answers to: a lower-case letter, a digit or ','.
 struct KeyBinding
 {
@@ -54,6 +63,9 @@ public:
     /// How the scene wants to be stepped unless the user says otherwise; scene files have their
     /// own.
     virtual StepSettings PreferredSteps() const { return {}; }
+
+    /// Where to look unless the user says otherwise; none: at what moves.
+    virtual std::optional<SceneArea> PreferredView() const { return std::nullopt; }
 
     /// Does it make bodies after it was created? When not, what is asked of a body that is not
     /// there can be refused before anything is simulated.

@@ -45,6 +45,23 @@ Rational RateOf(float32 timeStep)
     return Rational{thousandths / common, 1000 / common};
 }
 
+/// What "as the scene prefers" means in a picture of this shape.
+ViewChoice PreferredView(const Scene& scene, double aspect)
+{
+    const std::optional<SceneArea> area = scene.PreferredView();
+    if (!area)
+    {
+        return FitView{};
+    }
+    const double height =
+        2.0 * std::max(double(area->halfSize.y), double(area->halfSize.x) / aspect);
+    if (area->followed != nullptr)
+    {
+        return FollowView{{area->followed->GetNumber()}, height};
+    }
+    return FixedView{area->center.x, area->center.y, height};
+}
+
 /// Numbers are names of bodies that have none.
 SceneLayers LayersOf(const SceneLook& look)
 {
@@ -88,6 +105,10 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
         source.scene = source.entry->create(SceneSettings{look.seed});
     }
     ViewChoice view = look.view;
+    if (std::holds_alternative<SceneView>(view))
+    {
+        view = PreferredView(*source.scene, double(look.width) / look.height);
+    }
     if (const Result<void> found = FindNames("--camera", BodiesOf(view), source.scene->Names());
         !found)
     {
