@@ -192,6 +192,8 @@ const char* LayerName(DrawLayer layer)
         return "trails";
     case DrawLayer::Poses:
         return "poses";
+    case DrawLayer::Scene:
+        return "scene";
     case DrawLayer::Annotations:
         return "annotations";
     }

@@ -85,6 +85,21 @@ b2Body* AddBall(b2World& world, const b2Vec2& center, float32 radius, const Mate
     return body;
 }
 
+void AddPyramid(b2World& world, const b2Vec2& foot, int32 baseCount, float32 halfSize)
+{
+    for (int32 row = 0; row < baseCount; ++row)
+    {
+        const int32 boxes = baseCount - row;
+        const float32 left = foot.x - halfSize * static_cast<float32>(boxes - 1);
+        const float32 y = foot.y + halfSize * static_cast<float32>(2 * row + 1);
+        for (int32 i = 0; i < boxes; ++i)
+        {
+            AddBox(world, b2Vec2(left + 2.0f * halfSize * static_cast<float32>(i), y), halfSize,
+                   halfSize);
+        }
+    }
+}
+
 b2Joint* AddHinge(b2World& world, b2Body* bodyA, b2Body* bodyB, const b2Vec2& point)
 {
     b2RevoluteJointDef definition;

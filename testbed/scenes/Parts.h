@@ -40,6 +40,9 @@ b2Body* AddBox(b2World& world, const b2Vec2& center, float32 halfWidth, float32 
 b2Body* AddBall(b2World& world, const b2Vec2& center, float32 radius,
                 const Material& material = {});
 
+/// A pyramid of boxes that touch, on a ground whose level and middle are `foot` [m].
+void AddPyramid(b2World& world, const b2Vec2& foot, int32 baseCount, float32 halfSize);
+
 /// A hinge between two bodies at a world point [m]; the two do not collide with each other.
 b2Joint* AddHinge(b2World& world, b2Body* bodyA, b2Body* bodyB, const b2Vec2& point);
 

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <scenes/MouseGrip.h>
+#include <scenes/Random.h>
+
 #include <Box2D/Box2D.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
-/// What a scene is: a world it fills in its constructor and may steer around each step. Scenes use
-/// the engine only; whoever shows them (film, window, test) is none of their business.
+/// What a scene is: a world it fills in its constructor and may steer around each step, by itself
+/// or as keys and the mouse say. Scenes use the engine only; whoever shows them (film, window,
+/// script, test) is none of their business.
 namespace boxreel
 {
 
@@ -28,13 +35,26 @@ struct StepSettings
     int32 positionIterations = 3;
 };
 
-class Scene
+/// Where to look.
+struct SceneArea
+{
+    b2Vec2 center;              ///< [m]; of a body that is followed, ignored
+    b2Vec2 halfSize;            ///< all of this is seen, in a picture of any shape [m]
+    b2Body* followed = nullptr; ///< stays in the middle
+};
+
+/// A key that a scene answers to: a lower-case letter, a digit or ','.
+struct KeyBinding
+{
+    char key;
+    const char* effect; ///< what it does, e.g. "drives forward"
+};
+
+class Scene : private b2DestructionListener
 {
 public:
-    explicit Scene(const SceneSettings& settings)
-        : m_settings(settings), m_world(b2Vec2(0.0f, -10.0f))
-    {}
-    virtual ~Scene() = default;
+    explicit Scene(const SceneSettings& settings);
+    ~Scene() override = default;
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
@@ -43,6 +63,9 @@ public:
     /// How the scene wants to be stepped unless the user says otherwise; scene files have their
     /// own.
     virtual StepSettings PreferredSteps() const { return {}; }
+
+    /// Where to look unless the user says otherwise; none: at what moves.
+    virtual std::optional<SceneArea> PreferredView() const { return std::nullopt; }
 
     /// Does it make bodies after it was created? When not, what is asked of a body that is not
     /// there can be refused before anything is simulated.
@@ -61,18 +84,54 @@ public:
         m_world.Step(settings.timeStep, settings.velocityIterations, settings.positionIterations);
     }
 
+    /// The keys it answers to, for help and for scripts: others are ignored.
+    virtual std::span<const KeyBinding> Keys() const { return {}; }
+    virtual void KeyDown(char key) { (void)key; }
+    virtual void KeyUp(char key) { (void)key; }
+
+    /// The mouse, at a point of the world [m]: it grips the dynamic body that lies there. A scene
+    /// with a use of its own for it overrides these.
+    virtual void MouseDown(const b2Vec2& point) { m_grip.Take(m_world, point); }
+    virtual void MouseMove(const b2Vec2& point) { m_grip.MoveTo(point); }
+    virtual void MouseUp(const b2Vec2& point);
+
+    /// A heavy ball, the one before it goes: from a place [m] with a velocity [m/s], or from
+    /// somewhere above towards the origin.
+    void ThrowBomb(const b2Vec2& place, const b2Vec2& velocity);
+    void ThrowBomb();
+
+    /// The world's, and that of what the scene keeps in coordinates of its own.
+    virtual void ShiftOrigin(const b2Vec2& newOrigin) { m_world.ShiftOrigin(newOrigin); }
+
+    /// What it has to say of its present state, as names and values: "torque", "12.5 N m".
+    virtual std::vector<std::pair<std::string, std::string>> Describe() const { return {}; }
+
+    /// What it shows beside its bodies: rays, hulls, marks.
+    virtual void Draw(b2Draw& draw) const { (void)draw; }
+
     /// Lists what the scene keeps beside its world and changes after it was made (SceneState.h), to
     /// be saved and restored; a scene that keeps nothing need not.
     virtual void VisitState(SceneState& state) { (void)state; }
 
-    /// The names, for the same purpose: those of joints hang on addresses.
-    void VisitNames(SceneState& state);
+    /// What every scene keeps, for the same purpose: names, the mouse's grip, the bomb.
+    void VisitCommonState(SceneState& state);
 
 protected:
+    /// A joint that the scene may keep goes with a body that has been destroyed.
+    virtual void JointGone(b2Joint* joint) { (void)joint; }
+
     SceneSettings m_settings;
     b2World m_world;
     std::map<std::uint32_t, std::string> m_names;
     std::map<const b2Joint*, std::string> m_jointNames; ///< only to look up: addresses
+
+private:
+    void SayGoodbye(b2Joint* joint) final;
+    void SayGoodbye(b2Fixture*) final {}
+
+    MouseGrip m_grip;
+    b2Body* m_bomb = nullptr;
+    Random m_bombs; ///< where they come from
 };
 
 /// One line of the table of scenes.

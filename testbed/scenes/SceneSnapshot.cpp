@@ -46,15 +46,10 @@ constexpr std::size_t kHeaderBytes = kLengthBytes + kSumBytes;
 
 } // namespace
 
-void Scene::VisitNames(SceneState& state)
-{
-    state(m_names, m_jointNames);
-}
-
 std::vector<uint8> SaveScene(Scene& scene)
 {
     SceneState state(scene.World());
-    scene.VisitNames(state);
+    scene.VisitCommonState(state);
     scene.VisitState(state);
     const std::vector<uint8> own = state.Take();
     const std::vector<uint8> world = b2SaveSnapshot(scene.World());
@@ -84,7 +79,7 @@ std::string RestoreScene(Scene& scene, std::span<const uint8> bytes)
         return why;
     }
     SceneState state(scene.World(), own);
-    scene.VisitNames(state);
+    scene.VisitCommonState(state);
     scene.VisitState(state);
     if (!state.IsWhole())
     {

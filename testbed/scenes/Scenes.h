@@ -15,5 +15,24 @@ std::unique_ptr<Scene> MakeChain(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeDominos(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeTumbler(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeNewtonsCradle(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCardHouse(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeArch(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeDoubleDomino(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCircleStack(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRain(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeLargePyramid(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeManyPyramids(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeFarPyramid(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSmash(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSpinner(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeHighMassRatio1(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeHighMassRatio2(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeHighMassRatio3(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeHeavy1(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeHeavy2(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeOverlapRecovery(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeChainSlide(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeGhostBumps(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSkinnyBox(const SceneSettings& settings);
 
 } // namespace boxreel

@@ -94,10 +94,10 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
     AddSize(command, look);
     AddTheme(command, look, bothThemes);
     AddValue(command, "--camera", "VIEW", look.view, ParseView,
-             "fit: what moves stays in view (the default); fit:world: everything;\n"
-             "fit:3,17: these bodies; follow:3,17 or follow:17:HEIGHT: these in\n"
-             "the middle; X,Y,HEIGHT in metres: fixed; from key to key:\n"
-             "\"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
+             "scene: as the scene prefers, else fit (the default); fit: what moves\n"
+             "stays in view; fit:world: everything; fit:3,17: these bodies;\n"
+             "follow:3,17 or follow:17:HEIGHT: these in the middle; X,Y,HEIGHT in\n"
+             "metres: fixed; from key to key: \"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
         ->group("Picture");
     AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
              "Any of shapes,joints,aabbs,pairs,centers,masses,contacts,normals,\n"

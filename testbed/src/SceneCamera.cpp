@@ -63,6 +63,10 @@ SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, in
     {
         LookAtAll(world, fit->wholeWorld);
     }
+    else if (std::holds_alternative<SceneView>(choice))
+    {
+        LookAtAll(world, false);
+    }
     else
     {
         const auto* follow = std::get_if<FollowView>(&choice);

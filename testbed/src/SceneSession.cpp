@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "SceneSession.h"
 
+#include <debugdraw/DrawCollector.h>
+#include <debugdraw/Faded.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -40,6 +43,23 @@ Rational RateOf(float32 timeStep)
         std::max<std::int64_t>(1, std::llround(1000.0 / double(timeStep)));
     const std::int64_t common = std::gcd<std::int64_t>(thousandths, 1000);
     return Rational{thousandths / common, 1000 / common};
+}
+
+/// What "as the scene prefers" means in a picture of this shape.
+ViewChoice PreferredView(const Scene& scene, double aspect)
+{
+    const std::optional<SceneArea> area = scene.PreferredView();
+    if (!area)
+    {
+        return FitView{};
+    }
+    const double height =
+        2.0 * std::max(double(area->halfSize.y), double(area->halfSize.x) / aspect);
+    if (area->followed != nullptr)
+    {
+        return FollowView{{area->followed->GetNumber()}, height};
+    }
+    return FixedView{area->center.x, area->center.y, height};
 }
 
 /// Numbers are names of bodies that have none.
@@ -85,6 +105,10 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
         source.scene = source.entry->create(SceneSettings{look.seed});
     }
     ViewChoice view = look.view;
+    if (std::holds_alternative<SceneView>(view))
+    {
+        view = PreferredView(*source.scene, double(look.width) / look.height);
+    }
     if (const Result<void> found = FindNames("--camera", BodiesOf(view), source.scene->Names());
         !found)
     {
@@ -188,8 +212,13 @@ void SceneSession::Fill(FrameContent& content, const DrawList& notes)
 void SceneSession::Collect(double farthest, DrawList& list, const DrawList& notes)
 {
     static const JointNames kNone;
+    DrawList own;
+    own.layer = DrawLayer::Scene;
+    DrawCollector collector(own);
+    m_scene->Draw(collector);
+    Append(own, notes);
     m_layers.Collect(m_scene->World(), CollectedView(farthest), m_shownNames,
-                     m_look.layers.names ? m_scene->JointNames() : kNone, list, notes);
+                     m_look.layers.names ? m_scene->JointNames() : kNone, list, own);
 }
 
 /// What has jumped is found where it is now, not farther than `farthest` [m] from where it is
@@ -222,6 +251,10 @@ HudContent SceneSession::DescribeState() const
                     {"step", std::to_string(m_fraction ? m_step - 1 : m_step)},
                     {"bodies", std::to_string(world.GetBodyCount())},
                     {"contacts", std::to_string(world.GetContactCount())}};
+    for (auto& row : m_scene->Describe())
+    {
+        content.rows.push_back(std::move(row));
+    }
     if (m_look.hudMilliseconds)
     {
         content.rows.emplace_back("ms per step", Decimals(m_stepMilliseconds, 2));

@@ -168,6 +168,7 @@ std::string TextOf(const std::vector<BodyRef>& bodies)
 
 struct Describer
 {
+    std::string operator()(const SceneView&) const { return "scene"; }
     std::string operator()(const FitView& view) const
     {
         return view.wholeWorld ? "fit:world" : "fit";
@@ -228,6 +229,10 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
     const std::size_t colon = text.find(':');
     const std::string kind = text.substr(0, colon);
     const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+    if (text == "scene")
+    {
+        return ViewChoice(SceneView{});
+    }
     if (text == "fit" || text == "fit:world")
     {
         return ViewChoice(FitView{text != "fit"});

@@ -17,6 +17,12 @@
 namespace boxreel
 {
 
+/// As the scene prefers it; what moves, if it prefers nothing.
+struct SceneView
+{
+    friend bool operator==(const SceneView&, const SceneView&) = default;
+};
+
 /// The camera keeps in view what moves.
 struct FitView
 {
@@ -55,12 +61,12 @@ struct PathView
     friend bool operator==(const PathView&, const PathView&) = default;
 };
 
-using ViewChoice = std::variant<FitView, FitBodiesView, FixedView, FollowView, PathView>;
+using ViewChoice = std::variant<SceneView, FitView, FitBodiesView, FixedView, FollowView, PathView>;
 
 /// The bodies that a view names.
 std::vector<BodyRef*> BodiesOf(ViewChoice& view);
 
-/// "fit", "fit:world", "fit:3,17", "0,20,50", "follow:17", "follow:3,17:12",
+/// "scene", "fit", "fit:world", "fit:3,17", "0,20,50", "follow:17", "follow:3,17:12",
 /// "path:0s=0,20,50;3s=10,5,12". A failure is Unusable, one sentence that names `option`.
 Result<ViewChoice> ParseView(const std::string& option, const std::string& text);
 

@@ -87,7 +87,8 @@ TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
                  options.look.positionIterations)
         << "as the scene prefers";
     EXPECT_EQ(options.look.seed, 1u);
-    EXPECT_EQ(options.look.view, ViewChoice(FitView{})) << "the camera keeps in view what moves";
+    EXPECT_EQ(options.look.view, ViewChoice(SceneView{}))
+        << "the camera looks as the scene prefers";
     EXPECT_FALSE(options.look.hud);
 }
 

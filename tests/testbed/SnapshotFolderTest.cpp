@@ -71,13 +71,11 @@ TEST(SnapshotFolder, IsRidOfWhatKilledRunsOfThisMachineLeftHalfWritten)
                                                               "a-1." + here + "13.snapshot"));
 }
 
-const ViewChoice kViews[] = {FitView{},
-                             FitView{true},
-                             FitBodiesView{{1, 5}},
-                             FollowView{{3}, {}},
-                             FollowView{{3}, 12.0},
-                             FixedView{},
-                             PathView{{{0.0, 0.0, 20.0, 50.0}, {3.0, 10.0, 5.0, 12.0}}}};
+const ViewChoice kViews[] = {
+    SceneView{},         FitView{},
+    FitView{true},       FitBodiesView{{1, 5}},
+    FollowView{{3}, {}}, FollowView{{3}, 12.0},
+    FixedView{},         PathView{{{0.0, 0.0, 20.0, 50.0}, {3.0, 10.0, 5.0, 12.0}}}};
 
 SceneSession Open(const SceneEntry& entry, const ViewChoice& view)
 {

@@ -31,7 +31,8 @@ std::string Refusal(const std::string& text)
 
 TEST(ViewChoice, EachFormIsRead)
 {
-    EXPECT_EQ(Parsed("fit"), ViewChoice());
+    EXPECT_EQ(Parsed("scene"), ViewChoice());
+    EXPECT_EQ(Parsed("fit"), ViewChoice(FitView{}));
     EXPECT_EQ(Parsed("fit:world"), ViewChoice(FitView{true}));
     EXPECT_EQ(Parsed("fit:3,17"), ViewChoice(FitBodiesView{{3, 17}}));
     EXPECT_EQ(Parsed("0,-20.5,50"), ViewChoice(FixedView{0.0, -20.5, 50.0}));

@@ -72,6 +72,7 @@ enum class DrawLayer : std::uint8_t
     JointGlyphs,
     Trails,      ///< where bodies have been, as lines
     Poses,       ///< how bodies stood earlier, faded
+    Scene,       ///< what a scene draws beside its bodies: rays, hulls, marks
     Annotations, ///< axes, scale bars, dimensions, captions; solid shapes (heads of arrows) are
                  ///< filled with all of their colour
 };

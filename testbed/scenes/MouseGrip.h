@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Box2D.h>
+
+namespace boxreel
+{
+
+class SceneState;
+
+/// Drags bodies: takes the dynamic one at a point and pulls it behind the mouse by a mouse joint,
+/// with at most a thousand times the force that would give it 1 m/s^2. Used by Scene only.
+class MouseGrip
+{
+public:
+    /// Nothing happens where no dynamic body is, or while something is gripped already. Of several
+    /// the youngest is taken.
+    void Take(b2World& world, const b2Vec2& point);
+    void MoveTo(const b2Vec2& point);
+    void LetGo(b2World& world);
+
+    /// Joints go with their bodies.
+    void Forget(const b2Joint* joint);
+    /// The joint needs a second body, which is made when it is first needed.
+    void VisitState(SceneState& state);
+
+private:
+    b2Joint* m_joint = nullptr; // a mouse joint
+    b2Body* m_ground = nullptr;
+};
+
+} // namespace boxreel
