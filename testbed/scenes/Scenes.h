@@ -15,5 +15,15 @@ std::unique_ptr<Scene> MakeChain(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeDominos(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeTumbler(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeNewtonsCradle(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCar(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeTheoJansensWalker(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRevolute(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePrismatic(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePulleys(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeGears(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSliderCrank(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeApplyForce(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeMotorJoint(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRopeJoint(const SceneSettings& settings);
 
 } // namespace boxreel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <scenes/Scene.h>
+#include "scenes/ScenePlay.h"
 
 #include <gtest/gtest.h>
 
@@ -17,61 +17,6 @@ namespace
 {
 
 constexpr float32 kOneCentimetre = 0.01f;
-
-std::unique_ptr<Scene> Make(const std::string& name, uint32 seed = 1)
-{
-    for (const SceneEntry& entry : AllScenes())
-    {
-        if (entry.name == name)
-        {
-            return entry.create(SceneSettings{seed});
-        }
-    }
-    ADD_FAILURE() << "no scene is called " << name;
-    return nullptr;
-}
-
-/// Dynamic bodies in the order in which the scene made them.
-std::vector<b2Body*> Movers(Scene& scene)
-{
-    std::vector<b2Body*> movers;
-    for (b2Body* body = scene.World().GetBodyList(); body != nullptr; body = body->GetNext())
-    {
-        if (body->GetType() == b2_dynamicBody)
-        {
-            movers.push_back(body);
-        }
-    }
-    std::ranges::reverse(movers);
-    return movers;
-}
-
-/// Calls `look` after every step.
-template <class Look>
-void Play(Scene& scene, float32 seconds, const Look& look)
-{
-    const int32 steps = static_cast<int32>(std::lround(seconds * 60.0f));
-    for (int32 i = 0; i < steps; ++i)
-    {
-        scene.Step(StepSettings{});
-        look();
-    }
-}
-
-void Play(Scene& scene, float32 seconds)
-{
-    Play(scene, seconds, [] {});
-}
-
-float32 WidestJointGap(Scene& scene)
-{
-    float32 widest = 0.0f;
-    for (b2Joint* joint = scene.World().GetJointList(); joint != nullptr; joint = joint->GetNext())
-    {
-        widest = std::max(widest, b2Distance(joint->GetAnchorA(), joint->GetAnchorB()));
-    }
-    return widest;
-}
 
 /// Every bit that a step can change, of every body.
 std::vector<uint32> State(Scene& scene)
