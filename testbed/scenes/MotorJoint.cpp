@@ -26,6 +26,8 @@ public:
     explicit MotorJoint(const SceneSettings& settings) : Scene(settings)
     {
         b2Body* ground = AddGroundEdge(m_world, b2Vec2(-16.0f, 0.0f), b2Vec2(16.0f, 0.0f));
+        AddGroundEdge(m_world, b2Vec2(-16.0f, 0.0f), b2Vec2(-16.0f, 4.0f));
+        AddGroundEdge(m_world, b2Vec2(16.0f, 0.0f), b2Vec2(16.0f, 4.0f));
         b2Body* plate = AddBox(m_world, kMiddle, 2.0f, 0.5f, {.density = 4.0f});
         for (int32 i = 0; i < 5; ++i)
         {
