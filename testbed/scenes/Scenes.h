@@ -25,5 +25,6 @@ std::unique_ptr<Scene> MakeSliderCrank(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeApplyForce(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeMotorJoint(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeRopeJoint(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeJointGrid(const SceneSettings& settings);
 
 } // namespace boxreel
