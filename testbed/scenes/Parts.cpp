@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <scenes/Parts.h>
 
+#include <cstdio>
+
 namespace boxreel
 {
 
@@ -105,6 +107,13 @@ b2Joint* AddHinge(b2World& world, b2Body* bodyA, b2Body* bodyB, const b2Vec2& po
     b2RevoluteJointDef definition;
     definition.Initialize(bodyA, bodyB, point);
     return world.CreateJoint(&definition);
+}
+
+std::string Rounded(float32 number)
+{
+    char text[64]; // a float has at most 39 digits before its point
+    std::snprintf(text, sizeof text, "%.1f", static_cast<double>(number));
+    return text;
 }
 
 } // namespace boxreel

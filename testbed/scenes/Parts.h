@@ -4,6 +4,7 @@
 #include <Box2D/Box2D.h>
 
 #include <initializer_list>
+#include <string>
 
 /// The few pieces that nearly every scene is made of. Called by scenes while they build their
 /// world; anything only one scene needs stays in that scene's file.
@@ -45,5 +46,8 @@ void AddPyramid(b2World& world, const b2Vec2& foot, int32 baseCount, float32 hal
 
 /// A hinge between two bodies at a world point [m]; the two do not collide with each other.
 b2Joint* AddHinge(b2World& world, b2Body* bodyA, b2Body* bodyB, const b2Vec2& point);
+
+/// A number with one decimal, for Scene::Describe.
+std::string Rounded(float32 number);
 
 } // namespace boxreel

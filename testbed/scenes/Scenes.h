@@ -34,5 +34,16 @@ std::unique_ptr<Scene> MakeOverlapRecovery(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeChainSlide(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeGhostBumps(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeSkinnyBox(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCar(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeTheoJansensWalker(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRevolute(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePrismatic(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePulleys(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeGears(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSliderCrank(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeApplyForce(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeMotorJoint(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRopeJoint(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeJointGrid(const SceneSettings& settings);
 
 } // namespace boxreel

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/ScenePlay.h"
 
-#include <scenes/Scene.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,16 +17,6 @@ namespace
 {
 
 constexpr float32 kOneCentimetre = 0.01f;
-
-float32 WidestJointGap(Scene& scene)
-{
-    float32 widest = 0.0f;
-    for (b2Joint* joint = scene.World().GetJointList(); joint != nullptr; joint = joint->GetNext())
-    {
-        widest = std::max(widest, b2Distance(joint->GetAnchorA(), joint->GetAnchorB()));
-    }
-    return widest;
-}
 
 /// Every bit that a step can change, of every body.
 std::vector<uint32> State(Scene& scene)

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
-/// Scenes by name, and their time, for tests of what they are known for.
+/// What tests of single scenes have in common: to make one by its name and to play it.
 namespace boxreel
 {
 
@@ -25,7 +25,7 @@ inline std::unique_ptr<Scene> Make(const std::string& name, uint32 seed = 1)
         }
     }
     ADD_FAILURE() << "no scene is called " << name;
-    return nullptr;
+    std::abort();
 }
 
 /// Dynamic bodies in the order in which the scene made them.
@@ -43,7 +43,23 @@ inline std::vector<b2Body*> Movers(Scene& scene)
     return movers;
 }
 
-/// Calls `look` after every step.
+/// Joints of a class in the order in which the scene made them.
+template <class Joint>
+std::vector<Joint*> JointsOf(Scene& scene)
+{
+    std::vector<Joint*> joints;
+    for (b2Joint* joint = scene.World().GetJointList(); joint != nullptr; joint = joint->GetNext())
+    {
+        if (auto* wanted = dynamic_cast<Joint*>(joint))
+        {
+            joints.push_back(wanted);
+        }
+    }
+    std::ranges::reverse(joints);
+    return joints;
+}
+
+/// Calls `look` after every step, as the scene prefers it: of a sixtieth of a second.
 template <class Look>
 void Play(Scene& scene, float32 seconds, const Look& look)
 {
@@ -58,6 +74,28 @@ void Play(Scene& scene, float32 seconds, const Look& look)
 inline void Play(Scene& scene, float32 seconds)
 {
     Play(scene, seconds, [] {});
+}
+
+/// Between the anchors of a joint, for those whose anchors belong together.
+inline float32 WidestJointGap(Scene& scene)
+{
+    float32 widest = 0.0f;
+    for (b2Joint* joint = scene.World().GetJointList(); joint != nullptr; joint = joint->GetNext())
+    {
+        widest = std::max(widest, b2Distance(joint->GetAnchorA(), joint->GetAnchorB()));
+    }
+    return widest;
+}
+
+/// The same of hinges only.
+inline float32 WidestHingeGap(Scene& scene)
+{
+    float32 widest = 0.0f;
+    for (const b2RevoluteJoint* hinge : JointsOf<b2RevoluteJoint>(scene))
+    {
+        widest = std::max(widest, b2Distance(hinge->GetAnchorA(), hinge->GetAnchorB()));
+    }
+    return widest;
 }
 
 } // namespace boxreel

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "ScenePlay.h"
+
+// Scenes of what drives and turns.
+namespace boxreel
+{
+namespace
+{
+
+TEST(CarScene, DrivesOverSeesawAndBridgeIntoTheBoxes)
+{
+    const auto scene = Make("Car");
+    const auto wheels = JointsOf<b2WheelJoint>(*scene);
+    ASSERT_EQ(wheels.size(), 2u);
+    const b2Body* chassis = wheels[0]->GetBodyA();
+    scene->KeyDown('d');
+    float32 farthest = -100.0f;
+    Play(*scene, 10.0f, [&] { farthest = std::max(farthest, chassis->GetPosition().x); });
+    EXPECT_GT(farthest, 33.0f);
+    EXPECT_GT(chassis->GetPosition().y, 0.5f) << "it fell off the bridge";
+}
+
+TEST(CarScene, RollsDownTheSlopeUnlessItBrakes)
+{
+    const auto rolling = Make("Car");
+    const auto braked = Make("Car");
+    braked->KeyDown('s');
+    Play(*rolling, 5.0f);
+    Play(*braked, 5.0f);
+    EXPECT_GT(JointsOf<b2WheelJoint>(*rolling)[0]->GetBodyA()->GetPosition().x, -15.0f);
+    EXPECT_LT(JointsOf<b2WheelJoint>(*braked)[0]->GetBodyA()->GetPosition().x, -24.0f);
+}
+
+TEST(CarScene, HasSpringsOfAsManyHertzAsTheKeysSay)
+{
+    const auto scene = Make("Car");
+    const b2WheelJoint* spring = JointsOf<b2WheelJoint>(*scene)[0];
+    const float32 before = spring->GetSpringFrequencyHz();
+    scene->KeyDown('e');
+    EXPECT_EQ(spring->GetSpringFrequencyHz(), before + 1.0f);
+    scene->KeyDown('q');
+    scene->KeyDown('q');
+    EXPECT_EQ(spring->GetSpringFrequencyHz(), before - 1.0f);
+}
+
+TEST(TheoJansensWalkerScene, WalksFiveMetresInTenSecondsWithoutLosingAJoint)
+{
+    const auto scene = Make("Theo Jansen's Walker");
+    const b2RevoluteJoint* motor = JointsOf<b2RevoluteJoint>(*scene)[0];
+    const b2Body* trunk = motor->GetBodyA();
+    const float32 start = trunk->GetPosition().x;
+    float32 steepest = 0.0f;
+    float32 widest = 0.0f;
+    Play(*scene, 10.0f, [&] {
+        steepest = std::max(steepest, std::abs(trunk->GetAngle()));
+        widest = std::max(widest, WidestHingeGap(*scene));
+    });
+    EXPECT_GT(std::abs(trunk->GetPosition().x - start), 5.0f);
+    EXPECT_LT(steepest, 0.35f) << "it should walk upright";
+    EXPECT_LT(widest, 0.1f);
+    for (const b2DistanceJoint* rod : JointsOf<b2DistanceJoint>(*scene))
+    {
+        EXPECT_NEAR(b2Distance(rod->GetAnchorA(), rod->GetAnchorB()), rod->GetLength(), 0.1f);
+    }
+}
+
+TEST(TheoJansensWalkerScene, WalksTheOtherWayWhenAsked)
+{
+    const auto right = Make("Theo Jansen's Walker");
+    const auto left = Make("Theo Jansen's Walker");
+    right->KeyDown('d');
+    left->KeyDown('a');
+    Play(*right, 6.0f);
+    Play(*left, 6.0f);
+    const auto place = [](Scene& scene) {
+        return JointsOf<b2RevoluteJoint>(scene)[0]->GetBodyA()->GetPosition().x;
+    };
+    EXPECT_GT(place(*right), place(*left) + 6.0f);
+}
+
+TEST(RevoluteScene, TurnsItsWheelAtTheMotorsSpeedAndStopsItsGateAtTheLimit)
+{
+    const auto scene = Make("Revolute");
+    const auto hinges = JointsOf<b2RevoluteJoint>(*scene);
+    ASSERT_EQ(hinges.size(), 3u);
+    Play(*scene, 10.0f, [&] {
+        EXPECT_GT(hinges[1]->GetJointAngle(), -0.25f * b2_pi - 0.05f);
+        EXPECT_LT(hinges[1]->GetJointAngle(), 0.05f);
+    });
+    EXPECT_NEAR(hinges[0]->GetJointAngle(), -20.0f, 0.5f);
+    EXPECT_LT(WidestHingeGap(*scene), 0.05f);
+}
+
+TEST(RevoluteScene, LetsItsGateHangWithoutTheLimit)
+{
+    const auto scene = Make("Revolute");
+    const b2RevoluteJoint* gate = JointsOf<b2RevoluteJoint>(*scene)[1];
+    scene->KeyDown('l');
+    float32 lowest = 0.0f;
+    Play(*scene, 3.0f, [&] { lowest = std::min(lowest, gate->GetJointAngle()); });
+    EXPECT_LT(lowest, -0.6f * b2_pi);
+}
+
+TEST(PrismaticScene, CarriesItsBoxesUpAndDownBetweenTheLimits)
+{
+    const auto scene = Make("Prismatic");
+    const b2PrismaticJoint* slide = JointsOf<b2PrismaticJoint>(*scene)[0];
+    float32 least = 100.0f;
+    float32 most = 0.0f;
+    Play(*scene, 10.0f, [&] {
+        most = std::max(most, slide->GetJointTranslation());
+        least = std::min(least, slide->GetJointTranslation());
+        EXPECT_NEAR(slide->GetBodyB()->GetAngle(), 0.0f, 0.02f);
+    });
+    EXPECT_NEAR(most, 17.0f, 0.7f);
+    EXPECT_NEAR(least, 0.0f, 0.3f);
+    for (const b2Body* body : Movers(*scene))
+    {
+        EXPECT_GT(body->GetPosition().y, 4.0f) << "a box fell off";
+    }
+}
+
+TEST(PulleysScene, LetTheBasketDownWhenTheBallsAreInIt)
+{
+    const auto scene = Make("Pulleys");
+    const b2PulleyJoint* rope = JointsOf<b2PulleyJoint>(*scene)[0];
+    const float32 whole = rope->GetCurrentLengthA() + rope->GetRatio() * rope->GetCurrentLengthB();
+    const float32 basket = rope->GetCurrentLengthA();
+    Play(*scene, 0.6f);
+    EXPECT_LE(rope->GetCurrentLengthA(), basket + 0.1f) << "empty, it is held up";
+    Play(*scene, 9.0f, [&] {
+        EXPECT_NEAR(rope->GetCurrentLengthA() + rope->GetRatio() * rope->GetCurrentLengthB(), whole,
+                    0.1f);
+    });
+    EXPECT_GT(rope->GetCurrentLengthA(), basket + 5.0f);
+}
+
+TEST(GearsScene, TurnAsTheirTeethSay)
+{
+    const auto scene = Make("Gears");
+    const auto gears = JointsOf<b2RevoluteJoint>(*scene);
+    const b2PrismaticJoint* rack = JointsOf<b2PrismaticJoint>(*scene)[0];
+    const float32 radius = 24.0f / (2.0f * b2_pi); // 24 teeth, one metre from each to the next
+    float32 lowest = 0.0f;
+    float32 highest = 0.0f;
+    Play(*scene, 15.0f, [&] {
+        EXPECT_NEAR(gears[0]->GetJointAngle(), -2.0f * gears[1]->GetJointAngle(), 0.02f);
+        EXPECT_NEAR(rack->GetJointTranslation(), radius * gears[1]->GetJointAngle(), 0.02f);
+        lowest = std::min(lowest, rack->GetJointTranslation());
+        highest = std::max(highest, rack->GetJointTranslation());
+    });
+    EXPECT_NEAR(lowest, -5.0f, 0.2f);
+    EXPECT_NEAR(highest, 5.0f, 0.2f);
+}
+
+TEST(SliderCrankScene, MovesItsPistonByTwiceTheCrank)
+{
+    const auto scene = Make("Slider Crank");
+    const b2PrismaticJoint* piston = JointsOf<b2PrismaticJoint>(*scene)[0];
+    float32 lowest = 0.0f;
+    float32 highest = 0.0f;
+    Play(*scene, 8.0f, [&] {
+        lowest = std::min(lowest, piston->GetJointTranslation());
+        highest = std::max(highest, piston->GetJointTranslation());
+    });
+    EXPECT_NEAR(lowest, -5.0f, 0.1f);
+    EXPECT_NEAR(highest, 0.0f, 0.1f);
+    EXPECT_NEAR(JointsOf<b2RevoluteJoint>(*scene)[0]->GetJointAngle(), 8.0f * b2_pi, 0.5f);
+}
+
+TEST(ApplyForceScene, PushesItsShipIntoTheBoxesAndAllComesToRest)
+{
+    const auto scene = Make("Apply Force");
+    const std::vector<b2Body*> bodies = Movers(*scene);
+    const b2Vec2 first = bodies[1]->GetPosition();
+    Play(*scene, 6.0f);
+    EXPECT_GT(b2Distance(bodies[1]->GetPosition(), first), 1.0f);
+    scene->KeyDown('w'); // from here on the keys fly
+    scene->KeyUp('w');
+    Play(*scene, 5.0f);
+    for (const b2Body* body : bodies)
+    {
+        EXPECT_LT(body->GetLinearVelocity().Length(), 0.1f);
+    }
+}
+
+TEST(ApplyForceScene, TurnsTheWayTheKeysSay)
+{
+    for (const char key : {'a', 'd'})
+    {
+        const auto scene = Make("Apply Force");
+        scene->KeyDown(key);
+        Play(*scene, 0.5f);
+        const float32 turned = Movers(*scene)[0]->GetAngle();
+        EXPECT_GT(key == 'a' ? turned : -turned, 0.1f);
+    }
+}
+
+TEST(MotorJointScene, FollowsItsPathUnlessItIsStopped)
+{
+    const auto scene = Make("Motor Joint");
+    const b2MotorJoint* motor = JointsOf<b2MotorJoint>(*scene)[0];
+    const b2Body* plate = motor->GetBodyB();
+    float32 left = 0.0f;
+    float32 right = 0.0f;
+    Play(*scene, 6.3f, [&] {
+        EXPECT_LT(b2Distance(plate->GetPosition(), motor->GetLinearOffset()), 1.0f);
+        left = std::min(left, plate->GetPosition().x);
+        right = std::max(right, plate->GetPosition().x);
+    });
+    EXPECT_LT(left, -5.0f);
+    EXPECT_GT(right, 5.0f);
+    const std::vector<b2Body*> bodies = Movers(*scene);
+    EXPECT_TRUE(std::ranges::any_of(bodies, [](b2Body* body) {
+        return std::abs(body->GetPosition().x) > 9.0f;
+    })) << "it should push boxes aside";
+    scene->KeyDown('s');
+    Play(*scene, 2.0f);
+    const b2Vec2 stopped = plate->GetPosition();
+    Play(*scene, 1.0f);
+    EXPECT_LT(b2Distance(plate->GetPosition(), stopped), 0.05f);
+}
+
+TEST(RopeJointScene, KeepsTheChainWholeUntilTheRopeIsCut)
+{
+    const auto whole = Make("RopeJoint");
+    const auto cut = Make("RopeJoint");
+    cut->KeyDown('j');
+    float32 gapWhole = 0.0f;
+    float32 gapCut = 0.0f;
+    Play(*whole, 8.0f, [&] { gapWhole = std::max(gapWhole, WidestHingeGap(*whole)); });
+    Play(*cut, 8.0f, [&] { gapCut = std::max(gapCut, WidestHingeGap(*cut)); });
+    EXPECT_LT(gapWhole, 0.15f);
+    EXPECT_GT(gapCut, 4.0f * gapWhole);
+    cut->KeyDown('j');
+    EXPECT_EQ(JointsOf<b2RopeJoint>(*cut).size(), 1u);
+}
+
+} // namespace
+} // namespace boxreel
