@@ -73,8 +73,8 @@ TEST(SnapshotFolder, IsRidOfWhatKilledRunsOfThisMachineLeftHalfWritten)
 
 const ViewChoice kViews[] = {
     SceneView{},         FitView{},
-    FitView{true},       FitBodiesView{{1, 5}},
-    FollowView{{3}, {}}, FollowView{{3}, 12.0},
+    FitView{true},       FitBodiesView{{1, 2}},
+    FollowView{{2}, {}}, FollowView{{2}, 12.0},
     FixedView{},         PathView{{{0.0, 0.0, 20.0, 50.0}, {3.0, 10.0, 5.0, 12.0}}}};
 
 SceneSession Open(const SceneEntry& entry, const ViewChoice& view)
