@@ -22,14 +22,19 @@ b2Fixture* AddEdge(b2Body* body, const b2Vec2& from, const b2Vec2& to)
 }
 
 /// Light bullets of all angles between a wall without thickness and a heavy box that falls on them.
-void Press(int32 subSteps, b2BodyType type, float32 wallSpeed)
+/// More walls may stand behind it, nearer to each other than the bullets are thick.
+void Press(int32 subSteps, b2BodyType type, float32 wallSpeed, int32 walls = 1)
 {
     for (int i = 0; i < 40; ++i)
     {
         Scene scene(b2Vec2(0.0f, 0.0f));
         scene.world.SetSubStepCount(subSteps);
         b2Body* wall = scene.Body(type, 5.0f, 0.0f);
-        AddEdge(wall, b2Vec2(0.0f, -1000.0f), b2Vec2(0.0f, 1000.0f));
+        for (int32 k = 0; k < walls; ++k)
+        {
+            const float32 x = 0.05f * float32(k);
+            AddEdge(wall, b2Vec2(x, -1000.0f), b2Vec2(x, 1000.0f));
+        }
         wall->SetLinearVelocity(b2Vec2(wallSpeed, 0.0f));
         b2Body* light =
             scene.Body(b2_dynamicBody, 3.9f, 0.03f * float32(i % 10), 0.17f * float32(i));
@@ -62,6 +67,11 @@ TEST_P(Containment, KeepsWhatIsLightBetweenAThinWallAndAPress)
 TEST_P(Containment, KeepsItBeforeAWallThatMoves)
 {
     Press(GetParam(), b2_kinematicBody, -1.0f);
+}
+
+TEST_P(Containment, KeepsItBeforeTheFirstOfSeveralWalls)
+{
+    Press(GetParam(), b2_staticBody, 0.0f, 4);
 }
 
 TEST_P(Containment, LetsThroughWhatTheListenerLetsThrough)
@@ -163,6 +173,47 @@ TEST_P(Containment, KeepsOutTheOtherEndOfWhatTurnsOutOfAWall)
             }
         }
     }
+}
+
+/// Before a wall that stands upright at x = 0.
+struct Obstacle
+{
+    const char* name;
+    bool isEdge;
+    b2Vec2 place, velocity;
+};
+
+/// A ball that the wall throws back behind the obstacle: the straight line from where the step
+/// begins to where it ends goes through that, the ball does not.
+void GoRound(int32 subSteps, const Obstacle& obstacle)
+{
+    SCOPED_TRACE(obstacle.name);
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    scene.world.SetSubStepCount(subSteps);
+    b2Body* wall = scene.Body(b2_staticBody, 0.0f, 0.0f);
+    AddEdge(wall, b2Vec2(0.0f, -50.0f), b2Vec2(0.0f, 50.0f))->SetRestitution(1.0f);
+    const bool moves = obstacle.velocity != b2Vec2(0.0f, 0.0f);
+    b2Body* before =
+        scene.Body(moves ? b2_kinematicBody : b2_staticBody, obstacle.place.x, obstacle.place.y);
+    obstacle.isEdge ? AddEdge(before, b2Vec2(-0.19f, 0.0f), b2Vec2(0.19f, 0.0f))
+                    : Scene::AddBox(before, 0.19f, 0.15f);
+    before->SetLinearVelocity(obstacle.velocity);
+    b2Body* ball = scene.Body(b2_dynamicBody, 0.7f, 0.67f);
+    Scene::AddBall(ball, 0.1f, 0.0f, 1.0f);
+    ball->SetLinearVelocity(b2Vec2(-80.0f, -80.0f));
+    scene.Step();
+    EXPECT_NEAR(ball->GetLinearVelocity().x, 80.0f, 1e-3f);
+    EXPECT_NEAR(ball->GetLinearVelocity().y, -80.0f, 1e-3f);
+    EXPECT_NEAR(ball->GetPosition().y, 0.67f - 80.0f * kStep, 1e-3f);
+}
+
+TEST_P(Containment, LetsABodyGoRoundAnObstacleWithinAStep)
+{
+    const b2Vec2 still(0.0f, 0.0f);
+    GoRound(GetParam(), {"box", false, b2Vec2(0.75f, 0.0f), still});
+    GoRound(GetParam(), {"edge", true, b2Vec2(0.75f, 0.0f), still});
+    // It goes down with the ball, which is above it first, and then below.
+    GoRound(GetParam(), {"edge that moves", true, b2Vec2(0.81f, 0.52f), b2Vec2(0.0f, -60.0f)});
 }
 
 INSTANTIATE_TEST_SUITE_P(SubSteps, Containment, testing::Values(1, 4));

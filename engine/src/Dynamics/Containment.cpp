@@ -4,6 +4,7 @@
 #include "Access.h"
 #include "ImpactJoints.h"
 #include "SolverArrays.h"
+#include "Sweeps.h"
 #include "World.h"
 
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
@@ -44,9 +45,11 @@ b2Vec2 PointAt(const Pose& pose, const b2Vec2& offset, const Pose& origin)
 
 } // namespace
 
-Containment::Containment(World& world) : m_world(world), m_starts(world.solver->impactStarts)
+Containment::Containment(World& world)
+    : m_world(world), m_starts(world.solver->impactStarts), m_turns(world.solver->impactTurns)
 {
     m_starts.clear();
+    m_turns.clear();
 }
 
 void Containment::NoteStarts()
@@ -54,6 +57,16 @@ void Containment::NoteStarts()
     for (const b2Body* body : m_world.awakeBodies)
     {
         m_starts.push_back(ImpactStart{&Data(*body), Data(*body).previous});
+    }
+}
+
+void Containment::NoteTurn(const BodyData& body)
+{
+    ImpactStart* start = NotedStart(body);
+    if (body.IsDynamic() && start != nullptr)
+    {
+        m_turns.push_back(ImpactTurn{body.previous, body.sweepStart, start->lastTurn});
+        start->lastTurn = int32(m_turns.size()) - 1;
     }
 }
 
@@ -73,51 +86,101 @@ bool Containment::Hold(ImpactJoints& joints)
     return any;
 }
 
-const Pose& Containment::StartOf(const BodyData& body) const
+/// Null for what has woken since.
+ImpactStart* Containment::NotedStart(const BodyData& body) const
 {
     const auto index = std::size_t(body.awakeIndex); // of what is not awake, beyond all
-    return index < m_starts.size() && m_starts[index].body == &body ? m_starts[index].pose
-                                                                    : body.previous;
+    return index < m_starts.size() && m_starts[index].body == &body ? &m_starts[index] : nullptr;
 }
 
-bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
+const Pose& Containment::StartOf(const BodyData& body) const
 {
-    std::pair<b2Body*, const b2Shape*> moved(c.bodyB, c.fixtureB->GetShape());
-    std::pair<b2Body*, const b2Shape*> still(c.bodyA, c.fixtureA->GetShape());
-    int32 child = c.childA;
-    if (!Data(*moved.first).IsDynamic())
-    {
-        std::swap(moved, still);
-        child = c.childB;
-    }
-    BodyData& body = Data(*moved.first);
-    const BodyData& wall = Data(*still.first);
-    if (!body.IsDynamic())
-    {
-        return false;
-    }
-    const b2Vec2 offset = CentreOf(*moved.second, body) - body.localCenter;
-    const Pose& wallStart = StartOf(wall);
-    const b2Rot turned =
-        wallStart.angle == wall.pose.angle ? wall.rotation : b2Rot(float32(wallStart.angle));
-    const b2Vec2 end = PointAt(body.pose, offset, wall.pose);
+    const ImpactStart* start = NotedStart(body);
+    return start != nullptr ? start->pose : body.previous;
+}
+
+/// Whether the centre of what moves gets into what stands still, or through it, between two times.
+bool Containment::Crosses(const Part& moved, const Part& still, const Moment& from,
+                          const Moment& to, Crossing& crossing)
+{
+    const BodyData& body = Data(*moved.body);
+    const BodyData& wall = Data(*still.body);
+    const auto rotationAt = [&wall](const Pose& pose) {
+        return pose.angle == wall.pose.angle ? wall.rotation : b2Rot(float32(pose.angle));
+    };
+    const b2Vec2 offset = CentreOf(*moved.shape, body) - body.localCenter;
     b2RayCastInput way; // in the wall's frame, which moves with it
-    way.p1 = b2MulT(turned, PointAt(StartOf(body), offset, wallStart)) + wall.localCenter;
-    way.p2 = b2MulT(wall.rotation, end) + wall.localCenter;
+    way.p1 =
+        b2MulT(rotationAt(from.still), PointAt(from.moved, offset, from.still)) + wall.localCenter;
+    way.p2 = b2MulT(rotationAt(to.still), PointAt(to.moved, offset, to.still)) + wall.localCenter;
     way.maxFraction = 1.0f;
     b2Transform here;
     here.SetIdentity();
     b2RayCastOutput hit;
-    if (!still.second->RayCast(&hit, way, here, child))
+    if (!still.shape->RayCast(&hit, way, here, still.child))
     {
         return false;
     }
-    const b2Vec2 held =
+    crossing.place =
         way.p1 + hit.fraction * (way.p2 - way.p1) + b2_linearSlop * hit.normal - wall.localCenter;
+    crossing.normal = hit.normal;
+    return true;
+}
+
+/// The first of the step.
+bool Containment::FindCrossing(const Part& moved, const Part& still, Crossing& crossing) const
+{
+    const BodyData& body = Data(*moved.body);
+    const BodyData& wall = Data(*still.body);
+    const ImpactStart* start = NotedStart(body);
+    int32 turn = start != nullptr ? start->lastTurn : -1;
+    Moment to{body.pose, wall.pose};
+    bool any = false;
+    for (; turn != -1; turn = m_turns[std::size_t(turn)].before)
+    {
+        const ImpactTurn& last = m_turns[std::size_t(turn)];
+        const Moment from{last.pose, PoseAt(wall, last.time)};
+        if (Crosses(moved, still, from, to, crossing))
+        {
+            crossing.turn = turn;
+            any = true;
+        }
+        to = from;
+    }
+    if (Crosses(moved, still, {StartOf(body), StartOf(wall)}, to, crossing))
+    {
+        crossing.turn = -1;
+        any = true;
+    }
+    return any;
+}
+
+bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
+{
+    Part moved{c.bodyB, c.fixtureB->GetShape(), c.childB};
+    Part still{c.bodyA, c.fixtureA->GetShape(), c.childA};
+    if (!Data(*moved.body).IsDynamic())
+    {
+        std::swap(moved, still);
+    }
+    BodyData& body = Data(*moved.body);
+    const BodyData& wall = Data(*still.body);
+    Crossing crossing;
+    if (!body.IsDynamic() || !FindCrossing(moved, still, crossing))
+    {
+        return false;
+    }
+    if (ImpactStart* start = NotedStart(body))
+    {
+        start->lastTurn = crossing.turn; // its way ends here
+    }
     joints.NoteStarts();
     joints.NoteStopped(body);
-    const b2Vec2 shift = b2Mul(wall.rotation, held) - end;
-    const b2Vec2 normal = b2Mul(wall.rotation, hit.normal);
+    const b2Vec2 offset = CentreOf(*moved.shape, body) - body.localCenter;
+    const b2Vec2 end = PointAt(body.pose, offset, wall.pose);
+    const b2Vec2 held = b2Mul(wall.rotation, crossing.place);
+    const b2Vec2 shift = held - end;
+    const b2Vec2 normal = b2Mul(wall.rotation, crossing.normal);
     body.pose.x += double(shift.x);
     body.pose.y += double(shift.y);
     const b2Vec2 arm = end + shift;

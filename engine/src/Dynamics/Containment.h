@@ -4,16 +4,21 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
+class b2Shape;
+
 /// Keeps what moves on its side of what does not. A light body that something heavy presses against
 /// a wall is driven deeper from step to step, for sweeps spread what they cannot finish; once its
 /// centre is beyond the wall it would be pushed out on the other side. No centre of a convex shape
 /// has any business within a wall that the shape touches, so the step ends where it would get
-/// there. Called by continuous collision, after it.
+/// there. What impacts have turned is asked piece by piece of its way: one that was thrown round a
+/// corner has a wall between its start and its end, and has not been through it. Called by
+/// continuous collision, after it.
 namespace box2d
 {
 
 struct ContactData;
 struct ImpactStart;
+struct ImpactTurn;
 class ImpactJoints;
 class World;
 
@@ -24,16 +29,41 @@ public:
 
     /// Before the first impact, which moves the starts of ways.
     void NoteStarts();
+    /// After an impact, that the body's way goes on from where it has stopped the body.
+    void NoteTurn(const BodyData& body);
     /// Takes bodies back to the walls that their shapes' centres have crossed in the step, and the
     /// speed at which they went there. Whether there were any.
     bool Hold(ImpactJoints& joints);
 
 private:
+    /// A shape's child and the body that it belongs to.
+    struct Part
+    {
+        b2Body* body;
+        const b2Shape* shape;
+        int32 child;
+    };
+    /// Where two bodies are at a time.
+    struct Moment
+    {
+        Pose moved, still;
+    };
+    struct Crossing
+    {
+        b2Vec2 place, normal; // in the axes of what stands still, from its centre of mass
+        int32 turn;           // the last before it
+    };
+
     bool Hold(const ContactData& c, ImpactJoints& joints);
+    bool FindCrossing(const Part& moved, const Part& still, Crossing& crossing) const;
+    static bool Crosses(const Part& moved, const Part& still, const Moment& from, const Moment& to,
+                        Crossing& crossing);
+    ImpactStart* NotedStart(const BodyData& body) const;
     const Pose& StartOf(const BodyData& body) const;
 
     World& m_world;
     Array<ImpactStart>& m_starts; // by awake body, when there was an impact
+    Array<ImpactTurn>& m_turns;
 };
 
 } // namespace box2d

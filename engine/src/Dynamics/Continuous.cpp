@@ -51,7 +51,7 @@ class ContinuousCollision
 public:
     ContinuousCollision(World& world, float32 timeStep, int32 velocityIterations)
         : m_world(world), m_arrays(*world.solver), m_timeStep(timeStep),
-          m_impact(world, timeStep, velocityIterations), m_joints(world),
+          m_impact(world, timeStep, velocityIterations), m_joints(world), m_containment(world),
           m_events(m_arrays.impactEvents), m_bodies(m_impact.Bodies()),
           m_before(m_arrays.impactBefore), m_contacts(m_impact.Contacts())
     {
@@ -80,6 +80,7 @@ private:
     float32 m_timeStep;
     Impact m_impact; // the present event
     ImpactJoints m_joints;
+    Containment m_containment;
     Array<ImpactEvent>& m_events; // a heap, the earliest first
     int32 m_order = 0;
     Array<b2Body*>& m_bodies;      // of the present event
@@ -108,10 +109,9 @@ void ContinuousCollision::Run()
         AddEvent(*contacts[i], m_arrays.impactTimes[i]);
     }
     m_world.stepComplete = true;
-    Containment containment(m_world);
     if (!m_events.empty())
     {
-        containment.NoteStarts();
+        m_containment.NoteStarts();
         m_joints.NoteStarts();
     }
     bool any = false;
@@ -133,11 +133,11 @@ void ContinuousCollision::Run()
         }
     }
     // What is drawn back may get across a wall, and what is taken back from there open its joints.
-    (void)containment.Hold(m_joints);
+    (void)m_containment.Hold(m_joints);
     for (int32 i = 0; i < kMostRounds && m_joints.Close(); ++i)
     {
         m_world.FindNewContacts();
-        if (!containment.Hold(m_joints))
+        if (!m_containment.Hold(m_joints))
         {
             break;
         }
@@ -378,6 +378,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
         {
             ++data.sweepVersion;
             m_joints.NoteStopped(data);
+            m_containment.NoteTurn(data);
             m_world.UpdateProxies(data, true);
         }
     }

@@ -39,6 +39,15 @@ struct ImpactStart
 {
     const BodyData* body;
     Pose pose;
+    int32 lastTurn = -1; ///< of its way, among all; -1 when it goes straight on
+};
+
+/// Where an impact has turned a body's way.
+struct ImpactTurn
+{
+    Pose pose;
+    float32 time; ///< as a fraction of the step
+    int32 before; ///< the same body's turn before this, or -1
 };
 
 /// A body as it was before an impact.
@@ -89,6 +98,7 @@ struct SolverArrays
     Array<b2Contact*> impactContacts; ///< of one impact
     Array<ImpactFate> impactFates;    ///< by awake body, of small steps: see ImpactJoints
     Array<ImpactStart> impactStarts;  ///< by awake body: before all impacts
+    Array<ImpactTurn> impactTurns;    ///< of all bodies, by time
     Array<ContactConstraint> impact;  ///< of one impact
     Array<OverlapConstraint> impactOverlaps;
     Array<float32> impactDepths;
