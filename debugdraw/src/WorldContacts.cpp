@@ -35,15 +35,18 @@ struct Spot
     bool isOld = false;
 };
 
-/// Contact points lie in both boxes, give or take what bodies have moved since.
-Rect BoxAround(const b2Contact& contact)
+/// Of the points themselves: they lie beside both fixtures' boxes when an impact has turned a long
+/// body since they were found.
+Rect BoxAround(const b2WorldManifold& manifold, int32 pointCount)
 {
-    const b2AABB& a = contact.GetFixtureA()->GetAABB(contact.GetChildIndexA());
-    const b2AABB& b = contact.GetFixtureB()->GetAABB(contact.GetChildIndexB());
-    const b2Vec2 lower = b2Max(a.lowerBound, b.lowerBound);
-    const b2Vec2 upper = b2Min(a.upperBound, b.upperBound);
-    return {{lower.x - b2_aabbExtension, lower.y - b2_aabbExtension},
-            {upper.x + b2_aabbExtension, upper.y + b2_aabbExtension}};
+    b2Vec2 lower = manifold.points[0];
+    b2Vec2 upper = lower;
+    for (int32 i = 1; i < pointCount; ++i)
+    {
+        lower = b2Min(lower, manifold.points[i]);
+        upper = b2Max(upper, manifold.points[i]);
+    }
+    return {{lower.x, lower.y}, {upper.x, upper.y}};
 }
 
 /// Arrows of impulses, by which every spot is longer [px].
@@ -156,12 +159,16 @@ void ContactCollector::Collect(const b2World& world, const View& view, const Con
         const double arrow =
             hasArrows ? LongestArrow(manifold, metersPerImpulse, view.camera.pixelsPerMeter) : 0.0;
         const double reach = std::max(arrow, kNormalLength) + kHeadReach;
-        if (!c->IsTouching() || !view.Shows(BoxAround(*c), reach))
+        if (!c->IsTouching())
         {
             continue;
         }
         b2WorldManifold there;
         c->GetWorldManifold(&there);
+        if (!view.Shows(BoxAround(there, manifold.pointCount), reach))
+        {
+            continue;
+        }
         b2PointState unused[b2_maxManifoldPoints];
         b2PointState states[b2_maxManifoldPoints] = {b2_addState, b2_addState};
         if (const b2Manifold* const before = ManifoldBefore(*c))

@@ -149,6 +149,33 @@ TEST(SceneLayers, ImpulsesHaveALongerScaleThanForcesUnlessOneIsGiven)
     EXPECT_NEAR(longest("forces", given), 0.314f, 0.02f);
 }
 
+/// Where they were found moves with the bodies, and long ones take it far out of both boxes.
+TEST(SceneLayers, ContactPointsAreSeenWhereTheyAreThoughTheirBodiesAreElsewhere)
+{
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2BodyDef def;
+    b2PolygonShape rod;
+    rod.SetAsBox(10.0f, 0.1f);
+    world.CreateBody(&def)->CreateFixture(&rod, 0.0f);
+    def.type = b2_dynamicBody;
+    def.position.Set(0.0f, 0.2f);
+    b2Body* const turned = world.CreateBody(&def);
+    turned->CreateFixture(&rod, 1.0f);
+    world.Step(1.0f / 60.0f, 8, 3);
+    turned->SetTransform(b2Vec2(0.0f, 0.2f), 0.5f * b2_pi);
+    const LayerCollector collector(Layers("contacts"), {}, 60.0, world);
+    const DrawList whole = Collected(world, collector, ViewOfEverything(Camera()));
+    ASSERT_EQ(whole.points.size(), 2u);
+    for (const Vec2& point : whole.points)
+    {
+        EXPECT_GT(std::abs(point.y), 4.0f);
+        const Camera close{
+            .centerX = double(point.x), .centerY = double(point.y), .pixelsPerMeter = 500.0};
+        EXPECT_THAT(Collected(world, collector, ViewOf(close, 0.0)).points,
+                    testing::Contains(point));
+    }
+}
+
 /// Whatever is seen: the pixels, the items that are drawn, the figure are those of the whole list.
 TEST(SceneLayers, OfAViewGiveThePictureThatAllOfTheWorldGives)
 {
