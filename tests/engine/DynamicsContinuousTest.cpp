@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -285,6 +286,38 @@ TEST(DynamicsContinuous, BothWallsOfACornerTakePartInTheImpact)
     EXPECT_NEAR(ball->GetLinearVelocity().x, 50.0f, 0.1f);
     EXPECT_NEAR(ball->GetLinearVelocity().y, 50.0f, 0.1f);
     EXPECT_EQ(counter.postSolved, 2) << "one impact with two contacts";
+}
+
+/// Both walls at once: what one gives back turns the box against the other.
+TEST(DynamicsContinuous, ABoxThatSpinsIntoACornerKeepsItsEnergy)
+{
+    double least = 1.0; // of what it had
+    double most = 1.0;
+    for (int i = 0; i < 500; ++i)
+    {
+        Scene scene(b2Vec2(0.0f, 0.0f));
+        scene.world.SetSubStepCount(4);
+        const b2Vec2 corner[] = {{10.0f, 0.0f}, {0.0f, 0.0f}, {0.0f, 10.0f}};
+        b2ChainShape walls;
+        walls.CreateChain(corner, 3);
+        Scene::Add(scene.Body(b2_staticBody, 0.0f, 0.0f), walls, 0.0f, 1.0f);
+        b2Body* box = scene.Body(b2_dynamicBody, 1.0f, 1.0f, 0.1f * float32(i));
+        Scene::AddBox(box, 0.15f, 0.15f, 0.0f, 1.0f);
+        box->SetLinearVelocity(b2Vec2(-100.0f, -90.0f - 0.04f * float32(i)));
+        box->SetAngularVelocity(-1000.0f + 4.0f * float32(i));
+        const auto energy = [box] {
+            const double w = double(box->GetAngularVelocity());
+            return 0.5 * double(box->GetMass()) * double(box->GetLinearVelocity().LengthSquared()) +
+                   0.5 * double(box->GetInertia()) * w * w;
+        };
+        const double before = energy();
+        scene.Step();
+        ASSERT_GT(box->GetLinearVelocity().x, 0.0f) << i;
+        least = std::min(least, energy() / before);
+        most = std::max(most, energy() / before);
+    }
+    EXPECT_GT(least, 0.9995);
+    EXPECT_LT(most, 1.0001);
 }
 
 TEST(DynamicsContinuous, AContactDisabledAtTheImpactLetsTheBodyGoOnItsWay)

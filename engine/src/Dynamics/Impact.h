@@ -44,6 +44,7 @@ private:
     double CorrectBounce(std::size_t index);
     template <class Function>
     void ForMoved(Function&& function) const;
+    bool IsInCorner() const;
     void Sweep();
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
