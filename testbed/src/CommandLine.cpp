@@ -310,6 +310,23 @@ Result<Request> CheckMerge(MergeOptions options)
     return Request(std::move(options));
 }
 
+Result<Request> CheckPlay(PlayOptions options)
+{
+    if (options.script.empty())
+    {
+        return Unusable("Name the script, such as `boxreel play walk.play`.");
+    }
+    if (options.resume && options.force)
+    {
+        return Unusable("--resume goes on with what --force throws away; give one of them.");
+    }
+    if (options.check && options.accept)
+    {
+        return Unusable("--check makes nothing, and --accept would; give one of them.");
+    }
+    return Request(std::move(options));
+}
+
 Result<Request> CheckDiff(DiffOptions options)
 {
     if (options.expected.empty() || options.actual.empty())
@@ -396,6 +413,10 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return Request(std::move(parsed.golden));
     }
+    if (name == "play")
+    {
+        return CheckPlay(std::move(parsed.play));
+    }
     if (name == "bench")
     {
         return CheckBench(std::move(parsed.bench), *program.get_subcommand("bench"));
@@ -422,6 +443,7 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
     DeclareShot(program, parsed);
     DeclareDiff(program, parsed);
     DeclareGolden(program, parsed);
+    DeclarePlay(program, parsed);
     DeclareBench(program, parsed);
     for (CLI::App* command : program.get_subcommands({}))
     {

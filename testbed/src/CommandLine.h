@@ -19,7 +19,7 @@ struct TextRequest
 };
 
 using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions,
-                             DiffOptions, GoldenOptions, BenchOptions>;
+                             DiffOptions, GoldenOptions, PlayOptions, BenchOptions>;
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);

@@ -27,6 +27,7 @@ struct ParsedOptions
     ShotOptions shot;
     DiffOptions diff;
     GoldenOptions golden;
+    PlayOptions play;
     BenchOptions bench;
 };
 
@@ -36,6 +37,7 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed);
 void DeclareShot(CLI::App& program, ParsedOptions& parsed);
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed);
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
+void DeclarePlay(CLI::App& program, ParsedOptions& parsed);
 void DeclareBench(CLI::App& program, ParsedOptions& parsed);
 
 /// One of a few words.

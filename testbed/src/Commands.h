@@ -93,6 +93,18 @@ struct GoldenOptions
     Backend backend = Backend::Auto;
 };
 
+/// A script's expectations are checked, and what it makes is made.
+struct PlayOptions
+{
+    std::filesystem::path script;
+    std::filesystem::path into; ///< a folder for what is made; empty: the current one
+    bool check = false;         ///< only whether it can be played
+    bool accept = false;        ///< pictures become the references that they would be compared with
+    bool force = false;
+    bool resume = false; ///< films that were stopped are gone on with
+    Backend backend = Backend::Auto;
+};
+
 struct BenchOptions
 {
     bool list = false;               ///< only say which scenes there are
@@ -117,6 +129,7 @@ Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunPlay(const PlayOptions& options);
 Result<int> RunBench(const BenchOptions& options);
 /// What RunBench does when accuracy is asked for.
 Result<int> RunBenchAccuracy(const BenchOptions& options);
