@@ -182,6 +182,9 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
     AddPath(*command, "--into", "DIR", play.into, "Folder for what it makes (the current one)");
     command->add_flag("--check", play.check,
                       "Only say whether it can be played; simulates and makes nothing");
+    command->add_flag("--test", play.test,
+                      "Only look at what it expects and at what was approved; makes no\nfilms and "
+                      "shots");
     command->add_flag("--accept", play.accept,
                       "Pictures become the references that they would be compared with");
     AddForce(*command, play.force);

@@ -186,7 +186,8 @@ Result<fs::path> Planner::OutputOf(const ScriptProduct& product) const
     const fs::path output =
         m_options.into.empty() ? fs::path(product.name) : m_options.into / product.name;
     std::error_code error;
-    if (fs::exists(output, error) && !m_options.force && !m_options.check)
+    if (fs::exists(output, error) && !m_options.force && !m_options.resume && !m_options.check &&
+        !m_options.test)
     {
         return Unusable(output.string() +
                         " exists already; name another file, or allow overwriting (--force).");
@@ -454,7 +455,7 @@ Result<int> RunPlay(const PlayOptions& options)
     {
         return different;
     }
-    const Result<int> made = MakeFiles(play);
+    const Result<int> made = options.test ? 0 : MakeFiles(play);
     if (!made || *made != 0)
     {
         return made;

@@ -99,6 +99,7 @@ struct PlayOptions
     std::filesystem::path script;
     std::filesystem::path into; ///< a folder for what is made; empty: the current one
     bool check = false;         ///< only whether it can be played
+    bool test = false;          ///< only what it expects and what was approved
     bool accept = false;        ///< pictures become the references that they would be compared with
     bool force = false;
     bool resume = false; ///< films that were stopped are gone on with

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `boxreel play`: one file is a test, a film and a figure.
+#include "SceneSearch.h"
 #include "Subprocess.h"
 
 #include <recorder/VideoReader.h>
 #include <render/Png.h>
+#include <scenes/Scene.h>
+#include <script/Script.h>
 
 #include <gmock/gmock.h>
 
@@ -11,6 +14,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <set>
 #include <thread>
 
 namespace boxreel
@@ -65,7 +69,8 @@ TEST_F(PlayCommand, DrivesTheCarChecksItFilmsItAndDrawsIt)
 
 TEST_F(PlayCommand, WhatIsNotAsExpectedIsSaidWithItsValue)
 {
-    Write("scene car\nat 2s expect chassis.x > 500\nat 1s expect bodies > 3\nrecord film.mp4 --frames 2\n");
+    Write("scene car\nat 2s expect chassis.x > 500\nat 1s expect bodies > 3\nrecord film.mp4 "
+          "--frames 2\n");
     const Outcome outcome = Play();
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, AllOf(HasSubstr("FAIL  a.play:2: chassis.x > 500 ("),
@@ -99,6 +104,41 @@ TEST_F(PlayCommand, ChecksWithoutMakingAnything)
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.output, "a.play: Car, 1 action, 1 expectation, 0 pictures, 1 film\n");
     EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play"));
+}
+
+TEST_F(PlayCommand, AsATestMakesNoFilms)
+{
+    Write("scene car\nat 1s expect chassis.x > 0\nrecord film.mp4\nat 1s shot a.png\n");
+    const Outcome outcome = Play({"--test"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.output, testing::StartsWith("FAIL  a.play:2: chassis.x > 0 (-2"));
+    EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play"));
+}
+
+/// Each is what shows off a scene that answers to keys or the mouse.
+TEST(Scripts, OfTheTestbedPlayAsTheyExpectAndThereIsOneForEachSceneWithKeys)
+{
+    const TemporaryFolder folder;
+    std::set<std::string> titles;
+    for (const auto& entry : std::filesystem::directory_iterator(BOXREEL_SCRIPTS))
+    {
+        const Outcome outcome =
+            RunBoxreel({"play", entry.path().string(), "--test"}, folder.Path());
+        EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+        EXPECT_THAT(outcome.output, HasSubstr("ok    "));
+        const Result<Script> script = ReadScript(entry.path());
+        ASSERT_TRUE(script);
+        EXPECT_FALSE(script->actions.empty()) << entry.path();
+        titles.insert(SceneKey(script->scene));
+    }
+    EXPECT_THAT(folder.Files(), IsEmpty());
+    for (const SceneEntry& scene : AllScenes())
+    {
+        if (!scene.create(SceneSettings())->Keys().empty())
+        {
+            EXPECT_THAT(titles, Contains(SceneKey(scene.name)));
+        }
+    }
 }
 
 TEST_F(PlayCommand, WritesIntoAFolderAndOverNothingUnlessTold)
