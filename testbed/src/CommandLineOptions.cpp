@@ -214,6 +214,42 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
         "  boxreel play walk.play --into films --force");
 }
 
+void DeclareCheck(CLI::App& program, ParsedOptions& parsed)
+{
+    CLI::App* command = program.add_subcommand("check", "Say what of a scene file can be built");
+    AddPath(*command, "FILE", "", parsed.check.file, "A R.U.B.E. .json file");
+    command->footer("Lists what is left out and why, and notes where the format's defaults are not "
+                    "the engine's.\nExit code 0: all can be built, 2: something is left out, 1: no "
+                    "scene file.\n\n"
+                    "Examples:\n"
+                    "  boxreel check machine.json");
+}
+
+void DeclareExport(CLI::App& program, ParsedOptions& parsed)
+{
+    ExportOptions& options = parsed.exported;
+    CLI::App* command = program.add_subcommand("export", "Write a scene as a scene file");
+    AddScene(*command, options.scene);
+    AddPath(*command, "-o,--output", "FILE", options.output,
+            "The scene file, .json; - for the standard output");
+    AddForce(*command, options.force);
+    AddValue(*command, "--at", "TIME", options.at, ParseDuration,
+             "After so much simulated time: 3s, 500ms, 2.5 (0s)");
+    AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
+             "Or after so many steps");
+    AddValue(*command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
+             "Simulation steps a second (60)");
+    AddValue(*command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
+             "Of the scene's random numbers (1)");
+    command->footer(
+        "Bodies, shapes, joints and names come back bit by bit, also by `boxreel record "
+        "FILE`. What a scene\ndoes by itself, steering, new bodies, is no part of a "
+        "scene file, nor are the impulses of contacts\nthat touch.\n\n"
+        "Examples:\n"
+        "  boxreel export pyramid -o pyramid.json\n"
+        "  boxreel export bridge --at 2s -o sagging.json");
+}
+
 void DeclareBench(CLI::App& program, ParsedOptions& parsed)
 {
     BenchOptions& bench = parsed.bench;

@@ -28,6 +28,8 @@ struct ParsedOptions
     DiffOptions diff;
     GoldenOptions golden;
     PlayOptions play;
+    CheckOptions check;
+    ExportOptions exported;
     BenchOptions bench;
 };
 
@@ -38,6 +40,8 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed);
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed);
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
 void DeclarePlay(CLI::App& program, ParsedOptions& parsed);
+void DeclareCheck(CLI::App& program, ParsedOptions& parsed);
+void DeclareExport(CLI::App& program, ParsedOptions& parsed);
 void DeclareBench(CLI::App& program, ParsedOptions& parsed);
 
 /// One of a few words.

@@ -106,6 +106,23 @@ struct PlayOptions
     Backend backend = Backend::Auto;
 };
 
+/// What a scene file would be as a scene.
+struct CheckOptions
+{
+    std::filesystem::path file;
+};
+
+/// A scene becomes a scene file.
+struct ExportOptions
+{
+    std::string scene; ///< a name or a file
+    std::filesystem::path output;
+    SceneLook look;             ///< seed and rate
+    std::optional<Duration> at; ///< simulated time …
+    std::int64_t step = 0;      ///< … or number of steps
+    bool force = false;
+};
+
 struct BenchOptions
 {
     bool list = false;               ///< only say which scenes there are
@@ -130,6 +147,8 @@ Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunCheck(const CheckOptions& options);
+Result<int> RunExport(const ExportOptions& options);
 Result<int> RunPlay(const PlayOptions& options);
 Result<int> RunBench(const BenchOptions& options);
 /// What RunBench does when accuracy is asked for.

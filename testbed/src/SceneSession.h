@@ -71,8 +71,10 @@ public:
     const BodyNames& Names() const { return m_scene->Names(); }
     const b2World& World() const { return m_scene->World(); }
     b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
-    Camera CurrentCamera() const;                 ///< at scale 1
-    double Time() const;                          ///< that is shown, simulated since the start [s]
+    Scene& CurrentScene() { return *m_scene; }
+    const StepSettings& Steps() const { return m_stepSettings; }
+    Camera CurrentCamera() const; ///< at scale 1
+    double Time() const;          ///< that is shown, simulated since the start [s]
     /// Bodies may come that are not there yet.
     bool MakesBodiesLater() const;
     /// Unusable while a body that the camera should show has never been there.
