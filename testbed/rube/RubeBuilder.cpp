@@ -26,6 +26,19 @@ std::vector<b2Vec2> WithoutRepeats(const std::vector<b2Vec2>& vertices)
     return kept;
 }
 
+/// Whether these are the corners that SetAsBox makes, in its order: then it is what comes back
+/// from a file bit by bit.
+bool IsBox(const std::vector<b2Vec2>& vertices)
+{
+    if (vertices.size() != 4)
+    {
+        return false;
+    }
+    const b2Vec2& half = vertices[2];
+    return vertices[0] == -half && vertices[1] == b2Vec2(half.x, -half.y) &&
+           vertices[3] == b2Vec2(-half.x, half.y);
+}
+
 class Builder
 {
 public:
@@ -102,6 +115,11 @@ private:
         if (source.massData && source.type == b2_dynamicBody)
         {
             ApplyMassData(*source.massData, *body);
+        }
+        // It is that of the centre of mass, which has moved with each fixture.
+        if (body->IsAwake() && body->GetLinearVelocity() != source.linearVelocity)
+        {
+            body->SetLinearVelocity(source.linearVelocity);
         }
     }
 
@@ -240,7 +258,14 @@ private:
             return std::string("the engine says of its vertices: ") + why;
         }
         b2PolygonShape shape;
-        shape.Set(polygon.vertices.data(), asInt);
+        if (IsBox(polygon.vertices))
+        {
+            shape.SetAsBox(polygon.vertices[2].x, polygon.vertices[2].y);
+        }
+        else
+        {
+            shape.Set(polygon.vertices.data(), asInt);
+        }
         attach(shape);
         return "";
     }

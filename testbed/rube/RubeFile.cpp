@@ -4,9 +4,12 @@
 #include "RubeBuilder.h"
 #include "RubeJson.h"
 #include "RubeText.h"
+#include "RubeTraps.h"
 
+#include <array>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace boxreel
 {
@@ -17,17 +20,38 @@ namespace
 class RubeFileScene : public Scene
 {
 public:
-    RubeFileScene(const RubeScene& content, std::vector<std::string>& leftOut)
-        : Scene(SceneSettings{})
+    RubeFileScene(RubeScene said, std::vector<std::string>& leftOut)
+        : Scene(SceneSettings{}), m_content(std::move(said))
     {
+        const RubeScene& content = m_content;
         m_steps.timeStep = 1.0f / content.stepsPerSecond;
         m_steps.velocityIterations = content.velocityIterations;
         m_steps.positionIterations = content.positionIterations;
-        NameJoints(content, BuildRubeScene(content, m_world, leftOut));
+        m_joints = BuildRubeScene(content, m_world, leftOut);
+        NameJoints(content, m_joints);
+        for (b2Body* body = m_world.GetBodyList(); body != nullptr; body = body->GetNext())
+        {
+            m_bodies.insert(m_bodies.begin(), body);
+        }
         NameBodies(content);
     }
 
     StepSettings PreferredSteps() const override { return m_steps; }
+
+    /// The images' outlines, where their bodies are.
+    void Draw(b2Draw& draw) const override
+    {
+        for (const RubeImage& image : m_content.images)
+        {
+            if (image.corners)
+            {
+                DrawOutline(image, draw);
+            }
+        }
+    }
+
+    const RubeScene& Content() const { return m_content; }
+    const std::vector<const b2Joint*>& Joints() const { return m_joints; }
 
 private:
     // The builder makes one body of each, in this order.
@@ -53,7 +77,23 @@ private:
         }
     }
 
+    void DrawOutline(const RubeImage& image, b2Draw& draw) const
+    {
+        std::array<b2Vec2, 4> corners = *image.corners;
+        if (image.body)
+        {
+            for (b2Vec2& corner : corners)
+            {
+                corner = m_bodies[*image.body]->GetWorldPoint(corner);
+            }
+        }
+        draw.DrawPolygon(corners.data(), 4, b2Color(0.6f, 0.6f, 0.8f));
+    }
+
+    RubeScene m_content;
     StepSettings m_steps;
+    std::vector<b2Body*> m_bodies;        ///< in the order of the file; none of them goes
+    std::vector<const b2Joint*> m_joints; ///< in the order of the file
 };
 
 // The size is asked for before anything is read, so that a huge file costs nothing; a device or a
@@ -108,6 +148,25 @@ Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
         return content.GetError();
     }
     return std::unique_ptr<Scene>(std::make_unique<RubeFileScene>(*content, leftOut));
+}
+
+Result<std::vector<std::string>> TrapsOfFile(const std::filesystem::path& file)
+{
+    const Result<std::string> text = ReadBounded(file);
+    return text ? RubeTraps(*text, file.string())
+                : Result<std::vector<std::string>>(text.GetError());
+}
+
+const RubeScene* ContentOfFile(const Scene& scene)
+{
+    const auto* const file = dynamic_cast<const RubeFileScene*>(&scene);
+    return file != nullptr ? &file->Content() : nullptr;
+}
+
+std::vector<const b2Joint*> JointsOfFile(const Scene& scene)
+{
+    const auto* const file = dynamic_cast<const RubeFileScene*>(&scene);
+    return file != nullptr ? file->Joints() : std::vector<const b2Joint*>();
 }
 
 } // namespace boxreel

@@ -12,6 +12,8 @@
 namespace boxreel
 {
 
+struct RubeScene;
+
 /// Loads a R.U.B.E. / b2dJson scene file as a scene whose PreferredSteps are the file's. Called by
 /// whoever is given a file instead of a scene's name. What cannot be built is left out, with a
 /// sentence in `leftOut` for each part (see RubeBuilder.h). A file that is missing, too large,
@@ -19,5 +21,15 @@ namespace boxreel
 /// bounded by the limits of RubeJson.h.
 Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
                                              std::vector<std::string>& leftOut);
+
+/// RubeTraps of a file.
+Result<std::vector<std::string>> TrapsOfFile(const std::filesystem::path& file);
+
+/// What the file said of a scene that came from one; null of others.
+const RubeScene* ContentOfFile(const Scene& scene);
+
+/// Its joints in the order of the file, null where one was left out; of others none. Only to
+/// compare: they may have gone.
+std::vector<const b2Joint*> JointsOfFile(const Scene& scene);
 
 } // namespace boxreel

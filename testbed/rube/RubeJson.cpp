@@ -346,6 +346,11 @@ std::string JsonValue::Text() const
     return Exists() ? Node(m_node).get<std::string>() : "";
 }
 
+std::string JsonValue::Raw() const
+{
+    return Exists() ? Node(m_node).dump(-1, ' ', false, json::error_handler_t::replace) : "";
+}
+
 bool JsonValue::IsZero() const
 {
     return Exists() && Node(m_node).is_number() && Node(m_node) == 0;

@@ -11,8 +11,9 @@
 #include <string_view>
 
 /// JSON as the scene-file reader wants it: every access says what it expects, and the first value
-/// that is not so is remembered with its place instead of being thrown. Only RubeJson.cpp knows the
-/// JSON library. Text from anywhere may be given: memory is bounded by kMostBytes and kMostValues.
+/// that is not so is remembered with its place instead of being thrown. Only RubeJson.cpp, and
+/// RubeWriter.cpp for text that is made, know the JSON library. Text from anywhere may be given:
+/// memory is bounded by kMostBytes and kMostValues.
 namespace boxreel
 {
 
@@ -72,6 +73,9 @@ public:
     /// A number, or a string with the eight hex digits of a float's bits; in [least, most].
     float Number(float fallback, float least, float most) const;
     std::string Text() const;
+
+    /// All of it, as JSON text; empty when missing.
+    std::string Raw() const;
 
     bool IsZero() const; ///< the literal 0, which stands for a vector, too
 

@@ -3,6 +3,7 @@
 
 #include <Box2D/Box2D.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -53,6 +54,18 @@ struct RubeFixture
     uint16 maskBits = 65535;
     int16 groupIndex = 0;
     std::variant<std::monostate, RubeCircle, RubeEdge, RubeChain, RubePolygon> shape;
+    std::string properties; ///< JSON text of what the engine has no use for; empty: none
+};
+
+/// A picture that goes with a body. What it shows is not read; its outline can be drawn.
+struct RubeImage
+{
+    std::string text;                   ///< all of it, as JSON
+    std::string file;                   ///< of the picture
+    std::optional<std::size_t> body;    ///< index into RubeScene::bodies; none: of the world
+    b2Vec2 center = b2Vec2(0.0f, 0.0f); ///< in the body's frame [m]
+    float32 angle = 0.0f;               ///< [rad]
+    std::optional<std::array<b2Vec2, 4>> corners; ///< in the body's frame [m], in turn
 };
 
 struct RubeBody
@@ -74,6 +87,7 @@ struct RubeBody
     std::optional<b2MassData>
         massData; ///< only when the file gives a mass; I about the body's origin
     std::vector<RubeFixture> fixtures;
+    std::string properties; ///< as of a fixture
 };
 
 struct RubeRevolute
@@ -181,6 +195,7 @@ struct RubeJoint
     std::variant<std::monostate, RubeRevolute, RubeDistance, RubePrismatic, RubePulley, RubeMouse,
                  RubeGear, RubeWheel, RubeMotor, RubeWeld, RubeFriction, RubeRope>
         details;
+    std::string properties; ///< as of a fixture
 };
 
 struct RubeScene
@@ -196,6 +211,8 @@ struct RubeScene
     int32 positionIterations = 3;
     std::vector<RubeBody> bodies;
     std::vector<RubeJoint> joints;
+    std::vector<RubeImage> images;
+    std::string properties; ///< as of a fixture
 };
 
 } // namespace boxreel

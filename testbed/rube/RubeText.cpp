@@ -119,6 +119,7 @@ RubeFixture ReadFixture(const JsonValue& value)
     {
         fixture.shape = RubePolygon{ReadVertices(polygon.Required("vertices"))};
     }
+    fixture.properties = value.Member("customProperties").Raw();
     return fixture;
 }
 
@@ -153,6 +154,7 @@ RubeBody ReadBody(const JsonValue& value)
     body.fixedRotation = value.Member("fixedRotation").Bool(false);
     body.massData = ReadMassData(value);
 
+    body.properties = value.Member("customProperties").Raw();
     const JsonValue fixtures = value.Member("fixture");
     for (std::size_t i = 0; i < fixtures.Count() && !value.IsHopeless(); ++i)
     {
@@ -331,7 +333,32 @@ RubeJoint ReadJoint(const JsonValue& value, std::size_t bodyCount)
     joint.anchorA = ReadVector(value.Member("anchorA"));
     joint.anchorB = ReadVector(value.Member("anchorB"));
     joint.details = ReadDetails(joint.type, value);
+    joint.properties = value.Member("customProperties").Raw();
     return joint;
+}
+
+RubeImage ReadImage(const JsonValue& value, std::size_t bodyCount)
+{
+    RubeImage image;
+    image.text = value.Raw();
+    image.file = value.Member("file").Text();
+    const std::int64_t body =
+        value.Member("body").Integer(-1, -1, static_cast<std::int64_t>(bodyCount) - 1);
+    if (body >= 0)
+    {
+        image.body = static_cast<std::size_t>(body);
+    }
+    image.center = ReadVector(value.Member("center"));
+    image.angle = value.Member("angle").Number(0.0f, -kWidest, kWidest);
+    if (const JsonValue corners = value.Member("corners"); corners.Exists())
+    {
+        const std::vector<b2Vec2> points = ReadVertices(corners);
+        if (points.size() == 4)
+        {
+            image.corners = {points[0], points[1], points[2], points[3]};
+        }
+    }
+    return image;
 }
 
 void ReadWorld(const JsonValue& value, RubeScene& scene)
@@ -372,6 +399,12 @@ Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& sourc
     {
         scene.joints.push_back(ReadJoint(joints.Item(i), scene.bodies.size()));
     }
+    const JsonValue images = root.Member("image");
+    for (std::size_t i = 0; i < images.Count() && !root.IsHopeless(); ++i)
+    {
+        scene.images.push_back(ReadImage(images.Item(i), scene.bodies.size()));
+    }
+    scene.properties = root.Member("customProperties").Raw();
     if (document->Complaint())
     {
         return *document->Complaint();

@@ -34,6 +34,7 @@ public:
         AddRoom();
         m_ship = AddBody(m_world, b2_dynamicBody, b2Vec2(-8.0f, 5.0f));
         AttachPolygon(*m_ship, {{0.0f, 1.8f}, {-1.2f, -1.0f}, {0.0f, -0.6f}, {1.2f, -1.0f}}, kHull);
+        Name(*m_ship, "ship");
         Slow(m_ship);
         for (int32 i = 0; i < kRows * kRows; ++i)
         {

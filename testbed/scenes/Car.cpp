@@ -138,6 +138,7 @@ private:
     void AddCar(const b2Vec2& place)
     {
         m_chassis = AddBody(m_world, b2_dynamicBody, place);
+        Name(*m_chassis, "chassis");
         AttachPolygon(*m_chassis,
                       {{-2.0f, -0.3f}, {2.0f, -0.3f}, {2.1f, 0.1f}, {1.5f, 0.35f}, {-2.0f, 0.4f}},
                       kBodywork);

@@ -47,6 +47,9 @@ public:
         b2Body* largeGear =
             AddGear(largeHub, kLargeTeeth, b2_pi / static_cast<float32>(kLargeTeeth));
         b2Body* rack = AddRack(b2Vec2(large, kHeight));
+        Name(*smallGear, "small gear");
+        Name(*largeGear, "large gear");
+        Name(*rack, "rack");
         m_motor =
             AddMotorHinge(m_world, AddAxle(smallHub), smallGear, smallHub, kMotorSpeed, kTorque);
         m_hinge = AddHinge(m_world, AddAxle(largeHub), largeGear, largeHub);

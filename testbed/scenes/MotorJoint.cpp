@@ -29,6 +29,7 @@ public:
         AddGroundEdge(m_world, b2Vec2(-16.0f, 0.0f), b2Vec2(-16.0f, 4.0f));
         AddGroundEdge(m_world, b2Vec2(16.0f, 0.0f), b2Vec2(16.0f, 4.0f));
         b2Body* plate = AddBox(m_world, kMiddle, 2.0f, 0.5f, {.density = 4.0f});
+        Name(*plate, "plate");
         for (int32 i = 0; i < 5; ++i)
         {
             for (float32 x : {-7.8f, 7.8f})

@@ -35,6 +35,7 @@ public:
         AttachBox(*ground, 0.4f, 0.4f, {}, b2Vec2(0.0f, -3.0f));
         AttachBox(*ground, 0.4f, 0.4f, {}, kTravel * kAxis - b2Vec2(0.0f, 3.0f));
         b2Body* carriage = AddBody(m_world, b2_dynamicBody, kStart);
+        Name(*carriage, "carriage");
         AttachBox(*carriage, 2.5f, 0.25f, {.density = 4.0f, .friction = 0.9f});
         AttachBox(*carriage, 0.25f, 0.6f, {.density = 4.0f}, b2Vec2(-2.25f, 0.8f));
         AttachBox(*carriage, 0.25f, 0.6f, {.density = 4.0f}, b2Vec2(2.25f, 0.8f));

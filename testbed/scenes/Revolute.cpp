@@ -72,6 +72,7 @@ private:
     void AddWheel()
     {
         b2Body* wheel = AddBody(m_world, b2_dynamicBody, kHub);
+        Name(*wheel, "wheel");
         for (int32 i = 0; i < 3; ++i)
         {
             AttachBox(*wheel, kReach, 0.2f, {.density = 2.0f}, b2Vec2(0.0f, 0.0f),
@@ -85,6 +86,7 @@ private:
     {
         b2Body* gate =
             AddBox(m_world, kGateHinge + b2Vec2(2.5f, 0.0f), 2.5f, 0.25f, {.density = 5.0f});
+        Name(*gate, "gate");
         m_gate =
             AddLimitedHinge(m_world, AddPost(kGateHinge), gate, kGateHinge, -0.25f * b2_pi, 0.0f);
     }
@@ -93,6 +95,7 @@ private:
     {
         const b2Vec2 ball = kPendulumHinge + b2Vec2(4.0f, -5.0f);
         b2Body* pendulum = AddBall(m_world, ball, 1.2f, {.density = 5.0f});
+        Name(*pendulum, "pendulum");
         AddHinge(m_world, AddPost(kPendulumHinge), pendulum, kPendulumHinge);
     }
 

@@ -41,6 +41,7 @@ public:
         }
         m_ball = AddBall(m_world, b2Vec2(kLength, kAnchorHeight), kBallRadius, kLoad);
         SetGroup(*m_ball, -1);
+        Name(*m_ball, "ball");
         AddHinge(m_world, previous, m_ball, b2Vec2(kLength - kBallRadius, kAnchorHeight));
         Tie();
     }

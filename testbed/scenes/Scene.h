@@ -117,6 +117,12 @@ public:
     void VisitCommonState(SceneState& state);
 
 protected:
+    /// For pictures, cameras and scripts.
+    void Name(const b2Body& body, const char* name)
+    {
+        m_names[static_cast<std::uint32_t>(body.GetNumber())] = name;
+    }
+
     /// A joint that the scene may keep goes with a body that has been destroyed.
     virtual void JointGone(b2Joint* joint) { (void)joint; }
 

@@ -28,6 +28,7 @@ public:
         AddGroundEdge(m_world, b2Vec2(12.0f, 0.0f), b2Vec2(12.0f, 12.0f));
         AddGroundBox(m_world, b2Vec2(0.0f, 1.0f), 0.1f, 1.0f);
         m_box = AddBox(m_world, b2Vec2(0.0f, 10.0f), kHalfLength, kHalfThickness);
+        Name(*m_box, "box");
         Throw();
     }
 

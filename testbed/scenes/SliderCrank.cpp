@@ -42,6 +42,8 @@ public:
         {
             SetGroup(*part, -1);
         }
+        Name(*crank, "crank");
+        Name(*piston, "piston");
         m_motor = AddMotorHinge(m_world, axle, crank, kAxle, kSpeed, kTorque);
         AddHinge(m_world, crank, rod, pin);
         AddHinge(m_world, rod, piston, head);

@@ -70,6 +70,7 @@ public:
         m_trunk = AddBox(m_world, kCrankCenter, kPivotAside, 0.5f, kTrunk);
         m_wheel = AddBall(m_world, kCrankCenter, kCrank + 0.1f, kTrunk);
         SetGroup(*m_trunk, kWalkerGroup);
+        Name(*m_trunk, "trunk");
         SetGroup(*m_wheel, kWalkerGroup);
         m_motor = AddMotorHinge(m_world, m_trunk, m_wheel, kCrankCenter, -kSpeed, kTorque);
         for (int32 i = 0; i < kLegPairs; ++i)

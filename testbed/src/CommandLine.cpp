@@ -310,6 +310,42 @@ Result<Request> CheckMerge(MergeOptions options)
     return Request(std::move(options));
 }
 
+Result<Request> CheckExport(ExportOptions options, const CLI::App& command)
+{
+    if (options.scene.empty())
+    {
+        return Unusable("Say which scene, such as `boxreel export pyramid -o pyramid.json`; "
+                        "`boxreel list` shows them.");
+    }
+    if (options.output.empty())
+    {
+        return Unusable("Say where the scene file goes, such as -o scene.json, or - for the "
+                        "standard output.");
+    }
+    if (options.at && command.count("--step") > 0)
+    {
+        return Unusable("--at and --step both say when; give one of them.");
+    }
+    return Request(std::move(options));
+}
+
+Result<Request> CheckPlay(PlayOptions options)
+{
+    if (options.script.empty())
+    {
+        return Unusable("Name the script, such as `boxreel play walk.play`.");
+    }
+    if (options.resume && options.force)
+    {
+        return Unusable("--resume goes on with what --force throws away; give one of them.");
+    }
+    if (options.check && options.accept)
+    {
+        return Unusable("--check makes nothing, and --accept would; give one of them.");
+    }
+    return Request(std::move(options));
+}
+
 Result<Request> CheckDiff(DiffOptions options)
 {
     if (options.expected.empty() || options.actual.empty())
@@ -396,6 +432,20 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return Request(std::move(parsed.golden));
     }
+    if (name == "check")
+    {
+        return parsed.check.file.empty()
+                   ? Unusable("Name the scene file, such as `boxreel check machine.json`.")
+                   : Result<Request>(std::move(parsed.check));
+    }
+    if (name == "export")
+    {
+        return CheckExport(std::move(parsed.exported), *program.get_subcommand("export"));
+    }
+    if (name == "play")
+    {
+        return CheckPlay(std::move(parsed.play));
+    }
     if (name == "bench")
     {
         return CheckBench(std::move(parsed.bench), *program.get_subcommand("bench"));
@@ -422,6 +472,9 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
     DeclareShot(program, parsed);
     DeclareDiff(program, parsed);
     DeclareGolden(program, parsed);
+    DeclarePlay(program, parsed);
+    DeclareCheck(program, parsed);
+    DeclareExport(program, parsed);
     DeclareBench(program, parsed);
     for (CLI::App* command : program.get_subcommands({}))
     {

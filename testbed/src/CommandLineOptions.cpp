@@ -173,6 +173,83 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
     accept->callback([&golden] { golden.accept = true; });
 }
 
+void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
+{
+    PlayOptions& play = parsed.play;
+    CLI::App* command =
+        program.add_subcommand("play", "Play a script: what it expects, films and pictures");
+    AddPath(*command, "SCRIPT", "", play.script, "A text file; below is what it holds");
+    AddPath(*command, "--into", "DIR", play.into, "Folder for what it makes (the current one)");
+    command->add_flag("--check", play.check,
+                      "Only say whether it can be played; simulates and makes nothing");
+    command->add_flag("--test", play.test,
+                      "Only look at what it expects and at what was approved; makes no\nfilms and "
+                      "shots");
+    command->add_flag("--accept", play.accept,
+                      "Pictures become the references that they would be compared with");
+    AddForce(*command, play.force);
+    command->add_flag("--resume", play.resume, "Go on with films that were stopped");
+    AddBackend(*command, play.backend);
+    command->footer(
+        "A script:\n"
+        "  scene car --seed 3 --hz 120          a scene or a file, and options of `boxreel shot`\n"
+        "  at 1s press d                        a key goes down; also release, tap\n"
+        "  at 2s grab 3.5,4                     the mouse's button goes down at a point [m]\n"
+        "  at 2s to 3s drag 8,4                 it moves straight there; at once: move 8,4\n"
+        "  at 3s drop                           its button goes up\n"
+        "  at step 240 bomb 0,30 5,-40          from a place with a velocity, or just: bomb\n"
+        "  at 4s shift 100,0                    of the origin\n"
+        "  at 0s camera 0,5,20                  middle and height; goes on to the next one\n"
+        "  at 5s expect chassis.x > 10          as --until of `boxreel record`\n"
+        "  at 5s golden car/5s                  compared with what was approved, beside the "
+        "script\n"
+        "  at 5s shot car.png --draw shapes     with options of `boxreel shot`\n"
+        "  record car.mp4 --seconds 8           with options of `boxreel record`\n"
+        "What is done at a time shows in the step that begins there. # begins a remark, and what "
+        "has blanks\nstands in quotes (\"). Exit code 2: an expectation does not hold, or a "
+        "picture "
+        "is not as approved.\n\n"
+        "Examples:\n"
+        "  boxreel play testbed/scripts/car.play\n"
+        "  boxreel play walk.play --into films --force");
+}
+
+void DeclareCheck(CLI::App& program, ParsedOptions& parsed)
+{
+    CLI::App* command = program.add_subcommand("check", "Say what of a scene file can be built");
+    AddPath(*command, "FILE", "", parsed.check.file, "A R.U.B.E. .json file");
+    command->footer("Lists what is left out and why, and notes where the format's defaults are not "
+                    "the engine's.\nExit code 0: all can be built, 2: something is left out, 1: no "
+                    "scene file.\n\n"
+                    "Examples:\n"
+                    "  boxreel check machine.json");
+}
+
+void DeclareExport(CLI::App& program, ParsedOptions& parsed)
+{
+    ExportOptions& options = parsed.exported;
+    CLI::App* command = program.add_subcommand("export", "Write a scene as a scene file");
+    AddScene(*command, options.scene);
+    AddPath(*command, "-o,--output", "FILE", options.output,
+            "The scene file, .json; - for the standard output");
+    AddForce(*command, options.force);
+    AddValue(*command, "--at", "TIME", options.at, ParseDuration,
+             "After so much simulated time: 3s, 500ms, 2.5 (0s)");
+    AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
+             "Or after so many steps");
+    AddValue(*command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
+             "Simulation steps a second (60)");
+    AddValue(*command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
+             "Of the scene's random numbers (1)");
+    command->footer(
+        "Bodies, shapes, joints and names come back bit by bit, also by `boxreel record "
+        "FILE`. What a scene\ndoes by itself, steering, new bodies, is no part of a "
+        "scene file, nor are the impulses of contacts\nthat touch.\n\n"
+        "Examples:\n"
+        "  boxreel export pyramid -o pyramid.json\n"
+        "  boxreel export bridge --at 2s -o sagging.json");
+}
+
 void DeclareBench(CLI::App& program, ParsedOptions& parsed)
 {
     BenchOptions& bench = parsed.bench;

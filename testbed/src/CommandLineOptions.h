@@ -27,6 +27,9 @@ struct ParsedOptions
     ShotOptions shot;
     DiffOptions diff;
     GoldenOptions golden;
+    PlayOptions play;
+    CheckOptions check;
+    ExportOptions exported;
     BenchOptions bench;
 };
 
@@ -36,6 +39,9 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed);
 void DeclareShot(CLI::App& program, ParsedOptions& parsed);
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed);
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
+void DeclarePlay(CLI::App& program, ParsedOptions& parsed);
+void DeclareCheck(CLI::App& program, ParsedOptions& parsed);
+void DeclareExport(CLI::App& program, ParsedOptions& parsed);
 void DeclareBench(CLI::App& program, ParsedOptions& parsed);
 
 /// One of a few words.

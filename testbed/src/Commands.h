@@ -93,6 +93,36 @@ struct GoldenOptions
     Backend backend = Backend::Auto;
 };
 
+/// A script's expectations are checked, and what it makes is made.
+struct PlayOptions
+{
+    std::filesystem::path script;
+    std::filesystem::path into; ///< a folder for what is made; empty: the current one
+    bool check = false;         ///< only whether it can be played
+    bool test = false;          ///< only what it expects and what was approved
+    bool accept = false;        ///< pictures become the references that they would be compared with
+    bool force = false;
+    bool resume = false; ///< films that were stopped are gone on with
+    Backend backend = Backend::Auto;
+};
+
+/// What a scene file would be as a scene.
+struct CheckOptions
+{
+    std::filesystem::path file;
+};
+
+/// A scene becomes a scene file.
+struct ExportOptions
+{
+    std::string scene; ///< a name or a file
+    std::filesystem::path output;
+    SceneLook look;             ///< seed and rate
+    std::optional<Duration> at; ///< simulated time …
+    std::int64_t step = 0;      ///< … or number of steps
+    bool force = false;
+};
+
 struct BenchOptions
 {
     bool list = false;               ///< only say which scenes there are
@@ -117,6 +147,9 @@ Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunCheck(const CheckOptions& options);
+Result<int> RunExport(const ExportOptions& options);
+Result<int> RunPlay(const PlayOptions& options);
 Result<int> RunBench(const BenchOptions& options);
 /// What RunBench does when accuracy is asked for.
 Result<int> RunBenchAccuracy(const BenchOptions& options);

@@ -268,6 +268,26 @@ std::string Condition::MissingBody(const b2World& world,
            (nearest < 0 ? ": '" : " '") + m_text + "' waits for it.";
 }
 
+std::optional<double> Condition::ValueIn(const b2World& world,
+                                         const std::map<std::uint32_t, std::string>& names,
+                                         double seconds) const
+{
+    if (m_of == Of::World)
+    {
+        return Value(world, m_quantity, seconds);
+    }
+    std::optional<double> value;
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        const bool isNamed = m_of == Of::Number || m_of == Of::Name;
+        if (isNamed && IsSubject(*body, names))
+        {
+            value = Value(*body, m_quantity);
+        }
+    }
+    return value;
+}
+
 bool Condition::Holds(const b2World& world, const std::map<std::uint32_t, std::string>& names,
                       double seconds) const
 {

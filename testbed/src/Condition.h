@@ -33,6 +33,12 @@ public:
     std::string MissingBody(const b2World& world,
                             const std::map<std::uint32_t, std::string>& names) const;
 
+    /// What it compares with its number: of the world, of the body that it names; none for several
+    /// bodies and for one that is not there.
+    std::optional<double> ValueIn(const b2World& world,
+                                  const std::map<std::uint32_t, std::string>& names,
+                                  double seconds) const;
+
     const std::string& Text() const { return m_text; } ///< as it was given
 
 private:

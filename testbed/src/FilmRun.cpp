@@ -274,7 +274,8 @@ void FilmRun::See(std::int64_t frame, const Frame& pixels)
 
 Result<RecordingEnd> FilmRun::Film()
 {
-    m_progress.Update({.framesDone = m_resumed, .framesTotal = m_plan.frames.Count()});
+    m_progress.Update(
+        {.framesDone = m_resumed, .framesTotal = m_plan.frames.Count(), .framesKept = m_resumed});
     if (ThumbnailIsThere())
     {
         if (Result<void> drawn = DrawThumbnail(); !drawn)
@@ -297,6 +298,7 @@ Result<RecordingEnd> FilmRun::Film()
         m_encoded = now.framesDone;
         now.framesDone += m_resumed;
         now.framesTotal += m_resumed;
+        now.framesKept = m_resumed;
         m_progress.Update(now);
         return StopSignals::Caught() == 0;
     };

@@ -43,9 +43,15 @@ int Percent(const RecordingProgress& progress)
                             std::max<std::int64_t>(1, progress.framesTotal));
 }
 
+/// What there was before took none of the time.
+std::int64_t MadeNow(const RecordingProgress& progress)
+{
+    return progress.framesDone - progress.framesKept;
+}
+
 double FramesPerSecond(const RecordingProgress& progress, double seconds)
 {
-    return seconds > 0.0 ? double(progress.framesDone) / seconds : 0.0;
+    return seconds > 0.0 ? double(MadeNow(progress)) / seconds : 0.0;
 }
 
 /// "0:07", "12:34", "1:02:03".
@@ -61,11 +67,11 @@ std::string TimeText(double seconds)
 
 std::string Remaining(const RecordingProgress& progress, double seconds)
 {
-    if (progress.framesDone == 0)
+    if (MadeNow(progress) == 0)
     {
         return "-:--";
     }
-    const double perFrame = seconds / double(progress.framesDone);
+    const double perFrame = seconds / double(MadeNow(progress));
     return TimeText(perFrame * double(progress.framesTotal - progress.framesDone));
 }
 

@@ -81,6 +81,12 @@ BodyNames ShownNames(const SceneLook& look, const BodyNames& names)
     return shown;
 }
 
+/// Bodies come by the scene or by bombs.
+bool MakesBodies(const Scene& scene, const SceneLook& look)
+{
+    return scene.MakesBodiesLater() || (look.script != nullptr && look.script->ThrowsBombs());
+}
+
 } // namespace
 
 SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
@@ -115,12 +121,22 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
         return found.GetError();
     }
     const Result<SceneCamera> camera = SceneCamera::Create(
-        view, source.scene->World(), look.width, look.height, source.scene->MakesBodiesLater());
+        view, source.scene->World(), look.width, look.height, MakesBodies(*source.scene, look));
     if (!camera)
     {
         return camera.GetError();
     }
     SceneSession session(std::move(source.scene), std::move(source.title), look, *camera);
+    if (look.script != nullptr)
+    {
+        const Result<ScriptInput> input =
+            ScriptInput::Create(*look.script, session.m_stepsPerSecond, *session.m_scene);
+        if (!input)
+        {
+            return input.GetError();
+        }
+        session.m_input = *input;
+    }
     if (look.hud)
     {
         const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
@@ -132,6 +148,11 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
         session.m_hud.emplace(std::move(*hud));
     }
     return session;
+}
+
+bool SceneSession::MakesBodiesLater() const
+{
+    return MakesBodies(*m_scene, m_look);
 }
 
 void SceneSession::AdvanceTo(std::int64_t step)
@@ -165,6 +186,7 @@ void SceneSession::AdvanceBetween(std::int64_t step, double fraction)
 void SceneSession::StepOnce()
 {
     using Clock = std::chrono::steady_clock;
+    m_input.Apply(*m_scene, m_step);
     m_layers.BeforeStep(m_scene->World());
     const Clock::time_point start = Clock::now();
     m_scene->Step(m_stepSettings);

@@ -5,6 +5,8 @@
 #include "SceneLayers.h"
 #include "SceneSearch.h"
 
+#include <script/ScriptInput.h>
+
 #include <debugdraw/Result.h>
 #include <debugdraw/Theme.h>
 #include <recorder/FrameClock.h>
@@ -35,6 +37,7 @@ struct SceneLook
     std::optional<int> velocityIterations;  ///< which is 60, 8 and 3 unless it says otherwise
     std::optional<int> positionIterations;
     std::uint32_t seed = 1;
+    std::shared_ptr<const Script> script; ///< whose actions are done to it; null: none
     ViewChoice view;
     SceneLayers layers;
     ArrowScales arrows;
@@ -68,10 +71,12 @@ public:
     const BodyNames& Names() const { return m_scene->Names(); }
     const b2World& World() const { return m_scene->World(); }
     b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
-    Camera CurrentCamera() const;                 ///< at scale 1
-    double Time() const;                          ///< that is shown, simulated since the start [s]
+    Scene& CurrentScene() { return *m_scene; }
+    const StepSettings& Steps() const { return m_stepSettings; }
+    Camera CurrentCamera() const; ///< at scale 1
+    double Time() const;          ///< that is shown, simulated since the start [s]
     /// Bodies may come that are not there yet.
-    bool MakesBodiesLater() const { return m_scene->MakesBodiesLater(); }
+    bool MakesBodiesLater() const;
     /// Unusable while a body that the camera should show has never been there.
     Result<void> CheckView() const { return m_camera.CheckBodiesCame(); }
 
@@ -97,6 +102,7 @@ private:
     std::unique_ptr<Scene> m_scene;
     std::string m_title;
     SceneLook m_look;
+    ScriptInput m_input;
     Rational m_stepsPerSecond;
     StepSettings m_stepSettings;
     SceneCamera m_camera;

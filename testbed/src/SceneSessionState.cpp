@@ -20,6 +20,7 @@ std::string SceneSession::DescribeOrigin()
            std::to_string(m_stepsPerSecond.den) + "\niterations " +
            std::to_string(m_stepSettings.velocityIterations) + " " +
            std::to_string(m_stepSettings.positionIterations) + "\ncamera " + TextOf(m_look.view) +
+           "\nactions " + HexText(ChecksumOf(m_look.script ? m_look.script->actionText : "")) +
            "\nsize " + std::to_string(m_look.width) + "x" + std::to_string(m_look.height) + "\n";
 }
 

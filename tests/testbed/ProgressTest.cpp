@@ -38,6 +38,14 @@ TEST(Progress, NothingDoneYetPromisesNothing)
     EXPECT_THAT(ProgressLineText({0, 600}, 0.0), HasSubstr("-:-- left"));
 }
 
+TEST(Progress, FramesThatWereThereBeforeTookNoneOfTheTime)
+{
+    EXPECT_EQ(ProgressLineText({.framesDone = 300, .framesTotal = 600, .framesKept = 200}, 1.0),
+              " 50%  300/600 frames, 100 fps, 0:03 left");
+    EXPECT_EQ(ProgressLineText({.framesDone = 200, .framesTotal = 600, .framesKept = 200}, 0.01),
+              " 33%  200/600 frames, 0 fps, -:-- left");
+}
+
 TEST(Progress, OneFrameShortOfTheEndIsNotHundredPercent)
 {
     EXPECT_THAT(ProgressLineText({9999, 10000}, 1.0), HasSubstr(" 99%"));

@@ -32,6 +32,7 @@ struct RecordingProgress
     std::int64_t framesDone = 0; ///< encoded
     std::int64_t framesTotal = 0;
     std::int64_t framesRepeated = 0; ///< so far not drawn, being equal to the one before
+    std::int64_t framesKept = 0;     ///< of those done: they were there before this recording
 };
 
 struct RecordingSettings

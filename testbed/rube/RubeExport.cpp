@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: MIT
+#include "RubeExport.h"
+
+#include "RubeBuilder.h"
+#include "RubeFile.h"
+#include "RubeNames.h"
+
+#include <algorithm>
+#include <map>
+
+namespace boxreel
+{
+
+namespace
+{
+
+/// A list of the engine's, which begins with the newest, in the order of creation.
+template <class Part>
+std::vector<Part*> InOrder(Part* newest)
+{
+    std::vector<Part*> parts;
+    for (Part* part = newest; part != nullptr; part = part->GetNext())
+    {
+        parts.push_back(part);
+    }
+    std::reverse(parts.begin(), parts.end());
+    return parts;
+}
+
+// ---- Shapes
+
+RubeEdge EdgeOf(const b2EdgeShape& shape)
+{
+    RubeEdge edge{shape.m_vertex1, shape.m_vertex2, {}, {}};
+    if (shape.m_hasVertex0)
+    {
+        edge.vertex0 = shape.m_vertex0;
+    }
+    if (shape.m_hasVertex3)
+    {
+        edge.vertex3 = shape.m_vertex3;
+    }
+    return edge;
+}
+
+/// A loop's last vertex is its first: said so, its neighbours follow from it.
+RubeChain ChainOf(const b2ChainShape& shape)
+{
+    RubeChain chain;
+    chain.vertices.assign(shape.m_vertices, shape.m_vertices + shape.m_count);
+    const bool isLoop = shape.m_count > 3 && chain.vertices.front() == chain.vertices.back();
+    if (!isLoop && shape.m_hasPrevVertex)
+    {
+        chain.previous = shape.m_prevVertex;
+    }
+    if (!isLoop && shape.m_hasNextVertex)
+    {
+        chain.next = shape.m_nextVertex;
+    }
+    return chain;
+}
+
+decltype(RubeFixture::shape) ShapeOf(const b2Shape& shape)
+{
+    switch (shape.GetType())
+    {
+    case b2Shape::e_circle: {
+        const auto& circle = static_cast<const b2CircleShape&>(shape);
+        return RubeCircle{circle.m_p, circle.m_radius};
+    }
+    case b2Shape::e_edge:
+        return EdgeOf(static_cast<const b2EdgeShape&>(shape));
+    case b2Shape::e_chain:
+        return ChainOf(static_cast<const b2ChainShape&>(shape));
+    default: {
+        const auto& polygon = static_cast<const b2PolygonShape&>(shape);
+        return RubePolygon{{polygon.m_vertices, polygon.m_vertices + polygon.m_count}};
+    }
+    }
+}
+
+RubeFixture FixtureOf(const b2Fixture& fixture)
+{
+    RubeFixture said;
+    said.restitution = fixture.GetRestitution();
+    said.friction = fixture.GetFriction();
+    said.density = fixture.GetDensity();
+    said.isSensor = fixture.IsSensor();
+    said.categoryBits = fixture.GetFilterData().categoryBits;
+    said.maskBits = fixture.GetFilterData().maskBits;
+    said.groupIndex = fixture.GetFilterData().groupIndex;
+    said.shape = ShapeOf(*fixture.GetShape());
+    return said;
+}
+
+RubeBody BodyOf(b2Body& body)
+{
+    RubeBody said;
+    said.type = body.GetType();
+    said.position = body.GetPosition();
+    said.angle = body.GetAngle();
+    said.linearVelocity = body.GetLinearVelocity();
+    said.angularVelocity = body.GetAngularVelocity();
+    said.linearDamping = body.GetLinearDamping();
+    said.angularDamping = body.GetAngularDamping();
+    said.gravityScale = body.GetGravityScale();
+    said.isBullet = body.IsBullet();
+    said.allowSleep = body.IsSleepingAllowed();
+    said.isAwake = body.IsAwake();
+    said.isActive = body.IsActive();
+    said.fixedRotation = body.IsFixedRotation();
+    for (const b2Fixture* fixture : InOrder(body.GetFixtureList()))
+    {
+        said.fixtures.push_back(FixtureOf(*fixture));
+    }
+    return said;
+}
+
+// ---- Joints
+
+template <class Joint>
+void SetAnchors(RubeJoint& said, const Joint& joint)
+{
+    said.anchorA = joint.GetLocalAnchorA();
+    said.anchorB = joint.GetLocalAnchorB();
+}
+
+template <class Said, class Joint>
+void SetLimitAndMotor(Said& said, const Joint& joint)
+{
+    said.referenceAngle = joint.GetReferenceAngle();
+    said.enableLimit = joint.IsLimitEnabled();
+    said.lowerLimit = joint.GetLowerLimit();
+    said.upperLimit = joint.GetUpperLimit();
+    said.enableMotor = joint.IsMotorEnabled();
+    said.motorSpeed = joint.GetMotorSpeed();
+}
+
+void Describe(RubeJoint& said, b2RevoluteJoint& joint)
+{
+    RubeRevolute revolute;
+    SetLimitAndMotor(revolute, joint);
+    revolute.maxMotorTorque = joint.GetMaxMotorTorque();
+    SetAnchors(said, joint);
+    said.type = "revolute";
+    said.details = revolute;
+}
+
+void Describe(RubeJoint& said, b2PrismaticJoint& joint)
+{
+    RubePrismatic prismatic;
+    SetLimitAndMotor(prismatic, joint);
+    prismatic.axis = joint.GetLocalAxisA();
+    prismatic.maxMotorForce = joint.GetMaxMotorForce();
+    SetAnchors(said, joint);
+    said.type = "prismatic";
+    said.details = prismatic;
+}
+
+void Describe(RubeJoint& said, b2DistanceJoint& joint)
+{
+    SetAnchors(said, joint);
+    said.type = "distance";
+    said.details = RubeDistance{joint.GetLength(), joint.GetFrequency(), joint.GetDampingRatio()};
+}
+
+void Describe(RubeJoint& said, b2PulleyJoint& joint)
+{
+    said.anchorA = joint.GetBodyA()->GetLocalPoint(joint.GetAnchorA());
+    said.anchorB = joint.GetBodyB()->GetLocalPoint(joint.GetAnchorB());
+    said.type = "pulley";
+    said.details = RubePulley{joint.GetGroundAnchorA(), joint.GetGroundAnchorB(),
+                              joint.GetLengthA(), joint.GetLengthB(), joint.GetRatio()};
+}
+
+void Describe(RubeJoint& said, b2MouseJoint& joint)
+{
+    said.anchorB = joint.GetAnchorB(); // in the world
+    said.type = "mouse";
+    said.details = RubeMouse{joint.GetTarget(), joint.GetMaxForce(), joint.GetFrequency(),
+                             joint.GetDampingRatio()};
+}
+
+void Describe(RubeJoint& said, b2WheelJoint& joint)
+{
+    SetAnchors(said, joint);
+    said.type = "wheel";
+    said.details = RubeWheel{joint.GetLocalAxisA(),        joint.IsMotorEnabled(),
+                             joint.GetMotorSpeed(),        joint.GetMaxMotorTorque(),
+                             joint.GetSpringFrequencyHz(), joint.GetSpringDampingRatio()};
+}
+
+void Describe(RubeJoint& said, b2MotorJoint& joint)
+{
+    said.type = "motor";
+    said.details = RubeMotor{joint.GetLinearOffset(), joint.GetAngularOffset(), joint.GetMaxForce(),
+                             joint.GetMaxTorque(), joint.GetCorrectionFactor()};
+}
+
+void Describe(RubeJoint& said, b2WeldJoint& joint)
+{
+    SetAnchors(said, joint);
+    said.type = "weld";
+    said.details =
+        RubeWeld{joint.GetReferenceAngle(), joint.GetFrequency(), joint.GetDampingRatio()};
+}
+
+void Describe(RubeJoint& said, b2FrictionJoint& joint)
+{
+    SetAnchors(said, joint);
+    said.type = "friction";
+    said.details = RubeFriction{joint.GetMaxForce(), joint.GetMaxTorque()};
+}
+
+void Describe(RubeJoint& said, b2RopeJoint& joint)
+{
+    SetAnchors(said, joint);
+    said.type = "rope";
+    said.details = RubeRope{joint.GetMaxLength()};
+}
+
+class Exporter
+{
+public:
+    Exporter(b2World& world, std::vector<std::string>& leftOut) : m_world(world), m_leftOut(leftOut)
+    {}
+
+    RubeScene Export(const std::map<std::uint32_t, std::string>& bodyNames,
+                     const std::map<const b2Joint*, std::string>& jointNames, const Scene* file)
+    {
+        DescribeWorld();
+        for (b2Body* body : InOrder(m_world.GetBodyList()))
+        {
+            m_bodies[body] = m_said.bodies.size();
+            m_said.bodies.push_back(BodyOf(*body));
+            const auto name = bodyNames.find(std::uint32_t(body->GetNumber()));
+            m_said.bodies.back().name = name != bodyNames.end() ? name->second : "";
+        }
+        for (b2Joint* joint : InOrder(m_world.GetJointList()))
+        {
+            m_joints[joint] = m_said.joints.size();
+            DescribeJoint(*joint);
+            const auto name = jointNames.find(joint);
+            m_said.joints.back().name = name != jointNames.end() ? name->second : "";
+        }
+        if (file != nullptr && ContentOfFile(*file) != nullptr)
+        {
+            KeepFrom(*file);
+        }
+        SayMasses();
+        return std::move(m_said);
+    }
+
+private:
+    void DescribeWorld()
+    {
+        const b2World& world = m_world;
+        m_said.gravity = world.GetGravity();
+        m_said.allowSleep = world.GetAllowSleeping();
+        m_said.autoClearForces = world.GetAutoClearForces();
+        m_said.warmStarting = world.GetWarmStarting();
+        m_said.continuousPhysics = world.GetContinuousPhysics();
+        m_said.subStepping = world.GetSubStepping();
+        if (world.GetSubStepCount() != 1)
+        {
+            m_leftOut.push_back("The world takes " + std::to_string(world.GetSubStepCount()) +
+                                " small steps a step, for which scene files have no word.");
+        }
+    }
+
+    void DescribeJoint(b2Joint& joint)
+    {
+        RubeJoint said;
+        said.bodyA = m_bodies.at(joint.GetBodyA());
+        said.bodyB = m_bodies.at(joint.GetBodyB());
+        said.collideConnected = joint.GetCollideConnected();
+        switch (joint.GetType())
+        {
+        case e_revoluteJoint:
+            Describe(said, static_cast<b2RevoluteJoint&>(joint));
+            break;
+        case e_prismaticJoint:
+            Describe(said, static_cast<b2PrismaticJoint&>(joint));
+            break;
+        case e_distanceJoint:
+            Describe(said, static_cast<b2DistanceJoint&>(joint));
+            break;
+        case e_pulleyJoint:
+            Describe(said, static_cast<b2PulleyJoint&>(joint));
+            break;
+        case e_mouseJoint:
+            Describe(said, static_cast<b2MouseJoint&>(joint));
+            break;
+        case e_gearJoint: {
+            auto& gear = static_cast<b2GearJoint&>(joint);
+            said.type = "gear";
+            said.details = RubeGear{m_joints.at(gear.GetJoint1()), m_joints.at(gear.GetJoint2()),
+                                    gear.GetRatio()};
+            break;
+        }
+        case e_wheelJoint:
+            Describe(said, static_cast<b2WheelJoint&>(joint));
+            break;
+        case e_weldJoint:
+            Describe(said, static_cast<b2WeldJoint&>(joint));
+            break;
+        case e_frictionJoint:
+            Describe(said, static_cast<b2FrictionJoint&>(joint));
+            break;
+        case e_ropeJoint:
+            Describe(said, static_cast<b2RopeJoint&>(joint));
+            break;
+        default:
+            Describe(said, static_cast<b2MotorJoint&>(joint));
+            break;
+        }
+        m_said.joints.push_back(std::move(said));
+    }
+
+    /// What the engine has no use for, if nothing has come or gone since.
+    void KeepFrom(const Scene& scene)
+    {
+        const RubeScene* const file = ContentOfFile(scene);
+        m_said.images = file->images;
+        m_said.properties = file->properties;
+        for (std::size_t i = 0; i < std::min(m_said.bodies.size(), file->bodies.size()); ++i)
+        {
+            KeepOfBody(m_said.bodies[i], file->bodies[i]);
+        }
+        const auto built = JointsOfFile(scene);
+        for (const auto& [joint, index] : m_joints)
+        {
+            const auto found = std::find(built.begin(), built.end(), joint);
+            if (found != built.end())
+            {
+                m_said.joints[index].properties =
+                    file->joints[std::size_t(found - built.begin())].properties;
+            }
+        }
+    }
+
+    static void KeepOfBody(RubeBody& said, const RubeBody& file)
+    {
+        said.properties = file.properties;
+        if (said.fixtures.size() != file.fixtures.size())
+        {
+            return; // some could not be built, and which is which is not known
+        }
+        for (std::size_t i = 0; i < said.fixtures.size(); ++i)
+        {
+            said.fixtures[i].name = file.fixtures[i].name;
+            said.fixtures[i].properties = file.fixtures[i].properties;
+        }
+    }
+
+    /// Only where it is not what the fixtures have: so it comes back bit by bit.
+    void SayMasses()
+    {
+        b2World other(m_said.gravity);
+        std::vector<std::string> unused;
+        RubeScene bodies = m_said;
+        bodies.joints.clear();
+        (void)BuildRubeScene(bodies, other, unused);
+        const std::vector<b2Body*> built = InOrder(other.GetBodyList());
+        for (const auto& [body, index] : m_bodies)
+        {
+            b2MassData mass, plain;
+            body->GetMassData(&mass);
+            built[index]->GetMassData(&plain);
+            const bool isOwn =
+                mass.mass != plain.mass || mass.I != plain.I || mass.center != plain.center;
+            if (body->GetType() == b2_dynamicBody && isOwn)
+            {
+                m_said.bodies[index].massData = mass;
+            }
+        }
+    }
+
+    b2World& m_world;
+    std::vector<std::string>& m_leftOut;
+    RubeScene m_said;
+    std::map<const b2Body*, std::size_t> m_bodies; ///< only to look up: addresses
+    std::map<const b2Joint*, std::size_t> m_joints;
+};
+
+} // namespace
+
+RubeScene ExportScene(Scene& scene, const StepSettings& steps, float32 stepsPerSecond,
+                      std::vector<std::string>& leftOut)
+{
+    RubeScene said =
+        Exporter(scene.World(), leftOut).Export(scene.Names(), scene.JointNames(), &scene);
+    said.stepsPerSecond = stepsPerSecond;
+    said.velocityIterations = steps.velocityIterations;
+    said.positionIterations = steps.positionIterations;
+    return said;
+}
+
+RubeScene ExportWorld(b2World& world, const std::map<std::uint32_t, std::string>& bodyNames,
+                      const std::map<const b2Joint*, std::string>& jointNames,
+                      std::vector<std::string>& leftOut)
+{
+    return Exporter(world, leftOut).Export(bodyNames, jointNames, nullptr);
+}
+
+} // namespace boxreel

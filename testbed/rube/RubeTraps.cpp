@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "RubeTraps.h"
+
+#include "RubeJson.h"
+#include "RubeNames.h"
+
+namespace boxreel
+{
+
+namespace
+{
+
+constexpr std::size_t kMost = 1000; ///< sentences: nobody reads more
+
+std::string Part(const char* kind, std::size_t index, const JsonValue& value)
+{
+    return std::string(kind) + " " + std::to_string(index) + " " +
+           Quoted(value.Member("name").Text());
+}
+
+class Finder
+{
+public:
+    void LookAtBody(std::size_t index, const JsonValue& body)
+    {
+        m_who = Part("body", index, body);
+        const bool isDynamic = body.Member("type").Integer(0, 0, 2) == 2;
+        if (isDynamic && !body.Member("awake").Exists())
+        {
+            Say("it does not say awake, so it sleeps until something touches it");
+        }
+        const bool hasMass = body.Member("massData-mass").Exists();
+        if (!hasMass &&
+            (body.Member("massData-center").Exists() || body.Member("massData-I").Exists()))
+        {
+            Say("it gives a centre of mass or an inertia without a mass; the mass of its fixtures "
+                "is "
+                "taken");
+        }
+        const JsonValue fixtures = body.Member("fixture");
+        bool weighs = hasMass;
+        for (std::size_t i = 0; i < fixtures.Count(); ++i)
+        {
+            const JsonValue fixture = fixtures.Item(i);
+            weighs = weighs || fixture.Member("density").Number(0.0f, 0.0f, 1e12f) > 0.0f;
+            m_who = Part("fixture", i, fixture) + " of " + Part("body", index, body);
+            LookAtFixture(fixture);
+        }
+        m_who = Part("body", index, body);
+        if (isDynamic && fixtures.Count() > 0 && !weighs)
+        {
+            Say("none of its fixtures has a density, so it weighs 1 kg and does not turn");
+        }
+    }
+
+    void LookAtJoint(std::size_t index, const JsonValue& joint)
+    {
+        m_who = Part("joint", index, joint);
+        if (joint.Member("localAxis1").Exists() && !joint.Member("localAxisA").Exists())
+        {
+            Say("its axis is called localAxis1, as in old files; it is taken");
+        }
+        if (joint.Member("type").Text() == "motor" && !joint.Member("linearOffset").Exists() &&
+            joint.Member("anchorA").Exists())
+        {
+            Say("its offset is called anchorA, as in files before 1.7; it is taken");
+        }
+        if (joint.Member("jointSpeed").Exists())
+        {
+            Say("jointSpeed says nothing that is not in the bodies' speeds; it is ignored");
+        }
+    }
+
+    std::vector<std::string> Finish()
+    {
+        if (m_count > kMost)
+        {
+            m_sentences.push_back("And " + std::to_string(m_count - kMost) + " more.");
+        }
+        return std::move(m_sentences);
+    }
+
+private:
+    void LookAtFixture(const JsonValue& fixture)
+    {
+        if (!fixture.Member("friction").Exists() && !fixture.Member("sensor").Bool(false))
+        {
+            Say("it does not say friction, so it has none, not the engine's usual 0.2");
+        }
+        if (fixture.Member("loop").Exists())
+        {
+            Say("it is called loop, as in old files; a chain is made that closes itself");
+        }
+        const JsonValue vertices = fixture.Member("polygon").Member("vertices");
+        if (vertices.Exists() && vertices.Member("x").Count() == 2)
+        {
+            Say("it is a polygon of two vertices; an edge is made");
+        }
+    }
+
+    void Say(const char* sentence)
+    {
+        if (++m_count <= kMost)
+        {
+            m_sentences.push_back(m_who + ": " + sentence + ".");
+        }
+    }
+
+    std::string m_who;
+    std::size_t m_count = 0;
+    std::vector<std::string> m_sentences;
+};
+
+} // namespace
+
+Result<std::vector<std::string>> RubeTraps(std::string_view text, const std::string& source)
+{
+    const Result<JsonDocument> document = JsonDocument::Parse(text, source);
+    if (!document)
+    {
+        return document.GetError();
+    }
+    Finder finder;
+    const JsonValue bodies = document->Root().Member("body");
+    for (std::size_t i = 0; i < bodies.Count(); ++i)
+    {
+        finder.LookAtBody(i, bodies.Item(i));
+    }
+    const JsonValue joints = document->Root().Member("joint");
+    for (std::size_t i = 0; i < joints.Count(); ++i)
+    {
+        finder.LookAtJoint(i, joints.Item(i));
+    }
+    if (document->Complaint())
+    {
+        return *document->Complaint();
+    }
+    return finder.Finish();
+}
+
+} // namespace boxreel

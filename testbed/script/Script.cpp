@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: MIT
+#include "Script.h"
+
+#include "Nearest.h"
+#include "ScriptWords.h"
+#include "ViewChoice.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::int64_t kMostSteps = 1'000'000'000;
+constexpr std::uintmax_t kMostBytes = 16'000'000; // of a script: many more than a person would do
+
+Error Unusable(std::string message)
+{
+    return Error{ErrorKind::Unusable, std::move(message)};
+}
+
+std::string Quoted(const std::string& text)
+{
+    return "'" + text + "'";
+}
+
+/// "1.5s", exactly.
+std::string TextOf(Duration time)
+{
+    std::string decimals = std::to_string(time.nanoseconds % 1'000'000'000 + 1'000'000'000);
+    return std::to_string(time.nanoseconds / 1'000'000'000) + "." + decimals.substr(1) + "s";
+}
+
+/// Words of a line, taken one after the other.
+class Words
+{
+public:
+    explicit Words(std::vector<std::string> words) : m_words(std::move(words)) {}
+
+    bool IsEmpty() const { return m_next == m_words.size(); }
+    bool NextIs(const char* word) const { return !IsEmpty() && m_words[m_next] == word; }
+    std::string Take() { return m_words[m_next++]; }
+    std::vector<std::string> TakeRest()
+    {
+        std::vector<std::string> rest(m_words.begin() + std::ptrdiff_t(m_next), m_words.end());
+        m_next = m_words.size();
+        return rest;
+    }
+
+private:
+    std::vector<std::string> m_words;
+    std::size_t m_next = 0;
+};
+
+/// "1.5s", "500ms", "2.5" or "step 90".
+Result<ScriptMoment> TakeMoment(Words& words, const std::string& after)
+{
+    if (words.IsEmpty())
+    {
+        return Unusable("'" + after + "' needs a time, such as 1.5s, or step 90.");
+    }
+    if (words.NextIs("step"))
+    {
+        words.Take();
+        if (words.IsEmpty())
+        {
+            return Unusable("'step' needs a number, such as step 90.");
+        }
+        const Result<std::int64_t> step = ParseWhole("step", words.Take(), 0, kMostSteps);
+        return step ? Result<ScriptMoment>(ScriptMoment{*step}) : step.GetError();
+    }
+    const Result<Duration> time = ParseDuration(after, words.Take());
+    return time ? Result<ScriptMoment>(ScriptMoment{*time}) : time.GetError();
+}
+
+/// "3.5,-4": a point [m] or a velocity [m/s].
+Result<b2Vec2> TakePair(Words& words, const std::string& verb, const char* example)
+{
+    const Error wrong = Unusable("'" + verb +
+                                 "' needs two numbers with a comma between them, such "
+                                 "as " +
+                                 verb + " " + example + ".");
+    if (words.IsEmpty())
+    {
+        return wrong;
+    }
+    const std::string text = words.Take();
+    const std::vector<std::string> parts = SplitAt(',', text);
+    if (parts.size() != 2)
+    {
+        return wrong;
+    }
+    const Result<double> x = ParseNumber(verb, parts[0]);
+    const Result<double> y = ParseNumber(verb, parts[1]);
+    // Beyond it, nothing of a world can be told apart.
+    const auto isUsable = [](const Result<double>& number) {
+        return number && *number >= -1e9 && *number <= 1e9;
+    };
+    if (!isUsable(x) || !isUsable(y))
+    {
+        return wrong;
+    }
+    return b2Vec2(static_cast<float32>(*x), static_cast<float32>(*y));
+}
+
+class Parser
+{
+public:
+    explicit Parser(const std::filesystem::path& file) { m_script.file = file; }
+
+    Result<void> Take(int line, Words words);
+    Result<Script> Finish();
+
+private:
+    Result<void> TakeLine(Words& words);
+    Result<void> TakeScene(Words& words);
+    Result<void> TakeAt(Words& words);
+    Result<void> TakeKey(const std::string& verb, ScriptMoment at, Words& words);
+    Result<void> TakeMouse(const std::string& verb, ScriptAction action, Words& words);
+    Result<void> TakeBomb(ScriptAction action, Words& words);
+    Result<void> TakeProduct(const std::string& verb, std::optional<ScriptMoment> at, Words& words);
+    Result<void> TakeExpectation(ScriptMoment at, Words& words);
+    Result<void> TakeCamera(const ScriptMoment& at, Words& words);
+    static Result<void> CheckEnd(const Words& words, const std::string& verb);
+
+    Script m_script;
+    int m_line = 0;
+    Duration m_lastCamera;
+};
+
+Result<void> Parser::CheckEnd(const Words& words, const std::string& verb)
+{
+    Words rest = words;
+    return rest.IsEmpty() ? Result<void>()
+                          : Unusable(Quoted(rest.Take()) + " is one word too many after '" + verb +
+                                     "'; leave it out.");
+}
+
+Result<void> Parser::TakeScene(Words& words)
+{
+    if (!m_script.scene.empty())
+    {
+        return Unusable("there is a scene already, in line " + std::to_string(m_script.sceneLine) +
+                        "; a script plays one.");
+    }
+    if (words.IsEmpty())
+    {
+        return Unusable("'scene' needs a name or a file, such as scene dominos.");
+    }
+    m_script.scene = words.Take();
+    m_script.sceneLine = m_line;
+    m_script.options = words.TakeRest();
+    return {};
+}
+
+Result<void> Parser::TakeKey(const std::string& verb, ScriptMoment at, Words& words)
+{
+    const std::string key = words.IsEmpty() ? "" : words.Take();
+    if (key.size() != 1)
+    {
+        return Unusable("'" + verb + "' needs a key, such as " + verb + " d.");
+    }
+    ScriptAction action;
+    action.line = m_line;
+    action.at = at;
+    action.key = key.front();
+    if (verb != "release")
+    {
+        action.kind = ScriptAction::Kind::Press;
+        m_script.actions.push_back(action);
+    }
+    if (verb != "press")
+    {
+        action.kind = ScriptAction::Kind::Release;
+        m_script.actions.push_back(action);
+    }
+    return CheckEnd(words, verb);
+}
+
+Result<void> Parser::TakeMouse(const std::string& verb, ScriptAction action, Words& words)
+{
+    using Kind = ScriptAction::Kind;
+    action.kind = verb == "grab"    ? Kind::Grab
+                  : verb == "move"  ? Kind::Move
+                  : verb == "drag"  ? Kind::Drag
+                  : verb == "shift" ? Kind::Shift
+                                    : Kind::Drop;
+    if (action.kind != Kind::Drop)
+    {
+        const Result<b2Vec2> point = TakePair(words, verb, "3.5,4");
+        if (!point)
+        {
+            return point.GetError();
+        }
+        action.point = *point;
+    }
+    m_script.actions.push_back(action);
+    return CheckEnd(words, verb);
+}
+
+Result<void> Parser::TakeBomb(ScriptAction action, Words& words)
+{
+    action.kind = ScriptAction::Kind::Bomb;
+    if (!words.IsEmpty())
+    {
+        const Result<b2Vec2> place = TakePair(words, "bomb", "0,30 5,-40");
+        if (!place)
+        {
+            return place.GetError();
+        }
+        const Result<b2Vec2> velocity = TakePair(words, "bomb", "0,30 5,-40");
+        if (!velocity)
+        {
+            return Unusable("'bomb' needs a place and a velocity, such as bomb 0,30 5,-40, or "
+                            "neither.");
+        }
+        action.kind = ScriptAction::Kind::Sling;
+        action.point = *place;
+        action.velocity = *velocity;
+    }
+    m_script.actions.push_back(action);
+    return CheckEnd(words, "bomb");
+}
+
+Result<void> Parser::TakeExpectation(ScriptMoment at, Words& words)
+{
+    ScriptProduct product;
+    product.line = m_line;
+    product.at = at;
+    for (const std::string& word : words.TakeRest())
+    {
+        product.name += (product.name.empty() ? "" : " ") + word;
+    }
+    if (product.name.empty())
+    {
+        return Unusable("'expect' needs a condition, such as expect ball.y < 2.");
+    }
+    m_script.products.push_back(std::move(product));
+    return {};
+}
+
+/// A key of the camera's path.
+Result<void> Parser::TakeCamera(const ScriptMoment& at, Words& words)
+{
+    const auto* time = std::get_if<Duration>(&at.when);
+    if (time == nullptr)
+    {
+        return Unusable("the camera moves by time, not by steps; say such as at 1.5s camera "
+                        "0,5,20.");
+    }
+    if (!m_script.camera.empty() && *time <= m_lastCamera)
+    {
+        return Unusable("the camera is elsewhere at " + TextOf(m_lastCamera) +
+                        " or later; put its lines in the order of their times.");
+    }
+    const std::string view = words.IsEmpty() ? "" : words.Take();
+    const Result<ViewChoice> parsed = ParseView("camera", view);
+    if (!parsed || !std::holds_alternative<FixedView>(*parsed))
+    {
+        return Unusable("'camera' needs the middle and the height of the view in metres, such as "
+                        "camera 0,5,20.");
+    }
+    m_lastCamera = *time;
+    m_script.camera.push_back({TextOf(*time), view});
+    return CheckEnd(words, "camera");
+}
+
+Result<void> Parser::TakeProduct(const std::string& verb, std::optional<ScriptMoment> at,
+                                 Words& words)
+{
+    using Kind = ScriptProduct::Kind;
+    ScriptProduct product;
+    product.line = m_line;
+    product.kind = verb == "shot" ? Kind::Shot : verb == "golden" ? Kind::Golden : Kind::Record;
+    if (words.IsEmpty() || words.NextIs("-o") || words.NextIs("--output"))
+    {
+        return Unusable(product.kind == Kind::Golden
+                            ? "'golden' needs the name of a reference, such as golden ramp/2s."
+                            : "'" + verb + "' needs a file, such as " + verb +
+                                  (verb == "shot" ? " ramp.png." : " ramp.mp4."));
+    }
+    product.name = words.Take();
+    product.options = words.TakeRest();
+    if (product.kind == Kind::Golden && !at)
+    {
+        return Unusable("'golden' needs a moment, such as at 2s golden " + product.name + ".");
+    }
+    if (product.kind == Kind::Shot && at)
+    {
+        const std::vector<std::string> moment = at->AsOption();
+        product.options.insert(product.options.end(), moment.begin(), moment.end());
+    }
+    product.at = at.value_or(ScriptMoment{});
+    m_script.products.push_back(std::move(product));
+    return {};
+}
+
+/// "at TIME VERB …", "at TIME to TIME drag X,Y".
+Result<void> Parser::TakeAt(Words& words)
+{
+    const Result<ScriptMoment> at = TakeMoment(words, "at");
+    if (!at)
+    {
+        return at.GetError();
+    }
+    ScriptAction action;
+    action.line = m_line;
+    action.at = *at;
+    const bool hasEnd = words.NextIs("to");
+    if (hasEnd)
+    {
+        words.Take();
+        const Result<ScriptMoment> until = TakeMoment(words, "to");
+        if (!until)
+        {
+            return until.GetError();
+        }
+        action.until = *until;
+    }
+    static const std::vector<std::string> kVerbs{"press", "release", "tap",   "grab",  "move",
+                                                 "drag",  "drop",    "bomb",  "shift", "camera",
+                                                 "shot",  "golden",  "expect"};
+    const std::string verb = words.IsEmpty() ? "" : words.Take();
+    if (std::find(kVerbs.begin(), kVerbs.end(), verb) == kVerbs.end())
+    {
+        const int nearest = verb.empty() ? -1 : NearestWord(verb, kVerbs);
+        std::string all;
+        for (const std::string& known : kVerbs)
+        {
+            all += (all.empty() ? "" : ", ") + known;
+        }
+        return Unusable((verb.empty() ? "'at' needs something to do"
+                                      : Quoted(verb) + " is nothing that can be done") +
+                        (nearest < 0 ? "; give one of " + all + "."
+                                     : "; did you mean '" + kVerbs[std::size_t(nearest)] + "'?"));
+    }
+    if (hasEnd != (verb == "drag"))
+    {
+        return Unusable(hasEnd ? "'" + verb + "' takes one moment; leave 'to' out."
+                               : std::string("'drag' needs the time that it takes, such as at 1s "
+                                             "to 2s drag 3.5,4."));
+    }
+    if (verb == "press" || verb == "release" || verb == "tap")
+    {
+        return TakeKey(verb, *at, words);
+    }
+    if (verb == "bomb")
+    {
+        return TakeBomb(action, words);
+    }
+    if (verb == "camera")
+    {
+        return TakeCamera(*at, words);
+    }
+    if (verb == "expect")
+    {
+        return TakeExpectation(*at, words);
+    }
+    return verb == "shot" || verb == "golden" ? TakeProduct(verb, *at, words)
+                                              : TakeMouse(verb, action, words);
+}
+
+Result<void> Parser::Take(int line, Words words)
+{
+    m_line = line;
+    const std::size_t actions = m_script.actions.size();
+    const std::string text = LineOf(Words(words).TakeRest()) + "\n";
+    const Result<void> taken = TakeLine(words);
+    m_script.actionText += m_script.actions.size() > actions ? text : "";
+    return taken;
+}
+
+Result<void> Parser::TakeLine(Words& words)
+{
+    const std::string verb = words.Take();
+    if (verb != "scene" && m_script.scene.empty())
+    {
+        return Unusable("a script begins with its scene, such as scene dominos.");
+    }
+    if (verb == "scene")
+    {
+        return TakeScene(words);
+    }
+    if (verb == "at")
+    {
+        return TakeAt(words);
+    }
+    if (verb == "record" || verb == "shot" || verb == "golden")
+    {
+        return TakeProduct(verb, std::nullopt, words);
+    }
+    static const std::vector<std::string> kVerbs{"scene", "at", "record", "shot"};
+    const int nearest = NearestWord(verb, kVerbs);
+    return Unusable(Quoted(verb) + " begins no line" +
+                    (nearest < 0 ? "; a line begins with scene, at, record or shot."
+                                 : "; did you mean '" + kVerbs[std::size_t(nearest)] + "'?"));
+}
+
+Result<Script> Parser::Finish()
+{
+    if (m_script.scene.empty())
+    {
+        return Unusable(m_script.file.string() +
+                        " names no scene; begin it with a line such as scene dominos.");
+    }
+    return std::move(m_script);
+}
+
+} // namespace
+
+std::int64_t ScriptMoment::Step(const Rational& stepsPerSecond) const
+{
+    const auto* time = std::get_if<Duration>(&when);
+    return time != nullptr ? StepAt(*time, stepsPerSecond) : std::get<std::int64_t>(when);
+}
+
+std::vector<std::string> ScriptMoment::AsOption() const
+{
+    const auto* time = std::get_if<Duration>(&when);
+    return time != nullptr
+               ? std::vector<std::string>{"--at", TextOf(*time)}
+               : std::vector<std::string>{"--step", std::to_string(std::get<std::int64_t>(when))};
+}
+
+Error Script::At(int line, const Error& error) const
+{
+    return Error{error.kind, file.string() + ":" + std::to_string(line) + ": " + error.message};
+}
+
+bool Script::ThrowsBombs() const
+{
+    return std::any_of(actions.begin(), actions.end(), [](const ScriptAction& action) {
+        return action.kind == ScriptAction::Kind::Bomb || action.kind == ScriptAction::Kind::Sling;
+    });
+}
+
+std::vector<std::string> Script::SceneOptions() const
+{
+    std::vector<std::string> all = options;
+    if (camera.empty())
+    {
+        return all;
+    }
+    std::string path = "path:";
+    for (const auto& [time, view] : camera)
+    {
+        path += (path.back() == ':' ? "" : ";") + time + "=" + view;
+    }
+    all.push_back("--camera");
+    all.push_back(camera.size() == 1 ? camera.front().second : path);
+    return all;
+}
+
+Result<Script> ParseScript(const std::string& text, const std::filesystem::path& file)
+{
+    Parser parser(file);
+    int number = 0;
+    for (const std::string& line : SplitAt('\n', text))
+    {
+        ++number;
+        const auto fail = [&](const Error& error) {
+            return Error{error.kind,
+                         file.string() + ":" + std::to_string(number) + ": " + error.message};
+        };
+        Result<std::vector<std::string>> words = WordsOf(line);
+        if (!words)
+        {
+            return fail(words.GetError());
+        }
+        if (words->empty())
+        {
+            continue;
+        }
+        if (const Result<void> taken = parser.Take(number, Words(std::move(*words))); !taken)
+        {
+            return fail(taken.GetError());
+        }
+    }
+    return parser.Finish();
+}
+
+Result<Script> ReadScript(const std::filesystem::path& file)
+{
+    std::error_code error;
+    const bool isFile = std::filesystem::is_regular_file(file, error);
+    const std::uintmax_t size = isFile ? std::filesystem::file_size(file, error) : 0;
+    if (size > kMostBytes)
+    {
+        return Unusable(file.string() + " has " + std::to_string(size) +
+                        " bytes, and no script has more than 16 million; name a script.");
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!isFile || !stream)
+    {
+        return Error{ErrorKind::Failed,
+                     "Cannot read " + file.string() +
+                         (isFile ? "; it may not be read." : ": there is no such file.")};
+    }
+    const std::string text{std::istreambuf_iterator<char>(stream),
+                           std::istreambuf_iterator<char>()};
+    if (text.find('\0') != std::string::npos)
+    {
+        return Unusable(file.string() + " is no text; name a script.");
+    }
+    return ParseScript(text, file);
+}
+
+} // namespace boxreel

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Values.h"
+
+#include <Box2D/Common/b2Math.h>
+
+#include <debugdraw/Result.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// A script as it was written: a scene, what is done to it at which moments, and what is made and
+/// expected of that. The same file serves as a test, a film and a figure. docs/scripts.md has the
+/// format. Reading one opens nothing but its file.
+namespace boxreel
+{
+
+/// A time or the number of a step; which step a time is hangs on the scene's rate.
+struct ScriptMoment
+{
+    std::variant<Duration, std::int64_t> when;
+
+    /// The last step at or before it.
+    std::int64_t Step(const Rational& stepsPerSecond) const;
+    /// As options take it: {"--at", "1.5s"} or {"--step", "90"}.
+    std::vector<std::string> AsOption() const;
+};
+
+/// What a person would do with the keyboard or the mouse, before the step that begins at `at`.
+struct ScriptAction
+{
+    enum class Kind
+    {
+        Press,   ///< a key
+        Release, ///< a key
+        Grab,    ///< the mouse's button goes down
+        Move,    ///< the mouse, at once
+        Drag,    ///< the mouse, straight to `point` until `until`
+        Drop,    ///< the button goes up
+        Bomb,    ///< from somewhere above
+        Sling,   ///< a bomb from `point` with `velocity`
+        Shift,   ///< of the origin, to `point`
+    };
+    Kind kind = Kind::Press;
+    int line = 0;
+    ScriptMoment at;
+    ScriptMoment until;          ///< of Drag
+    char key = 0;                ///< of Press and Release
+    b2Vec2 point{0.0f, 0.0f};    ///< [m]
+    b2Vec2 velocity{0.0f, 0.0f}; ///< of Sling [m/s]
+};
+
+/// Something that is asked or made of what the script plays.
+struct ScriptProduct
+{
+    enum class Kind
+    {
+        Expect,
+        Shot,
+        Golden,
+        Record,
+    };
+    Kind kind = Kind::Expect;
+    int line = 0;
+    ScriptMoment at;                  ///< of Expect and Golden
+    std::string name;                 ///< condition, file or name of the reference
+    std::vector<std::string> options; ///< as the command of that name takes them
+};
+
+struct Script
+{
+    std::filesystem::path file;
+    int sceneLine = 0;
+    std::string scene;
+    std::vector<std::string> options; ///< of the scene, as `boxreel shot` takes them
+    std::vector<std::pair<std::string, std::string>> camera; ///< times and views, from one to the
+                                                             ///< next
+    std::vector<ScriptAction> actions;
+    std::string actionText; ///< the same for the same actions
+    std::vector<ScriptProduct> products;
+
+    bool ThrowsBombs() const;
+
+    /// The scene's, and the camera's way.
+    std::vector<std::string> SceneOptions() const;
+
+    /// "walk.play:12: " in front of the message.
+    Error At(int line, const Error& error) const;
+};
+
+/// An Error (Unusable) names file, line, what is wrong and the remedy; Failed: the file cannot be
+/// read.
+Result<Script> ReadScript(const std::filesystem::path& file);
+
+/// `file`: for messages.
+Result<Script> ParseScript(const std::string& text, const std::filesystem::path& file);
+
+} // namespace boxreel

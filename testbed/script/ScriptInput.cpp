@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "ScriptInput.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+using Kind = ScriptAction::Kind;
+
+constexpr std::int64_t kLongestDrag = 1'000'000; // steps: more than four hours
+
+Error Unusable(std::string message)
+{
+    return Error{ErrorKind::Unusable, std::move(message)};
+}
+
+/// "d (drives forward), a (brakes)".
+std::string KeysOf(const Scene& scene)
+{
+    std::string keys;
+    for (const KeyBinding& binding : scene.Keys())
+    {
+        keys +=
+            (keys.empty() ? "" : ", ") + std::string(1, binding.key) + " (" + binding.effect + ")";
+    }
+    return keys;
+}
+
+Result<void> CheckKey(const Script& script, const ScriptAction& action, const Scene& scene)
+{
+    const auto keys = scene.Keys();
+    const bool isKey = action.kind == Kind::Press || action.kind == Kind::Release;
+    const bool isKnown = std::any_of(keys.begin(), keys.end(), [&](const KeyBinding& binding) {
+        return binding.key == action.key;
+    });
+    if (!isKey || isKnown)
+    {
+        return {};
+    }
+    return script.At(action.line,
+                     Unusable("the scene does not answer to '" + std::string(1, action.key) +
+                              (keys.empty() ? "', nor to any other key; use the mouse or bombs."
+                                            : "'; give one of " + KeysOf(scene) + ".")));
+}
+
+} // namespace
+
+Result<void> ScriptInput::Add(const Script& script, const ScriptAction& action,
+                              const Rational& stepsPerSecond)
+{
+    const std::int64_t first = action.at.Step(stepsPerSecond);
+    if (action.kind != Kind::Drag)
+    {
+        m_events.push_back({first, action});
+        return {};
+    }
+    const std::int64_t last = action.until.Step(stepsPerSecond);
+    if (last <= first || last - first > kLongestDrag)
+    {
+        return script.At(action.line,
+                         Unusable(last <= first ? "the drag takes no time; it must end at least a "
+                                                  "step after it begins."
+                                                : "the drag takes more than a million steps; let "
+                                                  "it end earlier."));
+    }
+    for (std::int64_t step = first; step < last; ++step)
+    {
+        const double share = double(step + 1 - first) / double(last - first);
+        m_events.push_back({step, action, float32(share)});
+    }
+    return {};
+}
+
+/// Where the mouse is when it moves on or lets go.
+Result<void> ScriptInput::FollowMouse(const Script& script)
+{
+    bool holds = false;
+    b2Vec2 point(0.0f, 0.0f);
+    b2Vec2 start(0.0f, 0.0f);
+    int dragLine = 0;
+    for (Event& event : m_events)
+    {
+        ScriptAction& action = event.action;
+        const bool isMouse = action.kind == Kind::Grab || action.kind == Kind::Move ||
+                             action.kind == Kind::Drag || action.kind == Kind::Drop;
+        if (!isMouse)
+        {
+            continue;
+        }
+        if (action.kind == Kind::Grab ? holds : (action.kind != Kind::Move && !holds))
+        {
+            return script.At(action.line,
+                             Unusable(holds ? "the mouse's button is down already; drop first."
+                                            : "the mouse's button is not down; grab first."));
+        }
+        holds = action.kind != Kind::Drop && (holds || action.kind == Kind::Grab);
+        if (action.kind == Kind::Drag)
+        {
+            if (action.line != dragLine)
+            {
+                dragLine = action.line;
+                start = point;
+            }
+            const float32 share = event.share;
+            const b2Vec2 end = action.point;
+            action.point = share == 1.0f ? end : start + share * (end - start);
+        }
+        if (action.kind == Kind::Drop)
+        {
+            action.point = point;
+        }
+        point = action.point;
+    }
+    return {};
+}
+
+Result<ScriptInput> ScriptInput::Create(const Script& script, const Rational& stepsPerSecond,
+                                        const Scene& scene)
+{
+    ScriptInput input;
+    for (const ScriptAction& action : script.actions)
+    {
+        if (const Result<void> known = CheckKey(script, action, scene); !known)
+        {
+            return known.GetError();
+        }
+        if (const Result<void> added = input.Add(script, action, stepsPerSecond); !added)
+        {
+            return added.GetError();
+        }
+    }
+    std::stable_sort(input.m_events.begin(), input.m_events.end(),
+                     [](const Event& a, const Event& b) { return a.step < b.step; });
+    if (const Result<void> followed = input.FollowMouse(script); !followed)
+    {
+        return followed.GetError();
+    }
+    return input;
+}
+
+void ScriptInput::Apply(Scene& scene, std::int64_t step) const
+{
+    const auto first = std::lower_bound(m_events.begin(), m_events.end(), step,
+                                        [](const Event& e, std::int64_t s) { return e.step < s; });
+    for (auto event = first; event != m_events.end() && event->step == step; ++event)
+    {
+        const ScriptAction& action = event->action;
+        switch (action.kind)
+        {
+        case Kind::Press:
+            scene.KeyDown(action.key);
+            break;
+        case Kind::Release:
+            scene.KeyUp(action.key);
+            break;
+        case Kind::Grab:
+            scene.MouseDown(action.point);
+            break;
+        case Kind::Move:
+        case Kind::Drag:
+            scene.MouseMove(action.point);
+            break;
+        case Kind::Drop:
+            scene.MouseUp(action.point);
+            break;
+        case Kind::Bomb:
+            scene.ThrowBomb();
+            break;
+        case Kind::Sling:
+            scene.ThrowBomb(action.point, action.velocity);
+            break;
+        case Kind::Shift:
+            scene.ShiftOrigin(action.point);
+            break;
+        }
+    }
+}
+
+} // namespace boxreel

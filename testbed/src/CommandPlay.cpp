@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: MIT
+#include "CommandLine.h"
+#include "Commands.h"
+#include "SceneSession.h"
+#include "Terminal.h"
+
+#include <golden/ReferenceStore.h>
+#include <golden/StateHash.h>
+#include <render/Renderer.h>
+#include <script/Script.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A product whose options are understood.
+struct Expectation
+{
+    int line = 0;
+    ScriptMoment at;
+    Condition condition;
+};
+struct GoldenPicture
+{
+    int line = 0;
+    std::string name;
+    ShotOptions shot;
+};
+struct StillPicture
+{
+    int line = 0;
+    ShotOptions shot;
+};
+struct Film
+{
+    int line = 0;
+    RecordOptions record;
+};
+
+struct Play
+{
+    Script script;
+    SceneLook look; ///< of the scene's line
+    std::vector<Expectation> expectations;
+    std::vector<GoldenPicture> goldens;
+    std::vector<StillPicture> stills;
+    std::vector<Film> films;
+};
+
+Error Unusable(std::string message)
+{
+    return Error{ErrorKind::Unusable, std::move(message)};
+}
+
+/// A file is meant from where the script is.
+std::string SceneOf(const Script& script)
+{
+    const fs::path scene = script.scene;
+    return scene.extension() == ".json" && scene.is_relative()
+               ? (script.file.parent_path() / scene).string()
+               : script.scene;
+}
+
+/// The command line that makes a product, understood as if it had been typed.
+template <class Options>
+Result<Options> Understood(const Script& script, const char* command,
+                           const std::vector<std::string>& options, const fs::path& output)
+{
+    std::vector<std::string> words{command, SceneOf(script)};
+    const std::vector<std::string> shared = script.SceneOptions();
+    words.insert(words.end(), shared.begin(), shared.end());
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.end(), {"-o", output.string()});
+    Result<Request> request = ParseCommandLine(words);
+    if (!request)
+    {
+        return request.GetError();
+    }
+    Options* const understood = std::get_if<Options>(&*request);
+    if (understood == nullptr)
+    {
+        return Unusable("--help has no place in a script; leave it out.");
+    }
+    return std::move(*understood);
+}
+
+class Planner
+{
+public:
+    Planner(Play& play, const PlayOptions& options) : m_play(play), m_options(options) {}
+
+    Result<void> Plan();
+
+private:
+    Result<void> Add(const ScriptProduct& product);
+    Result<void> AddExpectation(const ScriptProduct& product);
+    Result<void> AddGolden(const ScriptProduct& product);
+    Result<void> AddStill(const ScriptProduct& product);
+    Result<void> AddFilm(const ScriptProduct& product);
+    Result<fs::path> OutputOf(const ScriptProduct& product) const;
+
+    Play& m_play;
+    const PlayOptions& m_options;
+    std::shared_ptr<const Script> m_actions;
+};
+
+Result<void> Planner::Plan()
+{
+    const Script& script = m_play.script;
+    m_actions = std::make_shared<const Script>(script);
+    // With options that every picture has: what is wrong is the scene's line.
+    const Result<ShotOptions> any =
+        Understood<ShotOptions>(script, "shot", {"--step", "0"}, "any.png");
+    if (!any)
+    {
+        return script.At(script.sceneLine, any.GetError());
+    }
+    m_play.look = any->look;
+    m_play.look.script = m_actions;
+    for (const ScriptProduct& product : script.products)
+    {
+        if (const Result<void> added = Add(product); !added)
+        {
+            return script.At(product.line, added.GetError());
+        }
+    }
+    return {};
+}
+
+Result<void> Planner::Add(const ScriptProduct& product)
+{
+    switch (product.kind)
+    {
+    case ScriptProduct::Kind::Expect:
+        return AddExpectation(product);
+    case ScriptProduct::Kind::Golden:
+        return AddGolden(product);
+    case ScriptProduct::Kind::Shot:
+        return AddStill(product);
+    case ScriptProduct::Kind::Record:
+        break;
+    }
+    return AddFilm(product);
+}
+
+Result<void> Planner::AddExpectation(const ScriptProduct& product)
+{
+    const Result<Condition> condition = Condition::Parse("expect", product.name);
+    if (!condition)
+    {
+        return condition.GetError();
+    }
+    m_play.expectations.push_back({product.line, product.at, *condition});
+    return {};
+}
+
+Result<void> Planner::AddGolden(const ScriptProduct& product)
+{
+    std::vector<std::string> options = product.options;
+    const std::vector<std::string> moment = product.at.AsOption();
+    options.insert(options.end(), moment.begin(), moment.end());
+    Result<ShotOptions> shot = Understood<ShotOptions>(m_play.script, "shot", options, "any.png");
+    if (!shot)
+    {
+        return shot.GetError();
+    }
+    shot->look.script = m_actions;
+    shot->look.collectEverything = true;
+    m_play.goldens.push_back({product.line, product.name, std::move(*shot)});
+    return {};
+}
+
+Result<fs::path> Planner::OutputOf(const ScriptProduct& product) const
+{
+    if (product.name == "-")
+    {
+        return Unusable("a script writes files; give one instead of -.");
+    }
+    const fs::path output =
+        m_options.into.empty() ? fs::path(product.name) : m_options.into / product.name;
+    std::error_code error;
+    if (fs::exists(output, error) && !m_options.force && !m_options.resume && !m_options.check &&
+        !m_options.test)
+    {
+        return Unusable(output.string() +
+                        " exists already; name another file, or allow overwriting (--force).");
+    }
+    return output;
+}
+
+Result<void> Planner::AddStill(const ScriptProduct& product)
+{
+    const Result<fs::path> output = OutputOf(product);
+    if (!output)
+    {
+        return output.GetError();
+    }
+    Result<ShotOptions> shot =
+        Understood<ShotOptions>(m_play.script, "shot", product.options, *output);
+    if (!shot)
+    {
+        return shot.GetError();
+    }
+    shot->look.script = m_actions;
+    shot->force = shot->force || m_options.force;
+    shot->backend = m_options.backend;
+    m_play.stills.push_back({product.line, std::move(*shot)});
+    return {};
+}
+
+Result<void> Planner::AddFilm(const ScriptProduct& product)
+{
+    const Result<fs::path> output = OutputOf(product);
+    if (!output)
+    {
+        return output.GetError();
+    }
+    Result<RecordOptions> record =
+        Understood<RecordOptions>(m_play.script, "record", product.options, *output);
+    if (!record)
+    {
+        return record.GetError();
+    }
+    record->look.script = m_actions;
+    record->film.overwrite = record->film.overwrite || m_options.force;
+    record->film.resume = record->film.resume || m_options.resume;
+    record->backend = m_options.backend;
+    // A film that was stopped is gone on with if all of this is the same.
+    record->arguments.push_back("actions:" + m_actions->actionText);
+    m_play.films.push_back({product.line, std::move(*record)});
+    return {};
+}
+
+Result<SceneSession> OpenSession(const Play& play, const SceneLook& look)
+{
+    Result<SceneSource> source = OpenScene(SceneOf(play.script));
+    if (!source)
+    {
+        return play.script.At(play.script.sceneLine, source.GetError());
+    }
+    return SceneSession::Open(std::move(*source), look);
+}
+
+std::string NumberText(double value)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// A body that is not there and cannot come either is a mistake.
+Result<void> CheckBody(const Play& play, const Expectation& expectation,
+                       const SceneSession& session)
+{
+    const std::string missing = expectation.condition.MissingBody(session.World(), session.Names());
+    return missing.empty() || session.MakesBodiesLater()
+               ? Result<void>()
+               : play.script.At(expectation.line, Unusable(missing));
+}
+
+/// How many do not hold, each in a line.
+Result<int> Expect(const Play& play, SceneSession& session)
+{
+    std::vector<const Expectation*> inOrder;
+    for (const Expectation& expectation : play.expectations)
+    {
+        inOrder.push_back(&expectation);
+    }
+    const auto stepOf = [&session](const Expectation* e) {
+        return e->at.Step(session.StepsPerSecond());
+    };
+    std::stable_sort(
+        inOrder.begin(), inOrder.end(),
+        [&](const Expectation* a, const Expectation* b) { return stepOf(a) < stepOf(b); });
+    int failures = 0;
+    for (const Expectation* expectation : inOrder)
+    {
+        if (const Result<void> known = CheckBody(play, *expectation, session); !known)
+        {
+            return known.GetError();
+        }
+    }
+    for (const Expectation* expectation : inOrder)
+    {
+        session.AdvanceTo(stepOf(expectation));
+        const Condition& condition = expectation->condition;
+        const auto value = condition.ValueIn(session.World(), session.Names(), session.Time());
+        const bool holds = condition.Holds(session.World(), session.Names(), session.Time());
+        failures += holds ? 0 : 1;
+        std::string line = holds ? "ok    " : Red("FAIL", stdout) + "  ";
+        line += play.script.file.string() + ":" + std::to_string(expectation->line) + ": " +
+                condition.Text();
+        line += value ? " (" + NumberText(*value) + ")" : "";
+        if (const Result<void> written = WriteOutput(line + "\n"); !written)
+        {
+            return written.GetError();
+        }
+    }
+    return failures;
+}
+
+Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golden, Backend backend)
+{
+    Result<SceneSession> session = OpenSession(play, golden.shot.look);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    const SceneLook& look = golden.shot.look;
+    Result<Renderer> renderer = Renderer::Create(
+        {.width = look.width, .height = look.height, .theme = look.theme, .backend = backend});
+    if (!renderer)
+    {
+        return renderer.GetError();
+    }
+    session->AdvanceTo(golden.shot.steps.empty()
+                           ? StepAt(golden.shot.at.front(), session->StepsPerSecond())
+                           : golden.shot.steps.front());
+    FrameContent content;
+    session->Fill(content);
+    GoldenCandidate candidate{golden.name, StateHashText(session->World()), {}, {}};
+    const Overlay* const panel = look.hud ? &content.overlay : nullptr;
+    if (const Result<void> drawn =
+            renderer->Draw(content.list, content.camera, candidate.frame, panel);
+        !drawn)
+    {
+        return drawn.GetError();
+    }
+    candidate.list = std::move(content.list);
+    return candidate;
+}
+
+/// How many are not as approved, each in a line.
+Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
+{
+    const fs::path folder = play.script.file.parent_path();
+    const fs::path output = options.into / "golden-output";
+    const ReferenceStore store(folder / "references", output);
+    int failures = 0;
+    for (const GoldenPicture& golden : play.goldens)
+    {
+        const Result<GoldenCandidate> candidate = CandidateOf(play, golden, options.backend);
+        if (!candidate)
+        {
+            return candidate.GetError();
+        }
+        std::string line = "accepted  " + golden.name;
+        if (options.accept)
+        {
+            if (const Result<void> accepted = store.Accept(*candidate); !accepted)
+            {
+                return play.script.At(golden.line, accepted.GetError());
+            }
+        }
+        else
+        {
+            const Result<GoldenVerdict> verdict = store.Verify(*candidate);
+            if (!verdict)
+            {
+                return play.script.At(golden.line, verdict.GetError());
+            }
+            const bool isSame = verdict->status == GoldenStatus::Same;
+            failures += isSame ? 0 : 1;
+            const std::string why = verdict->status == GoldenStatus::Missing
+                                        ? golden.name + ": there is no reference; look at " +
+                                              (output / (golden.name + ".actual.png")).string() +
+                                              ", and if it is right, play it again with --accept."
+                                        : verdict->message;
+            line = isSame ? "same  " + golden.name
+                          : Red("FAIL", stdout) + "  " + play.script.file.string() + ":" +
+                                std::to_string(golden.line) + ": " + why;
+        }
+        if (const Result<void> written = WriteOutput(line + "\n"); !written)
+        {
+            return written.GetError();
+        }
+    }
+    return failures;
+}
+
+Result<int> MakeFiles(const Play& play)
+{
+    for (const StillPicture& still : play.stills)
+    {
+        const Result<int> taken = RunShot(still.shot);
+        if (!taken)
+        {
+            return play.script.At(still.line, taken.GetError());
+        }
+    }
+    for (const Film& film : play.films)
+    {
+        const Result<int> recorded = RunRecord(film.record);
+        if (!recorded)
+        {
+            return play.script.At(film.line, recorded.GetError());
+        }
+        if (*recorded != 0)
+        {
+            return recorded; // stopped by a signal
+        }
+    }
+    return 0;
+}
+
+std::string Count(std::size_t number, const std::string& thing)
+{
+    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
+} // namespace
+
+Result<int> RunPlay(const PlayOptions& options)
+{
+    Result<Script> script = ReadScript(options.script);
+    if (!script)
+    {
+        return script.GetError();
+    }
+    Play play;
+    play.script = std::move(*script);
+    if (const Result<void> planned = Planner(play, options).Plan(); !planned)
+    {
+        return planned.GetError();
+    }
+    Result<SceneSession> session = OpenSession(play, play.look);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    if (options.check)
+    {
+        const Result<void> written =
+            WriteOutput(play.script.file.string() + ": " + session->Title() + ", " +
+                        Count(play.script.actions.size(), "action") + ", " +
+                        Count(play.expectations.size(), "expectation") + ", " +
+                        Count(play.goldens.size() + play.stills.size(), "picture") + ", " +
+                        Count(play.films.size(), "film") + "\n");
+        return written ? Result<int>(0) : written.GetError();
+    }
+    const Result<int> unmet = Expect(play, *session);
+    if (!unmet)
+    {
+        return unmet;
+    }
+    const Result<int> different = CompareGoldens(play, options);
+    if (!different)
+    {
+        return different;
+    }
+    const Result<int> made = options.test ? 0 : MakeFiles(play);
+    if (!made || *made != 0)
+    {
+        return made;
+    }
+    return *unmet + *different == 0 ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+} // namespace boxreel

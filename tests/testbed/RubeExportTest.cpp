@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include <golden/StateHash.h>
+#include <rube/RubeBuilder.h>
+#include <rube/RubeExport.h>
+#include <rube/RubeText.h>
+#include <rube/RubeTraps.h>
+#include <rube/RubeWriter.h>
+
+#include "../engine/MixedWorld.h"
+
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <cctype>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RubeScene Said(Scene& scene)
+{
+    std::vector<std::string> leftOut;
+    return ExportScene(scene, StepSettings(), 60.0f, leftOut);
+}
+
+RubeScene Read(const std::string& text)
+{
+    const Result<RubeScene> scene = ParseRubeScene(text, "scene");
+    EXPECT_TRUE(scene) << scene.GetError().message;
+    return scene ? *scene : RubeScene();
+}
+
+std::vector<std::string> Build(const RubeScene& scene, b2World& world)
+{
+    std::vector<std::string> leftOut;
+    (void)BuildRubeScene(scene, world, leftOut);
+    return leftOut;
+}
+
+class EveryScene : public testing::TestWithParam<const SceneEntry*>
+{};
+
+TEST_P(EveryScene, ComesBackFromItsFileAsItWas)
+{
+    const std::unique_ptr<Scene> scene = GetParam()->create(SceneSettings());
+    for (const int steps : {0, 30})
+    {
+        for (int i = 0; i < steps; ++i)
+        {
+            scene->Step(StepSettings());
+        }
+        const RubeScene said = Said(*scene);
+        const std::string text = WriteRubeText(said);
+        b2World world(b2Vec2(0.0f, 0.0f));
+        EXPECT_THAT(Build(Read(text), world), IsEmpty());
+        EXPECT_EQ(StateHash(world), StateHash(scene->World())) << steps;
+        EXPECT_EQ(world.GetJointCount(), scene->World().GetJointCount());
+        EXPECT_EQ(WriteRubeText(Read(text)), text);
+        if (steps == 0)
+        {
+            world.SetSubStepCount(scene->World().GetSubStepCount());
+            const std::unique_ptr<Scene> other = GetParam()->create(SceneSettings());
+            for (int i = 0; i < 60; ++i)
+            {
+                world.Step(1.0f / 60.0f, 8, 3);
+                other->World().Step(1.0f / 60.0f, 8, 3);
+            }
+            EXPECT_EQ(StateHash(world), StateHash(other->World())) << "a second later";
+        }
+    }
+}
+
+TEST(RubeExport, OfAllJointsAndShapesGoesRoundWithoutLoss)
+{
+    for (unsigned seed = 0; seed < 20; ++seed)
+    {
+        MixedWorld mixed(seed);
+        std::vector<std::string> leftOut;
+        b2World copy(b2Vec2(0.0f, 0.0f));
+        EXPECT_THAT(Build(ExportWorld(mixed.world, {}, {}, leftOut), copy), IsEmpty());
+        EXPECT_THAT(leftOut, IsEmpty());
+        EXPECT_EQ(StateHash(copy), StateHash(mixed.world)) << seed;
+        EXPECT_EQ(copy.GetJointCount(), mixed.world.GetJointCount()) << seed;
+    }
+}
+
+TEST(RubeExport, KeepsWhatTheEngineHasNoUseFor)
+{
+    const std::string text = R"({"body": [
+        {"name": "cart", "type": 2, "awake": true, "customProperties": [{"name": "hp", "int": 7}],
+         "fixture": [{"name": "box", "friction": 0.3, "density": 1,
+                      "polygon": {"vertices": {"x": [-1, 1, 1, -1], "y": [-1, -1, 1, 1]}},
+                      "customProperties": [{"name": "tint", "color": [1, 2, 3, 4]}]}]}, {}],
+      "joint": [{"type": "revolute", "name": "hinge", "bodyA": 1, "bodyB": 0,
+                 "customProperties": [{"name": "s", "string": "x"}]}],
+      "image": [{"body": 0, "file": "cart.png", "opacity": 0.5}],
+      "customProperties": [{"name": "level", "bool": true}]})";
+    const RubeScene scene = Read(text);
+    const std::string back = WriteRubeText(scene);
+    for (const char* kept : {"\"hp\"", "\"tint\"", "\"string\": \"x\"", "\"cart.png\"",
+                             "\"opacity\"", "\"level\"", "\"box\"", "\"hinge\""})
+    {
+        EXPECT_THAT(back, HasSubstr(kept));
+    }
+    EXPECT_EQ(WriteRubeText(Read(back)), back);
+}
+
+TEST(RubeExport, WritesNumbersThatAreReadBackBitByBit)
+{
+    RubeScene scene;
+    const float32 numbers[] = {0.0f,        -0.0f,  1.0f,        -1.0f,      0.1f,
+                               1.0f / 3.0f, 1e-45f, 524288.5f, 999999.94f, 1.17549435e-38f};
+    for (const float32 number : numbers)
+    {
+        RubeBody body;
+        body.angle = number;
+        body.position = b2Vec2(number, -number);
+        scene.bodies.push_back(body);
+    }
+    const std::string text = WriteRubeText(scene);
+    const RubeScene back = Read(text);
+    ASSERT_EQ(back.bodies.size(), std::size(numbers));
+    for (std::size_t i = 0; i < std::size(numbers); ++i)
+    {
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(back.bodies[i].angle),
+                  std::bit_cast<std::uint32_t>(numbers[i]))
+            << numbers[i];
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(back.bodies[i].position.y),
+                  std::bit_cast<std::uint32_t>(-numbers[i]));
+    }
+    EXPECT_THAT(text, HasSubstr("\"angle\": 0.1,"));
+    EXPECT_THAT(text, HasSubstr("\"80000000\""));
+}
+
+TEST(RubeTraps, NameWhatTheFormatFillsInOtherwiseThanTheEngine)
+{
+    const auto traps = [](const std::string& text) {
+        const Result<std::vector<std::string>> found = RubeTraps(text, "scene");
+        EXPECT_TRUE(found);
+        return found ? *found : std::vector<std::string>();
+    };
+    EXPECT_THAT(traps(R"({"body": [{"type": 2, "awake": true, "massData-mass": 1,
+                                    "fixture": [{"friction": 0}]}]})"),
+                IsEmpty());
+    EXPECT_THAT(traps(R"({"body": [{"name": "cart", "type": 2, "massData-I": 3, "fixture": [
+                             {"name": "f", "loop": {}}]}],
+                          "joint": [{"name": "j", "type": "motor", "anchorA": 0,
+                                     "localAxis1": 0, "jointSpeed": 0}]})"),
+                testing::ElementsAre(
+                    HasSubstr("body 0 \"cart\": it does not say awake"),
+                    HasSubstr("body 0 \"cart\": it gives a centre of mass or an inertia without"),
+                    HasSubstr("fixture 0 \"f\" of body 0 \"cart\": it does not say friction"),
+                    HasSubstr("fixture 0 \"f\" of body 0 \"cart\": it is called loop"),
+                    HasSubstr("body 0 \"cart\": none of its fixtures has a density"),
+                    HasSubstr("joint 0 \"j\": its axis is called localAxis1"),
+                    HasSubstr("joint 0 \"j\": its offset is called anchorA"),
+                    HasSubstr("joint 0 \"j\": jointSpeed")));
+}
+
+TEST(RubeTraps, AreThousandAtMost)
+{
+    std::string text = "{\"body\": [";
+    for (int i = 0; i < 1500; ++i)
+    {
+        text += i == 0 ? "{\"type\": 2}" : ",{\"type\": 2}";
+    }
+    const Result<std::vector<std::string>> found = RubeTraps(text + "]}", "scene");
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), 1001u);
+    EXPECT_EQ(found->back(), "And 500 more.");
+}
+
+INSTANTIATE_TEST_SUITE_P(Rube, EveryScene, testing::ValuesIn([] {
+                             std::vector<const SceneEntry*> all;
+                             for (const SceneEntry& entry : AllScenes())
+                             {
+                                 all.push_back(&entry);
+                             }
+                             return all;
+                         }()),
+                         [](const auto& scene) {
+                             std::string name;
+                             for (const char c : std::string(scene.param->name))
+                             {
+                                 name += std::isalnum(static_cast<unsigned char>(c)) != 0
+                                             ? std::string(1, c)
+                                             : "";
+                             }
+                             return name;
+                         });
+
+} // namespace
+} // namespace boxreel
