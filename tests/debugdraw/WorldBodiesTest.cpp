@@ -83,6 +83,14 @@ TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
     EXPECT_GE(TextWidth(narrow), 180.0);
 }
 
+TEST_F(WorldBodies, ANameIsOneLineWhateverIsInIt)
+{
+    const std::string zero(1, '\0');
+    const BodyNames names{{0, "tab\tand\r\nline\u2028end\u0085\x7f"}, {1, zero + "\u00bd\u2026"}};
+    AddBodyNames(scene.world, ViewOfEverything(camera), names, list);
+    EXPECT_THAT(list.texts, testing::ElementsAre("tab and  line end  ", " \u00bd\u2026"));
+}
+
 TEST_F(WorldBodies, NamesAndMarksOutsideOfThePictureAreLeftOut)
 {
     AddBodyNames(scene.world, ViewOf(camera, 2.0), {}, list);
