@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "LabelGround.h"
+
 #include <debugdraw/Dimension.h>
 
 #include <debugdraw/Arrow.h>
@@ -21,6 +23,8 @@ constexpr double kShortest = 24.0; // two heads and something between them
 constexpr double kOutside = 18.0;  // the shaft of an arrow that comes from outside
 constexpr double kFromLine = 5.0;  // from the line to the text
 constexpr double kFromEdge = 4.0;  // from the text to the picture's edge
+constexpr double kStep = 12.0;     // between the places along its line that a text tries
+constexpr int kOnText = 100;       // lines that are as bad to lie on as a text
 
 PixelPoint operator+(PixelPoint a, PixelPoint b)
 {
@@ -66,6 +70,56 @@ PixelPoint PreferredSide(const Measured& measured)
     return turn ? -1.0 * normal : normal;
 }
 
+/// How many lines and outlines the text would lie on.
+int CountUnder(const LabelGround& ground, const Camera& view, PixelPoint center, double width)
+{
+    const labels::Point middle{center.x - 0.5 * view.width, 0.5 * view.height - center.y};
+    const labels::Box box{{middle.x - 0.5 * width, middle.y - 0.5 * kTextHeight},
+                          {middle.x + 0.5 * width, middle.y + 0.5 * kTextHeight}};
+    int count = 0;
+    ground.VisitNear(box, [&](const LabelThing& thing) {
+        const bool isWithin = thing.role == LabelRole::Shape && ground.Contains(thing, box.lower) &&
+                              ground.Contains(thing, box.upper) &&
+                              ground.Contains(thing, {box.lower.x, box.upper.y}) &&
+                              ground.Contains(thing, {box.upper.x, box.lower.y});
+        const int weight = thing.role == LabelRole::Label ? kOnText : 1;
+        count += !isWithin && ground.Meets(thing, box) ? weight : 0;
+        return true;
+    });
+    return count;
+}
+
+/// Where the text of a line through `middle` lies on the least: in its middle on the side that the
+/// line is on, else along it there, else between the line and what is measured, `offset` away.
+PixelPoint ClearPlace(const LabelGround& ground, const Camera& view, const Measured& measured,
+                      PixelPoint middle, PixelPoint side, double offset, double width)
+{
+    const double along =
+        width * std::abs(measured.along.x) + kTextHeight * std::abs(measured.along.y);
+    const double across = width * std::abs(side.x) + kTextHeight * std::abs(side.y);
+    const double room = 0.5 * (measured.length - along) - kFromLine;
+    const int steps = room > 0.0 ? static_cast<int>(room / kStep) : 0;
+    PixelPoint best = TextCenter(middle, side, width);
+    int fewest = CountUnder(ground, view, best, width);
+    const auto consider = [&](PixelPoint center) {
+        const int count = fewest > 0 && HasRoom(view, center, width, kTextHeight)
+                              ? CountUnder(ground, view, center, width)
+                              : fewest;
+        best = count < fewest ? center : best;
+        fewest = std::min(count, fewest);
+    };
+    for (const double outside : {1.0, -1.0})
+    {
+        const bool fits = outside > 0.0 || across + 2.0 * kFromLine <= offset;
+        for (int i = 0; fits && i <= steps; ++i)
+        {
+            consider(TextCenter(middle + i * kStep * measured.along, outside * side, width));
+            consider(TextCenter(middle + -i * kStep * measured.along, outside * side, width));
+        }
+    }
+    return best;
+}
+
 double Kept(double place, double half, double size)
 {
     const double border = half + kFromEdge;
@@ -92,6 +146,7 @@ void AddArrows(const Paper& paper, const Measured& measured, PixelPoint from, Pi
 void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
                   const DimensionSettings& settings)
 {
+    const LabelGround ground(view, list); // without this dimension's own lines
     const Paper paper(list, view);
     const double dx = double(b.x) - a.x;
     const double dy = double(b.y) - a.y;
@@ -125,7 +180,8 @@ void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
     paper.Line(measured.a + start * side, from + kBeyond * side, settings.color);
     paper.Line(measured.b + start * side, to + kBeyond * side, settings.color);
     AddArrows(paper, measured, from, to, settings.color);
-    const PixelPoint center = place(side);
+    const PixelPoint center =
+        ClearPlace(ground, view, measured, middle + offset * side, side, offset, width);
     const bool isSeen =
         middle.x >= 0.0 && middle.y >= 0.0 && middle.x <= view.width && middle.y <= view.height;
     paper.Text(isSeen ? PixelPoint{Kept(center.x, 0.5 * width, view.width),

@@ -57,12 +57,15 @@ Vec2 PlaceOf(const DrawList& list, const DrawItem& item, std::size_t point)
 
 } // namespace
 
-void Append(DrawList& to, const DrawList& from)
+void Append(DrawList& to, const DrawList& from, const ItemFilter& filter)
 {
     assert(&to != &from);
     for (const DrawItem& item : from.items)
     {
-        Copy(to, from, item);
+        if (!filter || filter(item))
+        {
+            Copy(to, from, item);
+        }
     }
 }
 

@@ -236,6 +236,31 @@ bool LabelGround::Contains(const LabelThing& thing, Point point) const
     return isInside;
 }
 
+double LabelGround::ThicknessOf(const LabelThing& thing) const
+{
+    const Point lower = thing.bounds.lower;
+    const Point upper = thing.bounds.upper;
+    double thickness = std::min(upper.x - lower.x, upper.y - lower.y);
+    for (std::size_t i = 0; thing.form == LabelForm::Lines && i < thing.count; ++i)
+    {
+        // A convex shape is thinnest across one of its sides.
+        const Point a = m_points[thing.first + i];
+        const Point b = m_points[thing.first + (i + 1) % thing.count];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        double least = 0.0;
+        double most = 0.0;
+        for (std::size_t k = 0; length > 0.0 && k < thing.count; ++k)
+        {
+            const Point p = m_points[thing.first + k];
+            const double away = ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / length;
+            least = std::min(least, away);
+            most = std::max(most, away);
+        }
+        thickness = length > 0.0 ? std::min(thickness, most - least) : thickness;
+    }
+    return thickness;
+}
+
 bool LabelGround::Meets(const LabelThing& thing, const Box& box) const
 {
     if (thing.form == LabelForm::Circle)

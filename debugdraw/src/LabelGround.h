@@ -81,6 +81,9 @@ public:
     bool Meets(const LabelThing& thing, const labels::Box& box) const;
     bool Contains(const LabelThing& thing, labels::Point point) const;
 
+    /// How far apart the two parallels are at least between which it lies [px].
+    double ThicknessOf(const LabelThing& thing) const;
+
     /// Calls it for each thing that may meet the box, once, until it says false.
     template <class Visit>
     void VisitNear(const labels::Box& box, Visit visit) const

@@ -2,6 +2,7 @@
 #include "LabelSpots.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace boxreel
 {
@@ -18,8 +19,10 @@ using labels::Widened;
 constexpr double kLetterHeight = 12.0; // of a line, what letters have ink on [px]
 constexpr double kEdge = 2.0;          // from a label to the picture's edge at least [px]
 
-constexpr double kCenter = 0.5; // half of what a body's centre takes [px]
-constexpr double kApart = 3.0;  // between labels in a row at least: less, and they read as one
+constexpr double kCenter = 0.5;            // half of what a body's centre takes [px]
+constexpr double kRounding = 0.5;          // by which boxes may overlap before they meet [px]
+constexpr double kApart = 3.0 + kRounding; // between labels in a row: less, and they read as one
+constexpr double kClear = 3.0; // from a label to signs, and to its own body when it is beside it
 
 // How far a label may reach over another body's shape, as long as its centre stays free [px]. Less,
 // and labels of small bodies leave them, and jump in films, for a neighbour that is merely near.
@@ -27,9 +30,15 @@ constexpr double kSpill = 5.0;
 
 constexpr double kCorner = 2.0; // of a label, what is nearly always empty [px]
 
-// From the place to the nearest edge of the label [px]: beside a hinge or a centre of mass, beside
-// a hinge with a motor, beside a gear, and out of crowds.
-constexpr double kDistances[] = {9.0, 17.0, 25.0, 36.0, 50.0};
+// What is no longer than so many times its thickness is hidden by its label, not a line through it:
+// a small box, which may stand on a corner.
+constexpr double kSlender = 3.0;
+
+// From the place to the nearest edge of the label [px]: clear of a hinge or a centre of mass, of a
+// hinge with a motor, of a gear, out of crowds, and beyond the ends of what is slender and has no
+// room beside it.
+constexpr double kBeyondEnds = 66.0;
+constexpr double kDistances[] = {10.5, 17.0, 25.0, 36.0, 50.0, kBeyondEnds};
 
 // A line that passes another body's centre as near as this seems to be its [px].
 constexpr double kNear = 3.0;
@@ -43,8 +52,8 @@ using Direction = double[2];
 constexpr Direction kAroundBody[] = {{0, 1},  {0, -1},  {1, 1}, {1, -1},
                                      {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}};
 
-// Of others as on maps: above on the right first, and straight beside it last, where lines are
-// likely.
+// Of others as on maps: above on the right first, and straight beside it last, and only where no
+// corner at the next distance is free: lines are likely there.
 constexpr Direction kAroundSign[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1},
                                      {1, 0}, {-1, 0}, {0, 1},  {0, -1}};
 
@@ -77,11 +86,13 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
     }
     const Point place = m_ground.ToPixels(wish.place);
     const Box core = Crosses(place, place, box) ? CoreOf(box) : box;
-    const Box apart{{box.lower.x - kApart, box.lower.y}, {box.upper.x + kApart, box.upper.y}};
+    const Box apart{{box.lower.x - kApart, box.lower.y - kRounding},
+                    {box.upper.x + kApart, box.upper.y + kRounding}};
     int signs = 0;
     int shapes = 0;
     bool isRefused = false;
-    m_ground.VisitNear(apart, [&](const LabelThing& thing) {
+    const Box clear = Widened(box, kClear);
+    m_ground.VisitNear(clear, [&](const LabelThing& thing) {
         const bool isOwn = thing.owner == wish.owner && wish.owner != kNoOwner;
         switch (thing.role)
         {
@@ -92,11 +103,12 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
             isRefused = !isOwn && m_ground.Meets(thing, box);
             break;
         case LabelRole::Sign:
-            signs += m_ground.Meets(thing, box) ? 1 : 0;
+            signs += m_ground.Meets(thing, clear) ? 1 : 0;
             break;
         case LabelRole::Shape:
             // What the body itself lies over (a region, a vehicle around its wheel) tells nobody
             // apart.
+            signs += isOwn && Strikes(thing, clear) ? 1 : 0;
             shapes +=
                 !isOwn && m_ground.Meets(thing, core) && !m_ground.Contains(thing, place) ? 1 : 0;
             break;
@@ -109,6 +121,32 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
     }
     // On its own body it stays, whatever else lies there.
     return signs + (shapes > 0 && FitsIn(box, wish.owner) ? 0 : shapes);
+}
+
+/// Whether a shape of the label's body crosses it like a line through its letters.
+bool LabelSpots::Strikes(const LabelThing& thing, const Box& box) const
+{
+    const Box& bounds = thing.bounds;
+    const bool isLonger = bounds.lower.x < box.lower.x || bounds.lower.y < box.lower.y ||
+                          bounds.upper.x > box.upper.x || bounds.upper.y > box.upper.y;
+    if (!isLonger || !m_ground.Meets(thing, box))
+    {
+        return false;
+    }
+    const double thickness = m_ground.ThicknessOf(thing);
+    const double length =
+        std::hypot(bounds.upper.x - bounds.lower.x, bounds.upper.y - bounds.lower.y);
+    return thickness < kLetterHeight && length > kSlender * thickness;
+}
+
+bool LabelSpots::IsStruck(const Box& box, std::uint32_t owner) const
+{
+    bool isStruck = false;
+    m_ground.VisitNear(box, [&](const LabelThing& thing) {
+        isStruck = thing.role == LabelRole::Shape && thing.owner == owner && Strikes(thing, box);
+        return !isStruck;
+    });
+    return isStruck;
 }
 
 /// Whether a line would seem to come from another body, or to lead to another label.
@@ -174,11 +212,18 @@ Box LabelSpots::BoxOnPlace(const LabelWish& wish) const
 std::optional<Box> LabelSpots::BestBox(const LabelWish& wish) const
 {
     const Point place = m_ground.ToPixels(wish.place);
+    const bool mayFit = MayFitIn(wish);
     std::optional<Box> best;
     std::optional<int> fewest;
+    bool fits = false; // the best, in its body
     const auto consider = [&](const Box& box) {
         const std::optional<int> count = CountIn(box, wish);
-        if (!count || (fewest && *count >= *fewest))
+        if (!count || (fewest && (*count > *fewest || (*count == *fewest && (fits || !mayFit)))))
+        {
+            return;
+        }
+        const bool fitsToo = mayFit && FitsIn(box, wish.owner);
+        if (fewest == count && !fitsToo)
         {
             return;
         }
@@ -187,23 +232,37 @@ std::optional<Box> LabelSpots::BestBox(const LabelWish& wish) const
         {
             fewest = count;
             best = box;
+            fits = fitsToo;
         }
     };
     consider(BoxOnPlace(wish));
+    const bool isStruck = wish.owner != kNoOwner && IsStruck(BoxOnPlace(wish), wish.owner);
+    double nearer = 0.0; // distance
     for (const double distance : kDistances)
     {
+        if (distance == kBeyondEnds && !isStruck)
+        {
+            break;
+        }
         for (const auto& [right, up] : wish.owner != kNoOwner ? kAroundBody : kAroundSign)
         {
-            if (fewest == 0)
+            if (fewest == 0 && (fits || !mayFit))
             {
                 return best;
             }
             // A corner is nearer to the place than a side: there it may come closer.
-            const double away = right != 0.0 && up != 0.0 ? 0.7 * distance : distance;
+            const bool isCorner = right != 0.0 && up != 0.0;
+            const double straight = wish.owner != kNoOwner ? distance : nearer;
+            if (!isCorner && straight == 0.0)
+            {
+                continue;
+            }
+            const double away = isCorner ? 0.7 * distance : straight;
             consider(BoxAround({place.x + right * (away + 0.5 * wish.width),
                                 place.y + up * (away + 0.5 * kLetterHeight)},
                                wish.width));
         }
+        nearer = distance;
     }
     return best;
 }
@@ -227,6 +286,22 @@ bool LabelSpots::FitsIn(const Box& box, std::uint32_t owner) const
     return owner != kNoOwner && IsOnOwner(core.lower, owner) && IsOnOwner(core.upper, owner) &&
            IsOnOwner({core.lower.x, core.upper.y}, owner) &&
            IsOnOwner({core.upper.x, core.lower.y}, owner);
+}
+
+/// Whether a shape of the body that its place is on is large enough for it, somewhere.
+bool LabelSpots::MayFitIn(const LabelWish& wish) const
+{
+    const Point place = m_ground.ToPixels(wish.place);
+    bool mayFit = false;
+    m_ground.VisitNear({place, place}, [&](const LabelThing& thing) {
+        const Box& bounds = thing.bounds;
+        mayFit = wish.owner != kNoOwner && thing.role == LabelRole::Shape &&
+                 thing.owner == wish.owner &&
+                 bounds.upper.x - bounds.lower.x >= wish.width - 2.0 * kCorner &&
+                 bounds.upper.y - bounds.lower.y >= kLetterHeight - 2.0 * kCorner;
+        return !mayFit;
+    });
+    return mayFit;
 }
 
 void LabelSpots::AddCenter(const LabelWish& wish)

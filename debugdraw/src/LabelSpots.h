@@ -30,8 +30,9 @@ struct LabelSpot
 class LabelSpots
 {
 public:
-    /// In the way are the signs of joints and centres of mass, annotations, labels, and, for labels
-    /// of others, the shapes of bodies.
+    /// In the way are the signs of joints and centres of mass, annotations, labels, and the shapes
+    /// of bodies: for their own labels only those that are longer than the label and thinner than
+    /// its letters, which would be struck through.
     LabelSpots(const Camera& camera, const DrawList& list);
 
     /// A spot for each, wholly in the picture: first those that lie on their own body, then those
@@ -48,11 +49,14 @@ private:
     std::optional<int> CountIn(const Box& box, const LabelWish& wish) const;
     bool Misleads(Point from, Point to) const;
     std::optional<Point> TieTo(const Box& box, const LabelWish& wish) const;
+    bool Strikes(const LabelThing& thing, const Box& box) const;
+    bool IsStruck(const Box& box, std::uint32_t owner) const;
     bool IsOnOwner(Point point, std::uint32_t owner) const;
     Box BoxAround(Point middle, double width) const;
     Box BoxOnPlace(const LabelWish& wish) const;
     std::optional<Box> BestBox(const LabelWish& wish) const;
     bool FitsIn(const Box& box, std::uint32_t owner) const;
+    bool MayFitIn(const LabelWish& wish) const;
     void AddCenter(const LabelWish& wish);
     LabelSpot Take(const Box& box, const LabelWish& wish);
 

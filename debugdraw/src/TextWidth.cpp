@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/TextWidth.h>
 
+#include "LetterWidths.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace boxreel
@@ -10,39 +11,15 @@ namespace boxreel
 namespace
 {
 
-// How far the pen goes on after a letter of DejaVu Sans, in 2048ths of its em square; a test
-// compares them with the font itself.
-constexpr std::array<int, 0x7F - 0x20> kAscii{
-    651,  821,  942,  1716, 1303, 1946, 1597, 563,  799,  799,  1024, 1716, 651,  739,  651,  690,
-    1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 690,  690,  1716, 1716, 1716, 1087,
-    2048, 1401, 1405, 1430, 1577, 1294, 1178, 1587, 1540, 604,  604,  1343, 1141, 1767, 1532, 1612,
-    1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025, 1403, 1251, 1403, 799,  690,  799,  1716, 1024,
-    1024, 1255, 1300, 1126, 1300, 1260, 721,  1300, 1298, 569,  569,  1186, 569,  1995, 1298, 1253,
-    1300, 1300, 842,  1067, 803,  1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,  1303, 1716};
-constexpr std::array<int, 0x100 - 0xA0> kLatin1{
-    651,  821,  1303, 1303, 1303, 1303, 690,  1024, 1024, 2048, 965,  1253, 1716, 739,  2048, 1024,
-    1024, 1716, 821,  821,  1024, 1303, 1303, 651,  1024, 821,  965,  1253, 1985, 1985, 1985, 1087,
-    1401, 1401, 1401, 1401, 1401, 1401, 1995, 1430, 1294, 1294, 1294, 1294, 604,  604,  604,  604,
-    1587, 1532, 1612, 1612, 1612, 1612, 1612, 1716, 1612, 1499, 1499, 1499, 1499, 1251, 1239, 1290,
-    1255, 1255, 1255, 1255, 1255, 1255, 2011, 1126, 1260, 1260, 1260, 1260, 569,  569,  569,  569,
-    1253, 1298, 1253, 1253, 1253, 1253, 1253, 1716, 1253, 1298, 1298, 1298, 1298, 1212, 1300, 1212};
-constexpr int kOther = 1600; // about that of Greek and Cyrillic letters, which are not listed
-
 // A line is 2384 of these high: 1901 above the baseline and 483 below.
 constexpr double kPixels = kTextHeight / 2384.0;
 
+/// Of what is drawn: nothing for control characters, '?' for a letter that the font lacks.
 int UnitsOf(char32_t letter)
 {
     letter = letter == '\t' ? ' ' : letter;
-    if (letter >= 0x20 && letter < 0x7F)
-    {
-        return kAscii[letter - 0x20];
-    }
-    if (letter >= 0xA0 && letter < 0x100)
-    {
-        return kLatin1[letter - 0xA0];
-    }
-    return letter < 0xA0 ? 0 : kOther;
+    const int units = LetterWidth(letter);
+    return units > 0 || letter < ' ' ? units : LetterWidth('?');
 }
 
 /// The letter that begins at `at`, which goes on to the next one. What is no UTF-8 is the sign for
@@ -126,6 +103,19 @@ double TextWidth(std::string_view line)
         drawn += std::floor(width + 0.5);
     }
     return std::max(drawn, printed);
+}
+
+bool HasLettersOf(std::string_view line)
+{
+    for (std::size_t at = 0; at < line.size();)
+    {
+        const char32_t letter = NextLetter(line, at);
+        if (letter >= ' ' && LetterWidth(letter) == 0)
+        {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::vector<std::string> WrapText(std::string_view given, double room)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace boxreel
@@ -39,10 +40,28 @@ bool BeginsLetter(char c)
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
-/// At most so many bytes, and so wide [px], cut between letters: a file may have names of any
-/// length.
-std::string Shortened(const std::string& name, double room)
+/// With a space for each control character and each end of a line, which would put the rest of a
+/// name onto its neighbour.
+std::string InOneLine(std::string_view name)
 {
+    std::string line;
+    for (std::size_t i = 0; i < name.size(); ++i)
+    {
+        const std::string_view rest = name.substr(i);
+        const bool isC1 = rest.size() > 1 && rest[0] == '\xC2' && (rest[1] & 0xE0) == 0x80;
+        const bool isEnd = rest.starts_with("\u2028") || rest.starts_with("\u2029");
+        const bool isControl = static_cast<unsigned char>(rest[0]) < 0x20 || rest[0] == '\x7F';
+        line += isControl || isC1 || isEnd ? ' ' : rest[0];
+        i += isEnd ? 2 : isC1 ? 1 : 0;
+    }
+    return line;
+}
+
+/// In one line of at most so many bytes, and so wide [px], cut between letters: a file may have
+/// names of any length.
+std::string Shortened(const std::string& given, double room)
+{
+    const std::string name = InOneLine(given);
     constexpr std::size_t kMost = 60;
     std::string shown = name.substr(0, kMost);
     while (!shown.empty() && (shown.size() < name.size() && !BeginsLetter(name[shown.size()])))

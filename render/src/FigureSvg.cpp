@@ -5,6 +5,8 @@
 #include "FigureLetters.h"
 
 #include <debugdraw/AtomicFile.h>
+#include <debugdraw/DrawListText.h>
+#include <debugdraw/TextWidth.h>
 
 #include <array>
 #include <charconv>
@@ -134,6 +136,7 @@ public:
     {
         Line("<g" + Attribute("id", group.id) + Attribute("class", group.layer) + ">");
         ++m_depth;
+        m_inLabels = std::string_view(group.layer) == LayerName(DrawLayer::Labels);
         if (!group.title.empty())
         {
             Line("<title>" + Escaped(group.title) + "</title>");
@@ -171,8 +174,11 @@ public:
 
     void Text(Point at, const std::string& line, const FigureInk& ink) override
     {
-        Line("<text" + Attribute("x", at.x) + Attribute("y", at.y) + Ink("fill", ink) + ">" +
-             Escaped(line) + "</text>");
+        // However wide the viewer's letters are that pictures lack, a label stays where it is.
+        const bool centered = m_inLabels && !HasLettersOf(line);
+        Line("<text" + Attribute("x", at.x + (centered ? 0.5 * TextWidth(line) : 0.0)) +
+             Attribute("y", at.y) + (centered ? Attribute("text-anchor", "middle") : "") +
+             Ink("fill", ink) + ">" + Escaped(line) + "</text>");
     }
 
 private:
@@ -196,6 +202,7 @@ private:
     const Figure& m_figure;
     std::string m_text;
     std::size_t m_depth = 1;
+    bool m_inLabels = false;
     std::vector<bool> m_nested;
 };
 

@@ -31,21 +31,23 @@ Error NoSuchBody(const std::string& option, const std::string& name,
 
 } // namespace
 
-std::vector<std::string> SplitOutsideQuotes(char separator, std::string_view text)
+std::vector<std::string> SplitOutsideQuotes(std::string_view separator, std::string_view text)
 {
     std::vector<std::string> parts(1);
     bool quoted = false;
-    for (const char c : text)
+    while (!text.empty())
     {
-        quoted = quoted != (c == '"');
-        if (c == separator && !quoted)
+        const bool parted = !quoted && text.starts_with(separator);
+        if (parted)
         {
             parts.emplace_back();
         }
         else
         {
-            parts.back() += c;
+            quoted = quoted != (text.front() == '"');
+            parts.back() += text.front();
         }
+        text.remove_prefix(parted ? separator.size() : 1);
     }
     return parts;
 }
@@ -69,7 +71,7 @@ std::optional<BodyRef> ReadBodyRef(std::string_view text)
 std::optional<std::vector<BodyRef>> ReadBodyRefs(std::string_view text)
 {
     std::vector<BodyRef> bodies;
-    for (const std::string& part : SplitOutsideQuotes(',', text))
+    for (const std::string& part : SplitOutsideQuotes(",", text))
     {
         const std::optional<BodyRef> body = ReadBodyRef(part);
         if (!body)

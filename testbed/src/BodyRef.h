@@ -27,10 +27,10 @@ struct BodyRef
 };
 
 /// The parts between separators that stand outside of quotes ("); quotes are kept.
-std::vector<std::string> SplitOutsideQuotes(char separator, std::string_view text);
+std::vector<std::string> SplitOutsideQuotes(std::string_view separator, std::string_view text);
 
 /// "3", "left wheel", "\"3, or so\"": digits are a number, unless in quotes; so must be names with
-/// commas, colons and semicolons.
+/// commas, colons and semicolons, and, where an end follows, those with " to ".
 std::optional<BodyRef> ReadBodyRef(std::string_view text);
 
 /// "3,left wheel".

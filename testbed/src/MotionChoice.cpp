@@ -46,7 +46,7 @@ std::optional<Interval> ReadInterval(std::string_view text)
 
 std::optional<MeasuredEnd> ReadEnd(std::string_view text)
 {
-    const std::vector<std::string> parts = SplitOutsideQuotes(',', text);
+    const std::vector<std::string> parts = SplitOutsideQuotes(",", text);
     if (parts.size() == 1)
     {
         const std::optional<BodyRef> body = ReadBodyRef(parts[0]);
@@ -92,7 +92,7 @@ Result<BodyChoice> ParseBodyChoice(const std::string& option, const std::string&
 
 Result<StrobeChoice> ParseStrobe(const std::string& option, const std::string& text)
 {
-    const std::vector<std::string> parts = SplitOutsideQuotes(':', text);
+    const std::vector<std::string> parts = SplitOutsideQuotes(":", text);
     const std::optional<Interval> every = ReadInterval(parts[0]);
     const std::optional<BodyChoice> bodies = ReadBodies(parts.size() > 1 ? parts[1] : "moving");
     if (!every || !bodies || parts.size() > 2)
@@ -106,7 +106,7 @@ Result<StrobeChoice> ParseStrobe(const std::string& option, const std::string& t
 
 Result<OnionChoice> ParseOnion(const std::string& option, const std::string& text)
 {
-    const std::vector<std::string> parts = SplitOutsideQuotes(':', text);
+    const std::vector<std::string> parts = SplitOutsideQuotes(":", text);
     OnionChoice onion;
     const Result<std::int64_t> count = ParseWhole("", parts[0], 1, kMostPoses);
     const std::optional<Interval> every =
@@ -123,11 +123,17 @@ Result<OnionChoice> ParseOnion(const std::string& option, const std::string& tex
 
 Result<DimensionChoice> ParseDimension(const std::string& option, const std::string& text)
 {
-    constexpr std::string_view kTo = " to ";
-    const std::size_t to = text.find(kTo);
-    const std::vector<std::string> ends =
-        to == std::string::npos ? SplitOutsideQuotes(',', text) // of bodies, like elsewhere
-                                : std::vector{text.substr(0, to), text.substr(to + kTo.size())};
+    std::vector<std::string> ends = SplitOutsideQuotes(" to ", text);
+    if (ends.size() > 2)
+    {
+        return Refusal(option, text,
+                       "give two ends; a name with the word to in it stands in quotes of its own, "
+                       "such as '\"b to c\" to 3'");
+    }
+    if (ends.size() == 1)
+    {
+        ends = SplitOutsideQuotes(",", text); // of bodies, like elsewhere
+    }
     const std::optional<MeasuredEnd> from = ReadEnd(ends.front());
     const std::optional<MeasuredEnd> end = ReadEnd(ends.back());
     if (ends.size() == 2 && from && end && *from != *end && !text.ends_with(" to"))

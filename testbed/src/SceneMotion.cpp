@@ -8,6 +8,7 @@
 #include <debugdraw/DrawCollector.h>
 #include <debugdraw/Faded.h>
 #include <debugdraw/Trail.h>
+#include <debugdraw/WorldGlyphs.h>
 
 #include <algorithm>
 
@@ -290,13 +291,9 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
     }
 }
 
-DrawList SceneMotion::Notes(const SceneSession& session)
+/// Adds the dimensions that the look asks for, of ends that are there.
+void SceneMotion::AddDimensions(const SceneSession& session, DrawList& list) const
 {
-    DrawList list;
-    if (m_look.axes)
-    {
-        AddOriginMark(list, session.CurrentCamera());
-    }
     for (const DimensionChoice& dimension : m_look.dimensions)
     {
         const std::optional<Vec2> from = PlaceOf(dimension.from, session.World());
@@ -305,6 +302,39 @@ DrawList SceneMotion::Notes(const SceneSession& session)
         {
             AddDimension(list, session.CurrentCamera(), *from, *to);
         }
+    }
+}
+
+/// With texts that keep clear of bodies, signs, and lines of other dimensions, also of later ones.
+DrawList SceneMotion::Dimensions(SceneSession& session) const
+{
+    DrawList lines;
+    AddDimensions(session, lines);
+    std::erase_if(lines.items, [](const DrawItem& item) { return item.kind == DrawKind::Text; });
+    DrawList picture = DrawListOf(session.World(), b2Draw::e_shapeBit);
+    AddJointGlyphs(session.World(), ViewOfEverything(session.CurrentCamera()), picture);
+    for (DrawItem& item : lines.items)
+    {
+        item.layer = DrawLayer::JointGlyphs; // in the way, as a sign
+    }
+    Append(picture, lines);
+    AddDimensions(session, picture);
+    DrawList dimensions;
+    Append(dimensions, picture,
+           [](const DrawItem& item) { return item.layer == DrawLayer::Annotations; });
+    return dimensions;
+}
+
+DrawList SceneMotion::Notes(SceneSession& session)
+{
+    DrawList list;
+    if (m_look.axes)
+    {
+        AddOriginMark(list, session.CurrentCamera());
+    }
+    if (!m_look.dimensions.empty())
+    {
+        Append(list, Dimensions(session));
     }
     for (const int body : MeasuredBodies(m_look))
     {

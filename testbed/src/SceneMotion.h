@@ -25,7 +25,7 @@ public:
     void AdvanceTo(SceneSession& session, std::int64_t step);
 
     /// What lies over the picture of the session's step, but for labels: dimensions and the origin.
-    DrawList Notes(const SceneSession& session);
+    DrawList Notes(SceneSession& session);
 
     /// What the picture of the session's step shows: `scene`, which is drawn at scale 1 and has the
     /// notes already, with trails and earlier poses beneath it. The step is one of the moments.
@@ -52,6 +52,8 @@ private:
     explicit SceneMotion(const MotionLook& look) : m_look(look) {}
     std::vector<std::int64_t> PosesFor(std::int64_t moment, const Rational& stepsPerSecond) const;
     void Observe(SceneSession& session);
+    void AddDimensions(const SceneSession& session, DrawList& list) const;
+    DrawList Dimensions(SceneSession& session) const;
     void AddTrails(const SceneSession& session, DrawList& list) const;
     void AddPoses(SceneSession& session, DrawList& list) const;
 

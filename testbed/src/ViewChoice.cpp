@@ -82,7 +82,7 @@ std::string WhyNotFixed(std::string_view text)
 
 std::optional<FollowView> ReadFollow(std::string_view text)
 {
-    const std::vector<std::string> parts = SplitOutsideQuotes(':', text);
+    const std::vector<std::string> parts = SplitOutsideQuotes(":", text);
     const std::optional<std::vector<BodyRef>> bodies = ReadBodyRefs(parts.front());
     if (!bodies || parts.size() > 2)
     {
@@ -252,7 +252,7 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
     if (kind == "follow")
     {
         const std::optional<FollowView> follow = ReadFollow(rest);
-        const std::vector<std::string> parts = SplitOutsideQuotes(':', rest);
+        const std::vector<std::string> parts = SplitOutsideQuotes(":", rest);
         const std::string why = parts.size() == 2 ? WhyOutsideHeights(parts.back()) : "";
         if (!why.empty())
         {

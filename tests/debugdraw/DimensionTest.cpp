@@ -137,6 +137,26 @@ TEST(Dimension, TextIsClearOfASlantedLineAndInThePicture)
     EXPECT_GE(View().ToPixel(atTheEdge.points[atTheEdge.items.back().first]).x, 3.9f);
 }
 
+TEST(Dimension, TextMovesAlongItsLineOffWhatIsThere)
+{
+    DrawList list;
+    list.AddSegment({0, -10}, {0, 10}, Color{}); // through where the text of the next would be
+    AddDimension(list, View(), {-10, 0}, {10, 0});
+    const Vec2 middle = TextMiddle(list);
+    EXPECT_GT(std::abs(middle.x - 320.0), 0.5 * TextWidth("20.0 m"));
+    EXPECT_LT(std::abs(middle.x - 320.0), 0.5 * TextWidth("20.0 m") + 24.0) << "and no farther";
+    EXPECT_NEAR(middle.y, TextMiddle(DimensionOf({-10, 0}, {10, 0})).y, 0.01);
+}
+
+TEST(Dimension, TextStaysWithinABodyWhoseOutlineItDoesNotTouch)
+{
+    DrawList list;
+    const Vec2 corners[4] = {{-20, -10}, {20, -10}, {20, 10}, {-20, 10}};
+    list.AddSolidPolygon(corners, 4, Color{});
+    AddDimension(list, View(), {-10, 0}, {10, 0});
+    EXPECT_NEAR(TextMiddle(list).x, 320.0, 0.5);
+}
+
 TEST(Dimension, HasTheLabelItIsGiven)
 {
     EXPECT_THAT(DimensionOf({0, 0}, {9, 0}, {.label = "L"}).texts, ElementsAre("L"));

@@ -83,6 +83,14 @@ TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
     EXPECT_GE(TextWidth(narrow), 180.0);
 }
 
+TEST_F(WorldBodies, ANameIsOneLineWhateverIsInIt)
+{
+    const std::string zero(1, '\0');
+    const BodyNames names{{0, "tab\tand\r\nline\u2028end\u0085\x7f"}, {1, zero + "\u00bd\u2026"}};
+    AddBodyNames(scene.world, ViewOfEverything(camera), names, list);
+    EXPECT_THAT(list.texts, testing::ElementsAre("tab and  line end  ", " \u00bd\u2026"));
+}
+
 TEST_F(WorldBodies, NamesAndMarksOutsideOfThePictureAreLeftOut)
 {
     AddBodyNames(scene.world, ViewOf(camera, 2.0), {}, list);
@@ -355,6 +363,38 @@ TEST_F(Labels, NeedNoLineOnTheirBody)
     const auto labels = Named({{0, "house"}});
     EXPECT_FALSE(Holds(labels.at(0).box, b2Vec2(0.0f, 0.0f)));
     EXPECT_FALSE(labels.at(0).isTied);
+}
+
+TEST_F(Labels, AreBesideBodiesThinnerThanTheirLetters)
+{
+    Box(0.0f, 0.0f, 0.03f, 0.8f);   // a pole
+    Box(-1.0f, 0.0f, 0.01f, 0.06f); // whose label hides it
+    Box(1.0f, 0.0f, 0.1f, 0.8f);    // as wide as its number
+    const auto labels = Named({{0, "pole"}, {1, "bit"}, {2, "2"}});
+    EXPECT_FALSE(Overlap(labels.at(0).box, Rect{{-0.05f, -0.8f}, {0.05f, 0.8f}}));
+    EXPECT_TRUE(labels.at(0).isTied);
+    EXPECT_TRUE(Holds(labels.at(1).box, b2Vec2(-1.0f, 0.0f)));
+    EXPECT_TRUE(Holds(labels.at(2).box, b2Vec2(1.0f, 0.0f)));
+}
+
+TEST_F(Labels, ThatMoveAsideKeepWithinTheirBodyWhereItHasRoom)
+{
+    Box(0.0f, 0.0f, 0.5f, 0.2f); // above the middle a label of 12 px would lie on its edge
+    Paper(signs, camera).Line({158.0, 120.0}, {162.0, 120.0}, Color{});
+    const Rect box = Named({{0, "box"}}).at(0).box;
+    EXPECT_FALSE(Holds(box, b2Vec2(0.0f, 0.0f)));
+    EXPECT_GE(box.lower.x, -0.5f);
+    EXPECT_LE(box.upper.x, 0.5f);
+    EXPECT_GE(box.lower.y, -0.2f);
+    EXPECT_LE(box.upper.y, 0.2f);
+}
+
+TEST_F(Labels, KeepClearOfSigns)
+{
+    Box(0.0f, 0.0f, 0.2f, 0.2f);
+    Paper(signs, camera).Line({150.0, 112.0}, {170.0, 112.0}, Color{}); // 2 px above the letters
+    const Rect box = Named({{0, "0"}}).at(0).box;
+    EXPECT_FALSE(Overlap(box, Rect{{-0.12f, 0.055f}, {0.12f, 0.105f}}));
 }
 
 TEST_F(WorldBodies, WithAViewTheNamesAreThoseOfAPictureOfEverythingInTheSameOrder)

@@ -120,7 +120,24 @@ TEST(FigureSheet, IsTheSameSvgEachTime)
     EXPECT_THAT(svg(), HasSubstr(">1 s</text>"));
 }
 
-TEST(TextWidth, IsThatOfTheFont)
+namespace
+{
+
+/// Of a letter below 0x10000.
+std::string Utf8(char32_t code)
+{
+    const auto next = [code](int shift) { return char(0x80 | (code >> shift & 0x3F)); };
+    if (code < 0x80)
+    {
+        return {char(code)};
+    }
+    return code < 0x800 ? std::string{char(0xC0 | code >> 6), next(0)}
+                        : std::string{char(0xE0 | code >> 12), next(6), next(0)};
+}
+
+} // namespace
+
+TEST(TextWidth, IsThatOfWhatIsDrawnInTheFont)
 {
     // A letter between two bars; the bars' places tell how far the pen went on.
     const auto advance = [](const std::string& letter) {
@@ -129,14 +146,13 @@ TEST(TextWidth, IsThatOfTheFont)
         return quads.back().x0 - quads.front().x0;
     };
     const float bar = advance("");
-    for (int code = 0x21; code < 0x7F; ++code)
+    for (char32_t code = 0x21; code < 0x10000; code += code == 0xD7FF ? 0x801 : 1)
     {
-        const std::string letter(1, char(code));
-        EXPECT_NEAR(TextWidth(letter), advance(letter) - bar, 0.5001) << letter;
-        EXPECT_GE(TextWidth(letter) + 0.001, advance(letter) - bar) << letter;
+        const std::string letter = Utf8(code);
+        ASSERT_NEAR(TextWidth(letter), advance(letter) - bar, 0.5001) << letter << ' ' << int(code);
+        ASSERT_GE(TextWidth(letter) + 0.001, advance(letter) - bar) << letter << ' ' << int(code);
     }
-    for (const char* letter : {"µ", "é", "Ö", "ß", "·", "×"})
-    {
-        EXPECT_NEAR(TextWidth(letter), advance(letter) - bar, 0.5001) << letter;
-    }
+    const std::string beyond = "\U0001F697";
+    EXPECT_EQ(TextWidth(beyond), TextWidth("?"));
+    EXPECT_EQ(advance(beyond), advance("?"));
 }

@@ -5,6 +5,7 @@
 
 #include "../debugdraw/TemporaryFolder.h"
 
+#include <debugdraw/TextWidth.h>
 #include <render/Figure.h>
 #include <render/Png.h>
 
@@ -290,6 +291,24 @@ TEST(Figure, HoldsAnyText)
     EXPECT_THAT(text, HasSubstr(">last</text>"));
     EXPECT_THAT(text, HasSubstr("<title>&lt;b&gt;\xEF\xBF\xBD</title>"));
     EXPECT_TRUE(ToPdf(figure));
+}
+
+TEST(Figure, CentresLabelsWhoseLettersTheViewerHasAlone)
+{
+    const std::string car = "\U0001F697 \u8eca";
+    DrawList list;
+    list.layer = DrawLayer::Labels;
+    list.AddText({50, 200}, car, kWhite);
+    list.AddText({50, 100}, "\u03a9", kWhite);
+    list.layer = DrawLayer::Annotations;
+    list.AddText({50, 200}, car, kWhite);
+    const std::string text = Svg(FigureOf(list));
+    EXPECT_EQ(CountOf("text-anchor=\"middle\"", text), 1u);
+    const std::size_t label = text.find("class=\"labels\"");
+    const double left = 50.0; // of a camera whose metres are pixels
+    const double x = std::stod(text.substr(text.find("<text x=\"", label) + 9));
+    EXPECT_NEAR(x, left + 0.5 * TextWidth(car), 0.01);
+    EXPECT_LT(text.find("text-anchor"), text.find("class=\"annotations\""));
 }
 
 TEST(Figure, ShowsTabsAndLineFeedsAsSpaces)

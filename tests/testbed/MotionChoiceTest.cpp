@@ -66,6 +66,13 @@ TEST(MotionChoice, ADimensionGoesFromABodyOrAPointToAnother)
     EXPECT_EQ(*ParseDimension("--dimension", "3 to 4.5,2"), (DimensionChoice{3, Vec2{4.5f, 2}}));
     EXPECT_EQ(*ParseDimension("--dimension", "ball to left wheel"),
               (DimensionChoice{BodyRef("ball"), BodyRef("left wheel")}));
+    const DimensionChoice quoted{BodyRef("b to c"), 3};
+    EXPECT_EQ(*ParseDimension("--dimension", "\"b to c\" to 3"), quoted);
+    EXPECT_EQ(*ParseDimension("--dimension", "\"b to c\",3"), quoted);
+    EXPECT_EQ(*ParseDimension("--dimension", "0,1 to \"b to c\""),
+              (DimensionChoice{Vec2{0, 1}, BodyRef("b to c")}));
+    EXPECT_THAT(Refusal(ParseDimension("--dimension", "b to c to 3")),
+                HasSubstr("--dimension 'b to c to 3': give two ends; a name with the word to in"));
     for (const char* bad : {"", "3", "3,3", "3,17,4", "1,2 to", "1,2 to 1,2", "1,2 to 3,4,5",
                             "0,nan to 1,1", "1e7,0 to 1,1", "1.5,2", " to "})
     {

@@ -194,6 +194,27 @@ TEST(SceneMotion, MeasuresBetweenBodiesWhereTheyAre)
     EXPECT_NEAR(std::stod(list.texts[0]), distance, 0.005);
 }
 
+TEST(SceneMotion, TheTextOfADimensionKeepsClearOfLaterDimensions)
+{
+    SceneSession session = Open("newtons-cradle");
+    const float x = float(30.0 / session.CurrentCamera().pixelsPerMeter); // of its line: 0
+    MotionLook look;
+    look.dimensions = {{Vec2{-6, 8}, Vec2{6, 8}}, {Vec2{x, 4}, Vec2{x, 12}}};
+    Result<SceneMotion> motion = SceneMotion::Create(look, session, {0});
+    ASSERT_TRUE(motion);
+    const DrawList both = motion->Notes(session);
+    look.dimensions.pop_back();
+    const DrawList first = SceneMotion::Create(look, session, {0})->Notes(session);
+    const auto textAt = [](const DrawList& list) {
+        const auto text =
+            std::find_if(list.items.begin(), list.items.end(),
+                         [](const DrawItem& item) { return item.kind == DrawKind::Text; });
+        return list.points.at(text->first);
+    };
+    EXPECT_FALSE(textAt(both) == textAt(first));
+    EXPECT_EQ(both.texts.size(), 2u);
+}
+
 TEST(SceneMotion, LabelsKeepClearOfNotes)
 {
     Result<SceneSource> source = OpenScene("bridge");

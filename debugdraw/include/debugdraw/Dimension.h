@@ -22,8 +22,9 @@ struct DimensionSettings
 
 /// The distance between `a` and `b` [m], for a list that `view` looks at. Where the arrows do not
 /// fit between the extension lines they point at them from outside. The text stays in the picture
-/// when the arrows do. In the layer Annotations. Nothing is added when the points are one, or not
-/// finite.
+/// when the arrows do; where the list has an outline, a sign or a text there, it moves along the
+/// line, or to its other side, if it is clear of them there. In the layer Annotations. Nothing is
+/// added when the points are one, or not finite.
 void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
                   const DimensionSettings& settings = {});
 

@@ -11,11 +11,12 @@
 namespace boxreel
 {
 
-/// Adds what lies in `from`, as it is, on top of what is there.
-void Append(DrawList& to, const DrawList& from);
-
 /// Says which items are meant.
 using ItemFilter = std::function<bool(const DrawItem&)>;
+
+/// Adds the items that `filter` lets pass (all, when it is empty), as they are, on top of what is
+/// there.
+void Append(DrawList& to, const DrawList& from, const ItemFilter& filter = {});
 
 /// Adds the items that `filter` lets pass (all, when it is empty) with `opacity` times their own,
 /// 0 to 1, in the layer Poses. Frames of reference, which have no opacity, are left out.
