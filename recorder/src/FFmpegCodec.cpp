@@ -108,6 +108,15 @@ void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings
     TagColours(context, plan);
 }
 
+/// libvpx may leave frames out to keep to a rate; films would be shorter than they say.
+bool DropsFrames(const AVCodecContext& context)
+{
+    std::int64_t threshold = 0;
+    return context.codec->priv_class != nullptr &&
+           FFmpeg().av_opt_get_int(context.priv_data, "drop-threshold", 0, &threshold) == 0 &&
+           threshold > 0;
+}
+
 /// What an option has changed that other settings decide, and that the film is made by; nothing
 /// when it is as it was set up.
 const char* Overridden(const AVCodecContext& context, const EncoderPlan& plan,
@@ -124,6 +133,7 @@ const char* Overridden(const AVCodecContext& context, const EncoderPlan& plan,
                    context.color_primaries != asked->color_primaries ||
                    context.color_trc != asked->color_trc
                ? "colours"
+           : DropsFrames(context)                          ? "number of frames"
            : ((context.flags ^ asked->flags) & kKept) != 0 ? "header"
                                                            : nullptr;
 }

@@ -41,6 +41,7 @@ namespace boxreel
     X(av_log_set_level)                                                                            \
     X(av_malloc)                                                                                   \
     X(av_mallocz)                                                                                  \
+    X(av_opt_get_int)                                                                              \
     X(av_opt_set_int)                                                                              \
     X(av_opt_set_q)                                                                                \
     X(av_pix_fmt_desc_get)                                                                         \

@@ -168,6 +168,16 @@ Error Explain(CLI::App& program, const CLI::ParseError& error)
                     " --help` shows what there is.");
 }
 
+/// A film that is not whole has such a name, and is gone on with, or replaced.
+Result<void> CheckFilmName(const std::filesystem::path& film)
+{
+    return film.stem().extension() == ".part"
+               ? Unusable("-o " + film.string() +
+                          ": that is what an unfinished film is called; "
+                          "choose a name without .part.")
+               : Result<void>();
+}
+
 /// The panel has one size; a picture that would cut it off is refused.
 Result<void> CheckHud(SceneLook& look)
 {
@@ -195,6 +205,10 @@ Result<Request> CheckRecord(RecordOptions options)
     if (options.output.empty())
     {
         return Unusable("Say where the film goes, such as -o film.mp4.");
+    }
+    if (const Result<void> usable = CheckFilmName(options.output); !usable)
+    {
+        return usable.GetError();
     }
     if (options.film.resume && options.film.overwrite)
     {
@@ -306,6 +320,15 @@ Result<Request> CheckMerge(MergeOptions options)
     if (options.output.empty())
     {
         return Unusable("Say where the film goes, such as -o film.mkv.");
+    }
+    if (options.output == "-")
+    {
+        return Unusable("A film that is joined needs a file, of the same kind as its parts; give "
+                        "its name, such as -o film.mkv.");
+    }
+    if (Result<void> usable = CheckFilmName(options.output); !usable)
+    {
+        return usable.GetError();
     }
     return Request(std::move(options));
 }

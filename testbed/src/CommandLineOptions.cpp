@@ -55,7 +55,15 @@ void AddPath(CLI::App& command, const std::string& names, const std::string& uni
 {
     command
         .add_option_function<std::string>(
-            names, [&path](const std::string& text) { path = text; }, help)
+            names,
+            [&path, names](const std::string& text) {
+                if (text.empty() && names.starts_with("--"))
+                {
+                    throw CLI::ValidationError(names + " is empty; give a name.");
+                }
+                path = text;
+            },
+            help)
         ->type_name(unit);
 }
 

@@ -165,7 +165,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
              "Steps between them (100, and later at most 1/16 of the way)");
     AddPath(*command, "--thumbnail", "FILE", record.thumbnail, "Also a picture of one frame, .png");
     AddValue(*command, "--thumbnail-at", "TIME", record.thumbnailAt, ParseDuration,
-             "When in the film (its middle)");
+             "When in the film (its middle; of one that --until ends before, its\nlast frame)");
     AddTime(*command, record);
     AddFormat(*command, record.film);
     AddLook(*command, record.look, nullptr);

@@ -21,6 +21,40 @@ void GiveLargeBlocksBack()
 #endif
 }
 
+/// Whether the picture can be written, shows a frame of the film, and is none of its frames.
+Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
+{
+    const auto unusable = [](const std::string& message) {
+        return Error{ErrorKind::Unusable, message};
+    };
+    if (IsFrameOf(options.thumbnail, options.output))
+    {
+        return unusable("--thumbnail " + options.thumbnail.string() +
+                        " would be a frame of the film itself; choose another name.");
+    }
+    const std::int64_t count = plan.frames.Count();
+    if (options.thumbnailAt && options.until.empty() &&
+        StepAt(*options.thumbnailAt, plan.film.framesPerSecond) > count)
+    {
+        return unusable("--thumbnail-at is after the end of what is filmed, " +
+                        std::to_string(count) + " frames; give an earlier time.");
+    }
+    return CheckPicturePath(options.thumbnail, options.film.overwrite);
+}
+
+/// Said before the work of a part that nothing can be joined to.
+void TellLooseParts(const RecordOptions& options, const FilmPlan& plan)
+{
+    const std::int64_t first = plan.frames.First();
+    if (options.range && HasPapers(options, plan) && first % plan.groupFrames != 0)
+    {
+        WriteMessage("boxreel: Frame " + std::to_string(first) + " is within a group of " +
+                     std::to_string(plan.groupFrames) +
+                     " frames, so no part can be joined in front of it; begin with a multiple of "
+                     "that, or give another --group.");
+    }
+}
+
 } // namespace
 
 Result<int> RunRecord(const RecordOptions& options)
@@ -54,12 +88,13 @@ Result<int> RunRecord(const RecordOptions& options)
     }
     if (!options.thumbnail.empty())
     {
-        const Result<void> usable = CheckPicturePath(options.thumbnail, options.film.overwrite);
+        const Result<void> usable = CheckThumbnail(options, *plan);
         if (!usable)
         {
             return usable.GetError();
         }
     }
+    TellLooseParts(options, *plan);
     std::optional<SnapshotFolder> snapshots;
     if (!options.snapshots.empty())
     {

@@ -240,7 +240,7 @@ std::int64_t FilmRun::ThumbnailFrame() const
 {
     const std::int64_t count = m_plan.frames.Count();
     return m_options.thumbnailAt
-               ? std::min(FramesIn(*m_options.thumbnailAt, m_plan.film.framesPerSecond), count - 1)
+               ? std::min(StepAt(*m_options.thumbnailAt, m_plan.film.framesPerSecond), count - 1)
                : count / 2;
 }
 

@@ -66,6 +66,33 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFor
 
 } // namespace
 
+bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path& film)
+{
+    const std::string pattern = film.filename().string();
+    const std::string name = picture.filename().string();
+    const std::size_t first = pattern.find('#');
+    const std::size_t last = pattern.rfind('#');
+    std::error_code ignored;
+    const auto folder = [&](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path).parent_path(),
+                                                 ignored);
+    };
+    if (first == std::string::npos || folder(picture) != folder(film))
+    {
+        return false;
+    }
+    const std::string before = pattern.substr(0, first);
+    const std::string behind = pattern.substr(last + 1);
+    const std::size_t around = before.size() + behind.size();
+    if (name.size() < around + (last + 1 - first) || !name.starts_with(before) ||
+        !name.ends_with(behind))
+    {
+        return false;
+    }
+    const std::string number = name.substr(before.size(), name.size() - around);
+    return number.find_first_not_of("0123456789") == std::string::npos;
+}
+
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
 {
     return CheckPath(path, force, path.extension() == ".png",

@@ -16,6 +16,9 @@ namespace boxreel
 /// a file, and no file is in the way unless `force`. Leaves everything as it was.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
 
+/// Whether a picture has the name of one that a numbered film, frames-####.png, may write.
+bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path& film);
+
 enum class PictureFormat
 {
     Png,

@@ -161,6 +161,47 @@ TEST_F(FilmFailures, AThumbnailThatCannotBeWrittenIsOneSentenceAndTheFilmIsWhole
     EXPECT_THAT(folder.Files(), ElementsAre("film.webm"));
 }
 
+TEST_F(FilmFailures, WhatCannotBeAsItIsAskedForIsSaidBeforeAnythingIsSimulated)
+{
+    const std::pair<std::vector<std::string>, const char*> cases[] = {
+        {{"record", "pyramid", "-o", "f-###.png", "--thumbnail", "f-005.png", "--force"},
+         "a frame of the film itself"},
+        {{"record", "pyramid", "-o", "f-###.png", "--thumbnail", "./f-0005.png"},
+         "a frame of the film itself"},
+        {{"record", "pyramid", "-o", "a.mp4", "--thumbnail", ""}, "--thumbnail is empty"},
+        {{"record", "pyramid", "-o", "a.mp4", "--frames", "10", "--thumbnail", "a.png",
+          "--thumbnail-at", "5s"},
+         "after the end of what is filmed, 10 frames"},
+        {{"record", "pyramid", "-o", "a.part.mp4"}, "what an unfinished film is called"},
+        {{"merge", "a.mkv", "-o", "a.part.mkv"}, "what an unfinished film is called"},
+        {{"merge", "a.mkv", "-o", "-"}, "such as -o film.mkv"},
+        {{"record", "pyramid", "-o", "a.webm", "--codec-option", "drop-threshold=50"},
+         "number of frames"},
+    };
+    for (const auto& [arguments, message] : cases)
+    {
+        const Outcome outcome = RunBoxreel(arguments, folder.Path());
+        EXPECT_EQ(outcome.code, 1) << message;
+        ExpectOneSentence(outcome.errors);
+        EXPECT_THAT(outcome.errors, HasSubstr(message));
+        EXPECT_TRUE(folder.Files().empty()) << message;
+    }
+}
+
+TEST_F(FilmFailures, APartThatNothingCanBeJoinedToIsSaidToBeOne)
+{
+    const auto errors = [this](const char* range) {
+        const Outcome outcome =
+            RunBoxreel({"record", "pyramid", "-o", "a.mkv", "--frames", "20", "--size", "64x64",
+                        "--progress", "none", "--group", "10", "--force", "--frame-range", range},
+                       folder.Path());
+        EXPECT_EQ(outcome.code, 0);
+        return outcome.errors;
+    };
+    EXPECT_THAT(errors("15-19"), HasSubstr("Frame 15 is within a group of 10 frames"));
+    EXPECT_THAT(errors("10-19"), testing::Not(HasSubstr("within a group")));
+}
+
 TEST_F(FilmFailures, AMergedFilmThatHasNoRoomIsOneSentenceAndThePartsStay)
 {
     for (const std::string kind : {".mp4", ".mkv", ".webm", ".gif", ".apng", ".webp"})

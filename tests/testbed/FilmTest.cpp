@@ -291,6 +291,26 @@ TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesThePart)
     EXPECT_THAT(folder.Files(), Not(testing::Contains("film.mp4")));
 }
 
+TEST_F(Film, HasAThumbnailOfTheFrameThatIsShownThen)
+{
+    const std::vector<std::string> look{"--size", "160x90", "--camera", "0,5,30"};
+    const auto thumbnail = [&](const std::vector<std::string>& when) {
+        std::vector<std::string> record{"record",  "tumbler",     "-o",      "film.mkv",
+                                        "--force", "--thumbnail", "film.png"};
+        record.insert(record.end(), look.begin(), look.end());
+        record.insert(record.end(), when.begin(), when.end());
+        const Outcome outcome = Run(record);
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        return *ReadPng(folder / "film.png");
+    };
+    const auto shot = [&](int step) { return Shot("tumbler", step, look); };
+    EXPECT_EQ(thumbnail({"--frames", "10", "--thumbnail-at", "0"}), shot(0));
+    EXPECT_EQ(thumbnail({"--frames", "10", "--thumbnail-at", "0.001"}), shot(0));
+    EXPECT_EQ(thumbnail({"--frames", "10", "--thumbnail-at", "0.1"}), shot(6));
+    EXPECT_EQ(thumbnail({"--frames", "10"}), shot(5));
+    EXPECT_EQ(thumbnail({"--until", "time >= 0.15"}), shot(9)) << "it ended before its middle";
+}
+
 TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
 {
     const std::vector<std::string> record{"record", "tumbler",  "--frames", "360", "--size",
