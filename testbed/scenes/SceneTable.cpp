@@ -79,7 +79,8 @@ std::span<const SceneEntry> AllScenes()
          "A plate follows a path with a limited force and pushes boxes aside.", MakeMotorJoint},
         {"RopeJoint", "Joints",
          "A rope from end to end keeps a light chain whole under a heavy ball.", MakeRopeJoint},
-        {"Joint Grid", "Joints", "A cloth of hinged balls swings from one nail.", MakeJointGrid},
+        {"Joint Grid", "Joints",
+         "A cloth of balls on springs hangs from two nails, sags and waves.", MakeJointGrid},
     };
     return kScenes;
 }
