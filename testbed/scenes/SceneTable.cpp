@@ -81,6 +81,17 @@ std::span<const SceneEntry> AllScenes()
          "A rope from end to end keeps a light chain whole under a heavy ball.", MakeRopeJoint},
         {"Joint Grid", "Joints",
          "A cloth of balls on springs hangs from two nails, sags and waves.", MakeJointGrid},
+        {"One-Sided Platform", "Collision",
+         "Balls rise through platforms from below and land on them from above.",
+         MakeOneSidedPlatform},
+        {"Conveyor Belt", "Collision", "Static belts carry crates by the speed of their surface.",
+         MakeConveyorBelt},
+        {"Sensor Test", "Collision",
+         "A sensor catches the balls that fall into it and pulls them to its centre.",
+         MakeSensorTest},
+        {"Ray-Cast", "Geometry",
+         "Three turning rays find the closest shape, any shape and all shapes on their way.",
+         MakeRayCast},
     };
     return kScenes;
 }

@@ -45,5 +45,9 @@ std::unique_ptr<Scene> MakeApplyForce(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeMotorJoint(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeRopeJoint(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeJointGrid(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeOneSidedPlatform(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeConveyorBelt(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSensorTest(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRayCast(const SceneSettings& settings);
 
 } // namespace boxreel
