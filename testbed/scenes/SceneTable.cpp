@@ -92,6 +92,16 @@ std::span<const SceneEntry> AllScenes()
         {"Ray-Cast", "Geometry",
          "Three turning rays find the closest shape, any shape and all shapes on their way.",
          MakeRayCast},
+        {"Varying Restitution", "Materials",
+         "Seven balls bounce back to anything between nothing and where they came from.",
+         MakeVaryingRestitution},
+        {"Varying Friction", "Materials",
+         "Five boxes on the same slide come to rest where their friction lets them.",
+         MakeVaryingFriction},
+        {"SphereStack", "Stacking", "A true column of balls stands and an untrue one comes down.",
+         MakeSphereStack},
+        {"Confined", "Continuous", "A closed room fills with fast balls, and none gets out.",
+         MakeConfined},
     };
     return kScenes;
 }

@@ -49,5 +49,9 @@ std::unique_ptr<Scene> MakeOneSidedPlatform(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeConveyorBelt(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeSensorTest(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeRayCast(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeVaryingRestitution(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeVaryingFriction(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSphereStack(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeConfined(const SceneSettings& settings);
 
 } // namespace boxreel

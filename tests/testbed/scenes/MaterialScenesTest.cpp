@@ -83,5 +83,44 @@ TEST(SensorTestScene, PullsWhatIsInItAndNothingElse)
     EXPECT_EQ(scene->Describe().front().second, std::to_string(held));
 }
 
+TEST(VaryingRestitutionScene, EachBallComesBackToItsLine)
+{
+    const auto scene = Make("Varying Restitution");
+    const std::vector<b2Body*> balls = Movers(*scene);
+    ASSERT_EQ(balls.size(), 7u);
+    std::vector<float32> highest(balls.size(), 0.0f);
+    std::vector<bool> hasBounced(balls.size(), false);
+    // The fall of 12 m takes 1.55 s, the highest bounce as long again.
+    Play(*scene, 3.2f, [&] {
+        for (std::size_t i = 0; i < balls.size(); ++i)
+        {
+            hasBounced[i] = hasBounced[i] || balls[i]->GetPosition().y < 1.3f;
+            if (hasBounced[i])
+            {
+                highest[i] = std::max(highest[i], balls[i]->GetPosition().y);
+            }
+        }
+    });
+    for (std::size_t i = 0; i < balls.size(); ++i)
+    {
+        const float32 e = static_cast<float32>(i) / 6.0f;
+        EXPECT_NEAR(highest[i], 1.0f + e * e * 12.0f, 0.45f) << i;
+    }
+}
+
+TEST(VaryingFrictionScene, TheLessFrictionTheFarther)
+{
+    const auto scene = Make("Varying Friction");
+    const std::vector<b2Body*> boxes = Movers(*scene);
+    ASSERT_EQ(boxes.size(), 5u);
+    const float32 start = boxes[0]->GetPosition().x;
+    Play(*scene, 8.0f);
+    EXPECT_NEAR(boxes[0]->GetPosition().x, start, 0.05f) << "it should hold on the slope";
+    for (std::size_t i = 1; i < boxes.size(); ++i)
+    {
+        EXPECT_GT(boxes[i]->GetPosition().x, boxes[i - 1]->GetPosition().x + 1.0f) << i;
+    }
+}
+
 } // namespace
 } // namespace boxreel
