@@ -102,6 +102,16 @@ std::span<const SceneEntry> AllScenes()
          MakeSphereStack},
         {"Confined", "Continuous", "A closed room fills with fast balls, and none gets out.",
          MakeConfined},
+        {"Tiles", "Benchmark", "A pyramid falls on a ground of hundreds of small tiles.",
+         MakeTiles},
+        {"Bullet Test", "Continuous",
+         "A bullet hits the thin plates that an equally fast shot jumps over.", MakeBulletTest},
+        {"Continuous Test", "Continuous",
+         "A thin bar thrown spinning at a thin floor never gets through.", MakeContinuousTest},
+        {"Time of Impact", "Geometry",
+         "A tumbling bar sweeps towards a block: where it is at the time of impact, and where it "
+         "would have gone.",
+         MakeTimeOfImpact},
     };
     return kScenes;
 }

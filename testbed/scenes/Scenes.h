@@ -53,5 +53,9 @@ std::unique_ptr<Scene> MakeVaryingRestitution(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeVaryingFriction(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeSphereStack(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeConfined(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeTiles(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeBulletTest(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeContinuousTest(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeTimeOfImpact(const SceneSettings& settings);
 
 } // namespace boxreel

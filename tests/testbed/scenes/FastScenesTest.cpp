@@ -41,5 +41,56 @@ TEST(ConfinedScene, NoBallGetsOut)
     EXPECT_GT(farthest, 7.4f);
 }
 
+TEST(TilesScene, TheTilesCarryThePyramid)
+{
+    const auto scene = Make("Tiles");
+    const std::vector<b2Body*> boxes = Movers(*scene);
+    ASSERT_EQ(boxes.size(), 78u);
+    Play(*scene, 8.0f);
+    for (std::size_t i = 0; i < 12; ++i)
+    {
+        EXPECT_NEAR(boxes[i]->GetPosition().y, 0.5f, 0.05f) << i;
+    }
+    EXPECT_NEAR(boxes.back()->GetPosition().y, 11.5f, 0.5f);
+}
+
+TEST(BulletTestScene, OnlyTheBulletHits)
+{
+    const auto scene = Make("Bullet Test");
+    const std::vector<b2Body*> movers = Movers(*scene);
+    ASSERT_EQ(movers.size(), 8u);
+    float32 hit = 0.0f;
+    float32 missed = 0.0f;
+    Play(*scene, 8.0f, [&] {
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            hit = std::max(hit, b2Abs(movers[i]->GetAngle()));
+            missed = std::max(missed, b2Abs(movers[i + 3]->GetAngle()));
+        }
+    });
+    EXPECT_GT(hit, 0.5f);
+    EXPECT_LT(missed, 0.01f);
+    EXPECT_LT(movers.back()->GetPosition().x, 14.3f) << "the wall stops it nevertheless";
+}
+
+TEST(ContinuousTestScene, TheBarStaysAboveTheFloor)
+{
+    const auto scene = Make("Continuous Test");
+    b2Body* bar = Movers(*scene).front();
+    float32 lowest = 100.0f;
+    const auto look = [&] {
+        for (const float32 end : {-2.0f, 2.0f})
+        {
+            lowest = std::min(lowest, bar->GetWorldPoint(b2Vec2(end, 0.0f)).y);
+        }
+    };
+    Play(*scene, 12.0f, look);
+    EXPECT_GT(lowest, -0.1f);
+    EXPECT_LT(lowest, 0.2f);
+    scene->KeyDown('c');
+    Play(*scene, 12.0f, look);
+    EXPECT_LT(lowest, -2.0f) << "without continuous collision it gets through";
+}
+
 } // namespace
 } // namespace boxreel

@@ -58,5 +58,22 @@ TEST(RayCastScene, TheRaysStopOnAKey)
     EXPECT_EQ(scene->Describe(), before);
 }
 
+TEST(TimeOfImpactScene, TheSweepsThatHitTouchAtThatTime)
+{
+    const auto scene = Make("Time of Impact");
+    std::set<std::string> impacts;
+    Play(*scene, 15.0f, [&] { impacts.insert(Said(*scene, "impact")); });
+    ASSERT_GE(impacts.size(), 4u);
+    for (const std::string& impact : impacts)
+    {
+        if (impact != "none")
+        {
+            // The block reaches 2 m from the middle, the bar 1.6 m; the sweep is 14 m long.
+            EXPECT_GT(std::stof(impact), (7.0f - 3.7f) / 14.0f);
+            EXPECT_LT(std::stof(impact), (7.0f + 3.7f) / 14.0f);
+        }
+    }
+}
+
 } // namespace
 } // namespace boxreel
