@@ -112,6 +112,14 @@ std::span<const SceneEntry> AllScenes()
          "A tumbling bar sweeps towards a block: where it is at the time of impact, and where it "
          "would have gone.",
          MakeTimeOfImpact},
+        {"Distance Test", "Geometry",
+         "The closest points of two shapes and the distance between them.", MakeDistanceTest},
+        {"PolyCollision", "Geometry",
+         "The manifold of two overlapping polygons: its points and its normal.", MakePolyCollision},
+        {"Convex Hull", "Geometry",
+         "Random points, the polygon that is their hull, and how it falls.", MakeConvexHull},
+        {"Dynamic Tree", "Geometry",
+         "The boxes of the dynamic tree, and those that a query and a ray find.", MakeDynamicTree},
     };
     return kScenes;
 }

@@ -57,5 +57,9 @@ std::unique_ptr<Scene> MakeTiles(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeBulletTest(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeContinuousTest(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeTimeOfImpact(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeDistanceTest(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePolyCollision(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeConvexHull(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeDynamicTree(const SceneSettings& settings);
 
 } // namespace boxreel
