@@ -120,6 +120,15 @@ std::span<const SceneEntry> AllScenes()
          "Random points, the polygon that is their hull, and how it falls.", MakeConvexHull},
         {"Dynamic Tree", "Geometry",
          "The boxes of the dynamic tree, and those that a query and a ray find.", MakeDynamicTree},
+        {"Edge Test", "Shapes",
+         "Boxes slide over a row of edges: with neighbours smoothly, without perhaps not.",
+         MakeEdgeTest},
+        {"Edge Shapes", "Shapes",
+         "Shapes of all kinds fall on a hilly ground of edges that a ray feels out.",
+         MakeEdgeShapes},
+        {"Polygon Shapes", "Shapes",
+         "Polygons and discs pile up, and those that overlap a probe are marked.",
+         MakePolygonShapes},
     };
     return kScenes;
 }

@@ -61,5 +61,8 @@ std::unique_ptr<Scene> MakeDistanceTest(const SceneSettings& settings);
 std::unique_ptr<Scene> MakePolyCollision(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeConvexHull(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeDynamicTree(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeEdgeTest(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeEdgeShapes(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePolygonShapes(const SceneSettings& settings);
 
 } // namespace boxreel
