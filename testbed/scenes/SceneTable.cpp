@@ -129,6 +129,15 @@ std::span<const SceneEntry> AllScenes()
         {"Polygon Shapes", "Shapes",
          "Polygons and discs pile up, and those that overlap a probe are marked.",
          MakePolygonShapes},
+        {"Compound Shapes", "Shapes",
+         "Bodies of several shapes: dumbbells, crosses, tables and bowls.", MakeCompoundShapes},
+        {"Shape Editing", "Shapes",
+         "A body gains and loses a shape while it moves, and its balance with it.",
+         MakeShapeEditing},
+        {"Character Collision", "Examples",
+         "Characters of several shapes glide over seams of edges, tiles and chains without a "
+         "stumble.",
+         MakeCharacterCollision},
     };
     return kScenes;
 }

@@ -64,5 +64,8 @@ std::unique_ptr<Scene> MakeDynamicTree(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeEdgeTest(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeEdgeShapes(const SceneSettings& settings);
 std::unique_ptr<Scene> MakePolygonShapes(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCompoundShapes(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeShapeEditing(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCharacterCollision(const SceneSettings& settings);
 
 } // namespace boxreel

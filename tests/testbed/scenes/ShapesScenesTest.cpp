@@ -64,5 +64,68 @@ TEST(PolygonShapesScene, TheProbeFindsWhatOverlapsIt)
     EXPECT_GE(inside, 3);
 }
 
+TEST(CompoundShapesScene, TheBowlOnTheTableKeepsItsBall)
+{
+    const auto scene = Make("Compound Shapes");
+    const std::vector<b2Body*> bodies = Movers(*scene);
+    Play(*scene, 10.0f);
+    const b2Body* bowl = bodies[1];
+    const b2Body* ball = bodies[2];
+    EXPECT_LT(b2Distance(ball->GetPosition(), bowl->GetPosition()), 1.2f);
+    EXPECT_GT(ball->GetPosition().y, 2.5f) << "the table stands";
+    for (std::size_t i = 3; i < bodies.size(); ++i)
+    {
+        EXPECT_GT(bodies[i]->GetPosition().y, 0.0f);
+        EXPECT_NE(bodies[i]->GetFixtureList()->GetNext(), nullptr) << "of several shapes";
+    }
+}
+
+TEST(ShapeEditingScene, TheLoadTipsItAndItRightsItselfWithout)
+{
+    const auto scene = Make("Shape Editing");
+    const b2Body* toy = Movers(*scene).front();
+    const float32 mass = toy->GetMass();
+    Play(*scene, 0.9f);
+    EXPECT_NEAR(toy->GetAngle(), 0.0f, 0.02f);
+    float32 most = 0.0f;
+    Play(*scene, 2.5f, [&] { most = std::max(most, b2Abs(toy->GetAngle())); });
+    EXPECT_GT(toy->GetMass(), mass + 3.0f);
+    EXPECT_GT(most, 0.5f);
+    scene->KeyDown('d');
+    Play(*scene, 8.0f);
+    EXPECT_EQ(toy->GetMass(), mass);
+    EXPECT_NEAR(toy->GetAngle(), 0.0f, 0.1f);
+}
+
+TEST(ShapeEditingScene, ASensorStillWeighs)
+{
+    const auto scene = Make("Shape Editing");
+    scene->KeyDown('c');
+    const float32 mass = Movers(*scene).front()->GetMass();
+    scene->KeyDown('s');
+    EXPECT_EQ(scene->Describe().front().second, "a sensor");
+    EXPECT_EQ(Movers(*scene).front()->GetMass(), mass);
+}
+
+TEST(CharacterCollisionScene, NoCharacterStumblesOverASeam)
+{
+    const auto scene = Make("Character Collision");
+    const std::vector<b2Body*> characters = Movers(*scene);
+    ASSERT_EQ(characters.size(), 9u);
+    Play(*scene, 0.5f);
+    std::vector<float32> heights;
+    for (const b2Body* body : characters)
+    {
+        heights.push_back(body->GetPosition().y);
+    }
+    Play(*scene, 9.5f, [&] {
+        for (std::size_t i = 0; i < characters.size(); ++i)
+        {
+            EXPECT_NEAR(b2Abs(characters[i]->GetLinearVelocity().x), 5.0f, 0.1f) << i;
+            EXPECT_NEAR(characters[i]->GetPosition().y, heights[i], 0.02f) << i;
+        }
+    });
+}
+
 } // namespace
 } // namespace boxreel
