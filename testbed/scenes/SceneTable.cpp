@@ -138,6 +138,15 @@ std::span<const SceneEntry> AllScenes()
          "Characters of several shapes glide over seams of edges, tiles and chains without a "
          "stumble.",
          MakeCharacterCollision},
+        {"Collision Filtering", "Collision",
+         "Categories and groups decide which shapes collide and which pass through each other.",
+         MakeCollisionFiltering},
+        {"Collision Processing", "Collision",
+         "After each step the bigger of two bodies that touch eats the smaller.",
+         MakeCollisionProcessing},
+        {"Add Pair Stress Test", "Benchmark",
+         "A fast block ploughs through hundreds of balls at rest and makes pairs without end.",
+         MakeAddPairStressTest},
     };
     return kScenes;
 }

@@ -67,5 +67,8 @@ std::unique_ptr<Scene> MakePolygonShapes(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeCompoundShapes(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeShapeEditing(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeCharacterCollision(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCollisionFiltering(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCollisionProcessing(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeAddPairStressTest(const SceneSettings& settings);
 
 } // namespace boxreel

@@ -92,5 +92,22 @@ TEST(ContinuousTestScene, TheBarStaysAboveTheFloor)
     EXPECT_LT(lowest, -2.0f) << "without continuous collision it gets through";
 }
 
+TEST(AddPairStressTestScene, TheBlockPloughsThroughTheField)
+{
+    const auto scene = Make("Add Pair Stress Test");
+    const std::vector<b2Body*> movers = Movers(*scene);
+    ASSERT_EQ(movers.size(), 401u);
+    int32 most = 0;
+    Play(*scene, 3.0f, [&] { most = std::max(most, scene->World().GetContactCount()); });
+    EXPECT_GT(most, 400);
+    EXPECT_GT(movers.back()->GetPosition().x, 8.0f);
+    EXPECT_LT(movers.back()->GetLinearVelocity().x, 30.0f);
+    for (const b2Body* body : movers)
+    {
+        const b2Vec2 place = b2Abs(body->GetPosition());
+        EXPECT_TRUE(place.x < 16.0f && place.y < 9.0f);
+    }
+}
+
 } // namespace
 } // namespace boxreel

@@ -122,5 +122,50 @@ TEST(VaryingFrictionScene, TheLessFrictionTheFarther)
     }
 }
 
+TEST(CollisionFilteringScene, MasksAndGroupsDecideWhatCollides)
+{
+    const auto scene = Make("Collision Filtering");
+    Play(*scene, 8.0f);
+    const std::vector<b2Body*> bodies = Movers(*scene);
+    ASSERT_EQ(bodies.size(), 18u);
+    float32 highestFriend = 0.0f;
+    float32 highestStranger = 0.0f;
+    float32 lowestDisc = 100.0f;
+    for (std::size_t i = 0; i < bodies.size(); i += 3)
+    {
+        lowestDisc = std::min(lowestDisc, i < 9 ? 100.0f : bodies[i]->GetPosition().y);
+        highestFriend = std::max(highestFriend, bodies[i + 1]->GetPosition().y);
+        highestStranger = std::max(highestStranger, bodies[i + 2]->GetPosition().y);
+    }
+    EXPECT_LT(lowestDisc, 0.8f) << "discs pass through the stack of boxes";
+    EXPECT_NEAR(highestFriend, 11.0f * 0.7071f * 0.8f, 0.2f) << "six boxes on each other";
+    EXPECT_LT(highestStranger, 0.9f) << "all on the ground, in the same place";
+}
+
+TEST(CollisionProcessingScene, TheBigEatTheSmallWithTheirMass)
+{
+    const auto scene = Make("Collision Processing");
+    const auto mass = [&] {
+        float32 sum = 0.0f;
+        for (const b2Body* ball : Movers(*scene))
+        {
+            sum += ball->GetMass();
+        }
+        return sum;
+    };
+    ASSERT_EQ(Movers(*scene).size(), 36u);
+    const float32 atStart = mass();
+    Play(*scene, 3.0f);
+    EXPECT_LT(Movers(*scene).size(), 30u);
+    scene->ThrowBomb();
+    Play(*scene, 7.0f);
+    scene->ThrowBomb();
+    Play(*scene, 0.1f);
+    const std::size_t left = Movers(*scene).size() - 1; // without the bomb
+    EXPECT_LT(left, 12u);
+    EXPECT_GE(left, 1u);
+    EXPECT_NEAR(mass() - Movers(*scene).back()->GetMass(), atStart, 0.001f * atStart);
+}
+
 } // namespace
 } // namespace boxreel
