@@ -147,6 +147,11 @@ std::span<const SceneEntry> AllScenes()
         {"Add Pair Stress Test", "Benchmark",
          "A fast block ploughs through hundreds of balls at rest and makes pairs without end.",
          MakeAddPairStressTest},
+        {"Web", "Joints", "A spider's web of soft threads bears pebbles until threads tear.",
+         MakeWeb},
+        {"Body Types", "Examples",
+         "A platform with crates on it is kinematic, static and dynamic in turn.", MakeBodyTypes},
+        {"Breakable", "Examples", "A beam falls on a post and breaks in two.", MakeBreakable},
     };
     return kScenes;
 }

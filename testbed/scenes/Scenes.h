@@ -70,5 +70,8 @@ std::unique_ptr<Scene> MakeCharacterCollision(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeCollisionFiltering(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeCollisionProcessing(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeAddPairStressTest(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeWeb(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeBodyTypes(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeBreakable(const SceneSettings& settings);
 
 } // namespace boxreel
