@@ -104,6 +104,12 @@ public:
         state(m_chassis, m_springs[0], m_springs[1], m_hertz);
     }
 
+    std::optional<SceneArea> PreferredView() const override
+    {
+        return SceneArea{
+            .center = b2Vec2(0.0f, 0.0f), .halfSize = b2Vec2(14.0f, 7.0f), .followed = m_chassis};
+    }
+
 private:
     b2Body* AddRoad()
     {

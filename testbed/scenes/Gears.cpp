@@ -96,6 +96,11 @@ public:
 
     void VisitState(SceneState& state) override { state(m_motor, m_hinge, m_slide); }
 
+    std::optional<SceneArea> PreferredView() const override
+    {
+        return SceneArea{.center = b2Vec2(-0.5f, 13.5f), .halfSize = b2Vec2(10.0f, 14.0f)};
+    }
+
 private:
     b2RevoluteJoint& Motor() const { return *static_cast<b2RevoluteJoint*>(m_motor); }
 

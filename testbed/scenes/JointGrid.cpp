@@ -3,17 +3,25 @@
 #include <scenes/Parts.h>
 #include <scenes/Scenes.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace boxreel
 {
 
 namespace
 {
 
-constexpr int32 kSide = 16;       ///< balls in a row and in a column
-constexpr float32 kPitch = 1.0f;  ///< from ball to ball [m]
-constexpr float32 kRadius = 0.4f; ///< [m]
+constexpr int32 kSide = 16;         ///< balls in a row and in a column
+constexpr float32 kPitch = 1.0f;    ///< from ball to ball [m]
+constexpr float32 kRadius = 0.3f;   ///< [m]
+constexpr int32 kNails[] = {0, 10}; ///< columns of the top row
+constexpr float32 kHertz = 12.0f;   ///< stiff enough to stretch by little under its own weight
+constexpr float32 kDamping = 0.2f;  ///< waves are to last
 
-/// A cloth of balls, each hinged to its neighbours halfway, swings from one nail at its corner.
+/// A cloth of balls, each tied to its neighbours by springs between their centres, about which it
+/// can shear as cloth does: hinges halfway between the balls would make a stiff plate of it. The
+/// part beyond the second nail falls, swings and sends waves through the rest.
 class JointGrid : public Scene
 {
 public:
@@ -34,6 +42,11 @@ public:
         }
     }
 
+    std::optional<SceneArea> PreferredView() const override
+    {
+        return SceneArea{.center = b2Vec2(0.0f, 10.5f), .halfSize = b2Vec2(13.0f, 12.0f)};
+    }
+
 private:
     b2Body* AddNode(int32 row, int32 column)
     {
@@ -41,7 +54,7 @@ private:
                            20.0f - kPitch * static_cast<float32>(row));
         b2Body* ball = AddBall(m_world, place, kRadius);
         SetGroup(*ball, -1);
-        if (row == 0 && column == 0)
+        if (row == 0 && std::ranges::find(kNails, column) != std::end(kNails))
         {
             ball->SetType(b2_staticBody);
         }
@@ -52,7 +65,8 @@ private:
     {
         if (first != nullptr)
         {
-            AddHinge(m_world, first, second, 0.5f * (first->GetPosition() + second->GetPosition()));
+            AddRod(m_world, first, second, first->GetPosition(), second->GetPosition(), kHertz,
+                   kDamping);
         }
     }
 };

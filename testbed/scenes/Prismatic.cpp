@@ -86,6 +86,11 @@ public:
 
     void VisitState(SceneState& state) override { state(m_slide); }
 
+    std::optional<SceneArea> PreferredView() const override
+    {
+        return SceneArea{.center = b2Vec2(0.0f, 9.0f), .halfSize = b2Vec2(14.0f, 9.5f)};
+    }
+
 private:
     b2PrismaticJoint& Slide() const { return *static_cast<b2PrismaticJoint*>(m_slide); }
 

@@ -15,6 +15,8 @@ constexpr float32 kAside = 7.0f;        ///< [m]
 constexpr float32 kBasketHeight = 8.0f; ///< at first [m]
 constexpr float32 kWeightHeight = 2.0f;
 constexpr int32 kBallCount = 8;
+constexpr float32 kBallEvery = 0.8f;   ///< [s]
+constexpr float32 kBallHeight = 15.0f; ///< from which they fall [m]
 constexpr Material kIron{.density = 10.0f};
 
 /// A weight holds a basket up over two wheels until enough balls have fallen into it. A block and
@@ -31,8 +33,8 @@ public:
         }
         for (float32 x : {-kAside, kAside})
         {
-            b2Body* wheel = AddBody(m_world, b2_staticBody, b2Vec2(x, kWheelHeight + 1.0f));
-            AttachCircle(*wheel, 1.0f, {});
+            m_wheel = AddBody(m_world, b2_staticBody, b2Vec2(x, kWheelHeight + 1.0f));
+            AttachCircle(*m_wheel, 1.0f, {});
         }
         b2Body* basket = AddBasket(b2Vec2(-kAside, kBasketHeight));
         b2Body* weight = AddBox(m_world, b2Vec2(kAside, kWeightHeight), 1.5f, 1.5f, kIron);
@@ -43,12 +45,22 @@ public:
                         b2Vec2(-kAside, kBasketHeight), b2Vec2(kAside, kWeightHeight + 1.5f),
                         kRatio);
         m_rope = m_world.CreateJoint(&rope);
-        for (int32 i = 0; i < kBallCount; ++i)
+    }
+
+    bool MakesBodiesLater() const override { return true; }
+
+    void Step(const StepSettings& settings) override
+    {
+        if (m_balls < kBallCount && m_time >= kBallEvery * static_cast<float32>(m_balls))
         {
-            const float32 x = -kAside + (i % 2 == 0 ? -1.1f : 1.1f);
-            AddBall(m_world, b2Vec2(x, 11.0f + 1.6f * static_cast<float32>(i / 2)), 0.6f,
-                    {.density = 4.0f});
+            // Into the basket on the left; the wheel that is kept is the right one.
+            const b2Vec2 aside(m_balls % 2 == 0 ? -1.1f : 1.1f, 0.0f);
+            const b2Vec2 fromWheel(-2.0f * kAside, kBallHeight - kWheelHeight - 1.0f);
+            AddBall(m_world, m_wheel->GetPosition() + fromWheel + aside, 0.6f, {.density = 4.0f});
+            ++m_balls;
         }
+        Scene::Step(settings);
+        m_time += settings.timeStep;
     }
 
     std::vector<std::pair<std::string, std::string>> Describe() const override
@@ -61,7 +73,12 @@ public:
                 {"basket + 1.5 weight", Rounded(basket + kRatio * weight) + " m"}};
     }
 
-    void VisitState(SceneState& state) override { state(m_rope); }
+    void VisitState(SceneState& state) override { state(m_wheel, m_rope, m_balls, m_time); }
+
+    std::optional<SceneArea> PreferredView() const override
+    {
+        return SceneArea{.center = b2Vec2(0.0f, 10.75f), .halfSize = b2Vec2(18.5f, 11.5f)};
+    }
 
 private:
     // Does not turn, else the first ball would tip it over.
@@ -75,7 +92,10 @@ private:
         return basket;
     }
 
-    b2Joint* m_rope; ///< a pulley joint
+    b2Body* m_wheel = nullptr; ///< the right one
+    b2Joint* m_rope;           ///< a pulley joint
+    int32 m_balls = 0;
+    float32 m_time = 0.0f; ///< [s]
 };
 
 } // namespace

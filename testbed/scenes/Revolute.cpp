@@ -65,6 +65,11 @@ public:
 
     void VisitState(SceneState& state) override { state(m_motor, m_gate); }
 
+    std::optional<SceneArea> PreferredView() const override
+    {
+        return SceneArea{.center = b2Vec2(0.0f, 8.0f), .halfSize = b2Vec2(20.5f, 9.0f)};
+    }
+
 private:
     b2Body* AddPost(const b2Vec2& top) { return AddGroundBox(m_world, top, 0.3f, 0.3f); }
 

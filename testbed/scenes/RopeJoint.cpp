@@ -70,6 +70,11 @@ public:
 
     void VisitState(SceneState& state) override { state(m_anchor, m_ball, m_rope); }
 
+    std::optional<SceneArea> PreferredView() const override
+    {
+        return SceneArea{.center = b2Vec2(0.0f, 9.8f), .halfSize = b2Vec2(16.0f, 10.3f)};
+    }
+
 private:
     // A centimetre longer than the chain, which is for the way of the chain only.
     void Tie()

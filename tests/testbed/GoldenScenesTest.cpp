@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every scene against what was approved; `boxreel golden accept` approves.
 #include "GoldenScenes.h"
+#include "EveryScene.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace boxreel
 namespace
 {
 
-class GoldenScenes : public testing::TestWithParam<const SceneEntry*>
+class GoldenScenes : public testing::TestWithParam<SceneCase>
 {};
 
 TEST_P(GoldenScenes, LookAndMoveAsApproved)
@@ -29,22 +30,7 @@ TEST_P(GoldenScenes, LookAndMoveAsApproved)
     }
 }
 
-std::vector<const SceneEntry*> EveryScene()
-{
-    std::vector<const SceneEntry*> scenes;
-    for (const SceneEntry& entry : AllScenes())
-    {
-        scenes.push_back(&entry);
-    }
-    return scenes;
-}
-
-std::string TestName(const testing::TestParamInfo<const SceneEntry*>& info)
-{
-    return SceneKey(info.param->name);
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(EveryScene()), TestName);
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(EveryScene()), CaseName);
 
 } // namespace
 } // namespace boxreel

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "EveryScene.h"
+
 #include <golden/StateHash.h>
 #include <scenes/Scene.h>
 #include <scenes/SceneSnapshot.h>
@@ -60,19 +62,24 @@ void ExpectGoesOn(const SceneEntry& entry, int32 subSteps)
     {
         EXPECT_TRUE(StatesFrom(entry, saved[i], moments[i]) ==
                     std::vector(states.begin() + moments[i], states.end()))
-            << entry.name << " from step " << moments[i] << " with " << subSteps
-            << " small steps: does its VisitState list all that it keeps?";
+            << "from step " << moments[i] << ": does its VisitState list all that it keeps?";
     }
 }
 
-TEST(SceneSnapshot, OfEverySceneGoesOnToTheLastBit)
+class SnapshotOfScene : public testing::TestWithParam<SceneCase>
+{};
+
+TEST_P(SnapshotOfScene, GoesOnToTheLastBit)
 {
-    for (const SceneEntry& entry : AllScenes())
-    {
-        ExpectGoesOn(entry, 1);
-        ExpectGoesOn(entry, 4);
-    }
+    ExpectGoesOn(*GetParam(), 1);
 }
+
+TEST_P(SnapshotOfScene, GoesOnToTheLastBitInSmallSteps)
+{
+    ExpectGoesOn(*GetParam(), 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SnapshotOfScene, testing::ValuesIn(EveryScene()), CaseName);
 
 class Keeper : public Scene
 {

@@ -128,7 +128,9 @@ TEST(PulleysScene, LetTheBasketDownWhenTheBallsAreInIt)
     const float32 basket = rope->GetCurrentLengthA();
     Play(*scene, 0.6f);
     EXPECT_LE(rope->GetCurrentLengthA(), basket + 0.1f) << "empty, it is held up";
-    Play(*scene, 9.0f, [&] {
+    Play(*scene, 4.4f);
+    EXPECT_TRUE(Movers(*scene).front()->IsAwake()) << "balls still fall into it";
+    Play(*scene, 5.0f, [&] {
         EXPECT_NEAR(rope->GetCurrentLengthA() + rope->GetRatio() * rope->GetCurrentLengthB(), whole,
                     0.1f);
     });
