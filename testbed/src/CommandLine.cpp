@@ -455,6 +455,10 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return Request(std::move(parsed.golden));
     }
+    if (name == "doctor")
+    {
+        return Request(DoctorOptions{});
+    }
     if (name == "check")
     {
         return parsed.check.file.empty()
@@ -497,6 +501,7 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
     DeclareGolden(program, parsed);
     DeclarePlay(program, parsed);
     DeclareCheck(program, parsed);
+    DeclareDoctor(program);
     DeclareExport(program, parsed);
     DeclareBench(program, parsed);
     for (CLI::App* command : program.get_subcommands({}))

@@ -18,9 +18,9 @@ struct TextRequest
     std::string text;
 };
 
-using Request =
-    std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions, DiffOptions,
-                 GoldenOptions, PlayOptions, CheckOptions, ExportOptions, BenchOptions>;
+using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions,
+                             DiffOptions, GoldenOptions, PlayOptions, CheckOptions, ExportOptions,
+                             DoctorOptions, BenchOptions>;
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);

@@ -233,6 +233,18 @@ void DeclareCheck(CLI::App& program, ParsedOptions& parsed)
                     "  boxreel check machine.json");
 }
 
+void DeclareDoctor(CLI::App& program)
+{
+    CLI::App* command = program.add_subcommand("doctor", "Say what works on this machine");
+    command->footer(
+        "Draws, films and computes a little of each kind. What does not work is said with "
+        "what helps.\nExit code 0: all works (one of the back ends is enough), 2: the "
+        "engine computes otherwise than\nelsewhere, 3: something is not installed, 4: no "
+        "room or no right to write here.\n\n"
+        "Examples:\n"
+        "  boxreel doctor");
+}
+
 void DeclareExport(CLI::App& program, ParsedOptions& parsed)
 {
     ExportOptions& options = parsed.exported;

@@ -42,6 +42,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
 void DeclarePlay(CLI::App& program, ParsedOptions& parsed);
 void DeclareCheck(CLI::App& program, ParsedOptions& parsed);
 void DeclareExport(CLI::App& program, ParsedOptions& parsed);
+void DeclareDoctor(CLI::App& program);
 void DeclareBench(CLI::App& program, ParsedOptions& parsed);
 
 /// One of a few words.

@@ -106,6 +106,10 @@ struct PlayOptions
     Backend backend = Backend::Auto;
 };
 
+/// What works on this machine.
+struct DoctorOptions
+{};
+
 /// What a scene file would be as a scene.
 struct CheckOptions
 {
@@ -147,6 +151,7 @@ Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunDoctor(const DoctorOptions& options);
 Result<int> RunCheck(const CheckOptions& options);
 Result<int> RunExport(const ExportOptions& options);
 Result<int> RunPlay(const PlayOptions& options);

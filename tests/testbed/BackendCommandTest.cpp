@@ -146,6 +146,24 @@ TEST_F(BackendCommand, WhatNeedsNoPixelsRunsWithoutGl)
     }
 }
 
+TEST_F(BackendCommand, TheDoctorSaysWhatIsMissingAndThatOneBackEndIsEnough)
+{
+    if (!Works(Backend::OSMesa) || !Works(Backend::Egl))
+    {
+        GTEST_SKIP() << "one of OSMesa and EGL is not on this machine";
+    }
+    Break("libOSMesa.so.8");
+    const Outcome one = Run({"doctor"});
+    EXPECT_EQ(one.code, 0) << one.output;
+    EXPECT_THAT(one.output, AllOf(HasSubstr("FAIL  OSMesa "), HasSubstr("install libosmesa6"),
+                                  HasSubstr("ok    EGL ")));
+    Break("libEGL.so.1");
+    const Outcome none = Run({"doctor"});
+    EXPECT_EQ(none.code, 3) << none.output;
+    EXPECT_THAT(none.output,
+                AllOf(HasSubstr("FAIL  EGL "), HasSubstr("ok    mp4"), HasSubstr("ok    engine")));
+}
+
 TEST_F(BackendCommand, LoadsOnlyTheLibraryThatDraws)
 {
     EXPECT_TRUE(WritePng(folder / "a.png", Frame(4, 4)));

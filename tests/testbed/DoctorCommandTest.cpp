@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "SelfTest.h"
+#include "Subprocess.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+/// A variable of the program's surroundings for as long as it lives.
+class Variable
+{
+public:
+    Variable(const char* name, const char* value) : m_name(name)
+    {
+        const char* const before = std::getenv(name);
+        m_before = before != nullptr ? before : "";
+        m_wasSet = before != nullptr;
+        setenv(name, value, 1);
+    }
+    ~Variable() { m_wasSet ? setenv(m_name, m_before.c_str(), 1) : unsetenv(m_name); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+private:
+    const char* m_name;
+    std::string m_before;
+    bool m_wasSet = false;
+};
+
+TEST(SelfTest, EndsInTheSameStateOnEveryMachine)
+{
+    EXPECT_EQ(RunSelfTest(), kSelfTestState);
+}
+
+TEST(DoctorCommand, SaysOfEachThingThatItWorks)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = RunBoxreel({"doctor"}, folder.Path());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_EQ(outcome.errors, "");
+    for (const char* thing : {"engine", "mp4, H.264", "webm, VP9", "webm, AV1", "mkv, FFV1", "gif",
+                              "apng", "webp", "png", "pdf", "disk", "display"})
+    {
+        EXPECT_THAT(outcome.output, HasSubstr("ok    " + std::string(thing)));
+    }
+    EXPECT_THAT(outcome.output, ContainsRegex("ok    (OSMesa|EGL)"));
+    EXPECT_TRUE(folder.Files().empty());
+}
+
+TEST(DoctorCommand, SaysWhichDisplayThereIs)
+{
+    const TemporaryFolder folder;
+    const Variable some("DISPLAY", ":7");
+    const Variable none("WAYLAND_DISPLAY", "");
+    EXPECT_THAT(RunBoxreel({"doctor"}, folder.Path()).output,
+                HasSubstr("ok    display      DISPLAY is :7"));
+}
+
+TEST(DoctorCommand, TakesNoArguments)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = RunBoxreel({"doctor", "me"}, folder.Path());
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+}
+
+} // namespace
+} // namespace boxreel
