@@ -418,6 +418,16 @@ Result<void> Canvas::Read(std::span<const PixelBounds> rectangles, Frame& frame)
     return {};
 }
 
+void Canvas::CopyToScreen()
+{
+    m_gl.Disable(GL_SCISSOR_TEST);
+    m_gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    // Its rows go from top to bottom, the screen's from bottom to top.
+    m_gl.BlitFramebuffer(0, 0, m_width, m_height, 0, m_height, m_width, 0, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
+    m_gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+}
+
 std::string Canvas::Description() const
 {
     const auto text = [this](GLenum name) {

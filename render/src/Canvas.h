@@ -38,6 +38,9 @@ public:
     /// The pixels of the rectangles, each to its place in a frame of the canvas's size.
     Result<void> Read(std::span<const PixelBounds> rectangles, Frame& frame);
 
+    /// Copies the picture to the default framebuffer, the window's.
+    void CopyToScreen();
+
     /// Who draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
     std::string Description() const;
 

@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 
-/// A GL 3.3 core context without a window, behind the one interface that the renderer sees. Each
-/// back end is one Context*.cpp, which loads its library at run time: nothing of GL is linked. A
-/// context is current in one thread at a time, and destroyed there; the default framebuffer is
-/// never drawn to.
+/// A GL 3.3 core context behind the one interface that the renderer sees. Each back end is one
+/// Context*.cpp, a window's is in WindowGlfw.cpp; they load their libraries at run time: nothing of
+/// GL is linked. A context is current in one thread at a time, and destroyed there; to the default
+/// framebuffer only finished pictures are copied, in a window.
 namespace boxreel
 {
 
@@ -30,6 +30,9 @@ public:
 
     /// The back end's name for people, e.g. "OSMesa".
     virtual const char* BackEnd() const = 0;
+
+    /// Shows what was drawn to the default framebuffer, where there is one.
+    virtual void SwapBuffers() {}
 
 protected:
     /// What its library says; another back end's library may have had the last word.

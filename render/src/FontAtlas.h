@@ -50,7 +50,7 @@ public:
     /// Whether there is a picture of this letter; others are drawn as '?'.
     bool Has(char32_t letter) const;
 
-    /// For Overlay.cpp alone.
+    /// For ImGuiFrame.cpp alone.
     ImFontAtlas* ImGuiAtlas() const { return m_atlas; }
 
 private:

@@ -22,6 +22,7 @@ namespace boxreel
     F(BINDTEXTURE, BindTexture)                                                                    \
     F(BINDVERTEXARRAY, BindVertexArray)                                                            \
     F(BLENDFUNC, BlendFunc)                                                                        \
+    F(BLITFRAMEBUFFER, BlitFramebuffer)                                                            \
     F(BUFFERDATA, BufferData)                                                                      \
     F(BUFFERSUBDATA, BufferSubData)                                                                \
     F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                              \

@@ -4,6 +4,7 @@
 #include "Batches.h"
 #include "Canvas.h"
 #include "Context.h"
+#include "ContextWindow.h"
 #include "DirtyTiles.h"
 #include "ListMatch.h"
 #include "OverlayChange.h"
@@ -38,6 +39,25 @@ constexpr int kReadGap = 12;
 std::string Size(int width, int height)
 {
     return std::to_string(width) + "x" + std::to_string(height);
+}
+
+Result<void> CheckSettings(const RendererSettings& settings)
+{
+    if (settings.width < 1 || settings.width > kMaxSize || settings.height < 1 ||
+        settings.height > kMaxSize)
+    {
+        return Error{ErrorKind::Unusable,
+                     "a picture of " + Size(settings.width, settings.height) +
+                         " pixels cannot be drawn; width and height go from 1 to " +
+                         std::to_string(kMaxSize)};
+    }
+    if (!(settings.scale >= kMinScale && settings.scale <= kMaxScale))
+    {
+        return Error{ErrorKind::Unusable, "pixels cannot be scaled by " +
+                                              std::to_string(settings.scale) +
+                                              "; give a scale from 0.1 to 16"};
+    }
+    return {};
 }
 
 Result<void> CheckCamera(const Camera& camera, const RendererSettings& settings)
@@ -126,6 +146,7 @@ struct Renderer::Impl
         }
     }
 
+    Result<void> Begin(std::unique_ptr<Context> drawn);
     void Build(const DrawList& list);
     void FindDirty(const Overlay& overlay);
     void Plan();
@@ -341,42 +362,50 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
+/// Draws in this context from now on.
+Result<void> Renderer::Impl::Begin(std::unique_ptr<Context> drawn)
+{
+    context = std::move(drawn);
+    if (Result<void> current = context->MakeCurrent(); !current)
+    {
+        return current;
+    }
+    Result<std::unique_ptr<Canvas>> made =
+        Canvas::Create(*context, settings.width, settings.height, settings.scale);
+    if (!made)
+    {
+        return made.GetError();
+    }
+    canvas = std::move(*made);
+    description = std::string(context->BackEnd()) + ", " + canvas->Description();
+    return {};
+}
+
 Result<Renderer> Renderer::Create(const RendererSettings& settings)
 {
-    if (settings.width < 1 || settings.width > kMaxSize || settings.height < 1 ||
-        settings.height > kMaxSize)
+    if (const Result<void> usable = CheckSettings(settings); !usable)
     {
-        return Error{ErrorKind::Unusable,
-                     "a picture of " + Size(settings.width, settings.height) +
-                         " pixels cannot be drawn; width and height go from 1 to " +
-                         std::to_string(kMaxSize)};
+        return usable.GetError();
     }
-    if (!(settings.scale >= kMinScale && settings.scale <= kMaxScale))
-    {
-        return Error{ErrorKind::Unusable, "pixels cannot be scaled by " +
-                                              std::to_string(settings.scale) +
-                                              "; give a scale from 0.1 to 16"};
-    }
-    auto impl = std::make_unique<Impl>(settings);
     Result<std::unique_ptr<Context>> context = CreateContext(settings.backend);
     if (!context)
     {
         return context.GetError();
     }
-    impl->context = std::move(*context);
-    if (Result<void> current = impl->context->MakeCurrent(); !current)
+    auto impl = std::make_unique<Impl>(settings);
+    const Result<void> begun = impl->Begin(std::move(*context));
+    return begun ? Result<Renderer>(Renderer(std::move(impl))) : begun.GetError();
+}
+
+Result<Renderer> Renderer::CreateIn(Window& window, const RendererSettings& settings)
+{
+    if (const Result<void> usable = CheckSettings(settings); !usable)
     {
-        return current.GetError();
+        return usable.GetError();
     }
-    Result<std::unique_ptr<Canvas>> canvas =
-        Canvas::Create(*impl->context, settings.width, settings.height, settings.scale);
-    if (!canvas)
-    {
-        return canvas.GetError();
-    }
-    impl->canvas = std::move(*canvas);
-    impl->description = std::string(impl->context->BackEnd()) + ", " + impl->canvas->Description();
-    return Renderer(std::move(impl));
+    auto impl = std::make_unique<Impl>(settings);
+    const Result<void> begun = impl->Begin(CreateWindowContext(window));
+    return begun ? Result<Renderer>(Renderer(std::move(impl))) : begun.GetError();
 }
 
 Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const Overlay* overlay)
@@ -472,6 +501,17 @@ Result<const Frame*> Renderer::ReadChanges()
     }
     impl.unread.Clear();
     return &impl.frame;
+}
+
+Result<void> Renderer::Show()
+{
+    if (Result<void> current = m_impl->context->MakeCurrent(); !current)
+    {
+        return current;
+    }
+    m_impl->canvas->CopyToScreen();
+    m_impl->context->SwapBuffers();
+    return {};
 }
 
 std::span<const PixelBounds> Renderer::Changes() const

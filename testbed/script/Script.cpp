@@ -2,6 +2,7 @@
 #include "Script.h"
 
 #include "Nearest.h"
+#include "ScriptSettings.h"
 #include "ScriptWords.h"
 #include "ViewChoice.h"
 
@@ -123,6 +124,8 @@ private:
     Result<void> TakeKey(const std::string& verb, ScriptMoment at, Words& words);
     Result<void> TakeMouse(const std::string& verb, ScriptAction action, Words& words);
     Result<void> TakeBomb(ScriptAction action, Words& words);
+    Result<void> TakeSetting(ScriptAction action, Words& words);
+    Result<void> TakePanels(const std::string& verb, ScriptAction action, Words& words);
     Result<void> TakeProduct(const std::string& verb, std::optional<ScriptMoment> at, Words& words);
     Result<void> TakeExpectation(ScriptMoment at, Words& words);
     Result<void> TakeCamera(const ScriptMoment& at, Words& words);
@@ -227,6 +230,38 @@ Result<void> Parser::TakeBomb(ScriptAction action, Words& words)
     return CheckEnd(words, "bomb");
 }
 
+Result<void> Parser::TakeSetting(ScriptAction action, Words& words)
+{
+    action.kind = ScriptAction::Kind::Set;
+    action.name = words.IsEmpty() ? "" : words.Take();
+    const Result<int> value = ParseSetting(action.name, words.IsEmpty() ? "" : words.Take());
+    if (!value)
+    {
+        return value.GetError();
+    }
+    action.value = *value;
+    m_script.actions.push_back(action);
+    return CheckEnd(words, "set");
+}
+
+/// What is done with the panels: which of them there are, those know.
+Result<void> Parser::TakePanels(const std::string& verb, ScriptAction action, Words& words)
+{
+    using Kind = ScriptAction::Kind;
+    action.kind = verb == "click" ? Kind::Click : verb == "type" ? Kind::Type : Kind::Hit;
+    if (words.IsEmpty())
+    {
+        return Unusable(action.kind == Kind::Click
+                            ? "'click' needs a control, such as click Solver/Sleep."
+                        : action.kind == Kind::Type
+                            ? "'type' needs letters, such as type dominos."
+                            : "'hit' needs a key, such as hit ctrl+o.");
+    }
+    action.name = words.Take();
+    m_script.actions.push_back(action);
+    return CheckEnd(words, verb);
+}
+
 Result<void> Parser::TakeExpectation(ScriptMoment at, Words& words)
 {
     ScriptProduct product;
@@ -324,7 +359,8 @@ Result<void> Parser::TakeAt(Words& words)
     }
     static const std::vector<std::string> kVerbs{"press", "release", "tap",   "grab",  "move",
                                                  "drag",  "drop",    "bomb",  "shift", "camera",
-                                                 "shot",  "golden",  "expect"};
+                                                 "set",   "click",   "type",  "hit",   "shot",
+                                                 "golden", "expect"};
     const std::string verb = words.IsEmpty() ? "" : words.Take();
     if (std::find(kVerbs.begin(), kVerbs.end(), verb) == kVerbs.end())
     {
@@ -352,6 +388,14 @@ Result<void> Parser::TakeAt(Words& words)
     if (verb == "bomb")
     {
         return TakeBomb(action, words);
+    }
+    if (verb == "set")
+    {
+        return TakeSetting(action, words);
+    }
+    if (verb == "click" || verb == "type" || verb == "hit")
+    {
+        return TakePanels(verb, action, words);
     }
     if (verb == "camera")
     {
@@ -437,6 +481,12 @@ bool Script::ThrowsBombs() const
     return std::any_of(actions.begin(), actions.end(), [](const ScriptAction& action) {
         return action.kind == ScriptAction::Kind::Bomb || action.kind == ScriptAction::Kind::Sling;
     });
+}
+
+bool Script::UsesPanels() const
+{
+    return std::any_of(actions.begin(), actions.end(),
+                       [](const ScriptAction& action) { return action.IsForPanels(); });
 }
 
 std::vector<std::string> Script::SceneOptions() const

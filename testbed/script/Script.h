@@ -45,6 +45,10 @@ struct ScriptAction
         Bomb,    ///< from somewhere above
         Sling,   ///< a bomb from `point` with `velocity`
         Shift,   ///< of the origin, to `point`
+        Set,     ///< a setting of the solver, `name`, to `value`
+        Click,   ///< on a control of the panels, `name`
+        Type,    ///< letters into the panels, `name`
+        Hit,     ///< a key that the panels or the window know, `name`: "ctrl+o"
     };
     Kind kind = Kind::Press;
     int line = 0;
@@ -53,6 +57,14 @@ struct ScriptAction
     char key = 0;                ///< of Press and Release
     b2Vec2 point{0.0f, 0.0f};    ///< [m]
     b2Vec2 velocity{0.0f, 0.0f}; ///< of Sling [m/s]
+    std::string name{};          ///< of Set, Click, Type and Hit
+    int value = 0;               ///< of Set
+
+    /// It is done with the panels, not with the scene.
+    bool IsForPanels() const
+    {
+        return kind == Kind::Click || kind == Kind::Type || kind == Kind::Hit;
+    }
 };
 
 /// Something that is asked or made of what the script plays.
@@ -85,6 +97,7 @@ struct Script
     std::vector<ScriptProduct> products;
 
     bool ThrowsBombs() const;
+    bool UsesPanels() const;
 
     /// The scene's, and the camera's way.
     std::vector<std::string> SceneOptions() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ScriptInput.h"
 
+#include "ScriptSettings.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -142,41 +144,72 @@ Result<ScriptInput> ScriptInput::Create(const Script& script, const Rational& st
     return input;
 }
 
-void ScriptInput::Apply(Scene& scene, std::int64_t step) const
+std::span<const ScriptInput::Event> ScriptInput::At(std::int64_t step) const
 {
     const auto first = std::lower_bound(m_events.begin(), m_events.end(), step,
                                         [](const Event& e, std::int64_t s) { return e.step < s; });
-    for (auto event = first; event != m_events.end() && event->step == step; ++event)
+    const auto end = std::find_if(first, m_events.end(),
+                                  [step](const Event& event) { return event.step != step; });
+    return {first, end};
+}
+
+std::vector<ScriptAction> ScriptInput::ForPanels(std::int64_t step) const
+{
+    std::vector<ScriptAction> actions;
+    for (const Event& event : At(step))
     {
-        const ScriptAction& action = event->action;
-        switch (action.kind)
+        if (event.action.IsForPanels())
         {
-        case Kind::Press:
-            scene.KeyDown(action.key);
-            break;
-        case Kind::Release:
-            scene.KeyUp(action.key);
-            break;
-        case Kind::Grab:
-            scene.MouseDown(action.point);
-            break;
-        case Kind::Move:
-        case Kind::Drag:
-            scene.MouseMove(action.point);
-            break;
-        case Kind::Drop:
-            scene.MouseUp(action.point);
-            break;
-        case Kind::Bomb:
-            scene.ThrowBomb();
-            break;
-        case Kind::Sling:
-            scene.ThrowBomb(action.point, action.velocity);
-            break;
-        case Kind::Shift:
-            scene.ShiftOrigin(action.point);
-            break;
+            actions.push_back(event.action);
         }
+    }
+    return actions;
+}
+
+void ScriptInput::Apply(Scene& scene, StepSettings& steps, std::int64_t step) const
+{
+    for (const Event& event : At(step))
+    {
+        Perform(event.action, scene, steps);
+    }
+}
+
+void Perform(const ScriptAction& action, Scene& scene, StepSettings& steps)
+{
+    switch (action.kind)
+    {
+    case Kind::Press:
+        scene.KeyDown(action.key);
+        break;
+    case Kind::Release:
+        scene.KeyUp(action.key);
+        break;
+    case Kind::Grab:
+        scene.MouseDown(action.point);
+        break;
+    case Kind::Move:
+    case Kind::Drag:
+        scene.MouseMove(action.point);
+        break;
+    case Kind::Drop:
+        scene.MouseUp(action.point);
+        break;
+    case Kind::Bomb:
+        scene.ThrowBomb();
+        break;
+    case Kind::Sling:
+        scene.ThrowBomb(action.point, action.velocity);
+        break;
+    case Kind::Shift:
+        scene.ShiftOrigin(action.point);
+        break;
+    case Kind::Set:
+        ApplySetting(action.name, action.value, scene.World(), steps);
+        break;
+    case Kind::Click:
+    case Kind::Type:
+    case Kind::Hit:
+        break;
     }
 }
 

@@ -6,6 +6,7 @@
 #include <scenes/Scene.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@
 /// alone, so a simulation that goes on from a saved state gets the same ones.
 namespace boxreel
 {
+
+/// Does it to the scene, now; of a Drag, the mouse is at its point. What is for panels is left to
+/// them.
+void Perform(const ScriptAction& action, Scene& scene, StepSettings& steps);
 
 class ScriptInput
 {
@@ -25,7 +30,10 @@ public:
                                       const Scene& scene);
 
     /// What is done before the step that begins after `step` steps.
-    void Apply(Scene& scene, std::int64_t step) const;
+    void Apply(Scene& scene, StepSettings& steps, std::int64_t step) const;
+
+    /// What is done then with the panels, which Apply leaves to them.
+    std::vector<ScriptAction> ForPanels(std::int64_t step) const;
 
 private:
     struct Event
@@ -38,6 +46,7 @@ private:
     Result<void> Add(const Script& script, const ScriptAction& action,
                      const Rational& stepsPerSecond);
     Result<void> FollowMouse(const Script& script);
+    std::span<const Event> At(std::int64_t step) const;
 
     std::vector<Event> m_events; // by step, then by line
 };

@@ -178,10 +178,24 @@ Result<void> CheckFilmName(const std::filesystem::path& film)
                : Result<void>();
 }
 
+// Beside the column of panels something of the scene must be left [px].
+constexpr int kLeastPanelWidth = 480;
+constexpr int kLeastPanelHeight = 240;
+
 /// The panel has one size; a picture that would cut it off is refused.
 Result<void> CheckHud(SceneLook& look)
 {
-    look.hud = look.hud || look.hudMilliseconds;
+    if (look.panels && look.hud)
+    {
+        return Unusable("--ui shows what --hud does, and more; give one of them.");
+    }
+    if (look.panels && (look.width < kLeastPanelWidth || look.height < kLeastPanelHeight))
+    {
+        return Unusable("--ui needs a picture of at least " + std::to_string(kLeastPanelWidth) +
+                        "x" + std::to_string(kLeastPanelHeight) +
+                        " pixels; give a larger --size or leave the panels out.");
+    }
+    look.hud = look.hud || (look.hudMilliseconds && !look.panels);
     const int height = look.hudMilliseconds ? 150 : 130; // a line more
     if (look.hud && (look.width < 200 || look.height < height))
     {
@@ -231,6 +245,11 @@ Result<Request> CheckRecord(RecordOptions options)
     {
         return Unusable("--progress openjd and -o - both need the standard output; write a file.");
     }
+    if (options.look.panels && !options.snapshots.empty())
+    {
+        return Unusable("--snapshots keeps states of the scene, but not of the panels that --ui "
+                        "shows; leave one of them out.");
+    }
     if (options.snapshotEvery && options.snapshots.empty())
     {
         return Unusable("--snapshot-every says how often, --snapshots DIR where to; give both.");
@@ -255,9 +274,10 @@ Result<void> CheckPixels(const ShotOptions& options)
 {
     const bool isVector =
         PictureFormatOf(options.output).value_or(PictureFormat::Png) != PictureFormat::Png;
-    if (isVector && options.look.hud)
+    if (isVector && (options.look.hud || options.look.panels))
     {
-        return Unusable("--hud draws a panel of pixels, which '" + options.output.string() +
+        return Unusable(std::string(options.look.hud ? "--hud" : "--ui") +
+                        " draws a panel of pixels, which '" + options.output.string() +
                         "' cannot hold; leave it out, or write a .png.");
     }
     if (isVector && options.stats)
@@ -473,6 +493,10 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return CheckPlay(std::move(parsed.play));
     }
+    if (name == "ui")
+    {
+        return Request(std::move(parsed.ui));
+    }
     if (name == "bench")
     {
         return CheckBench(std::move(parsed.bench), *program.get_subcommand("bench"));
@@ -500,6 +524,7 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
     DeclareDiff(program, parsed);
     DeclareGolden(program, parsed);
     DeclarePlay(program, parsed);
+    DeclareUi(program, parsed);
     DeclareCheck(program, parsed);
     DeclareDoctor(program);
     DeclareExport(program, parsed);

@@ -122,6 +122,11 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
         .add_flag("--hud-ms", look.hudMilliseconds,
                   "The panel, with the milliseconds of a step as well")
         ->group("Picture");
+    command
+        .add_flag("--ui", look.panels,
+                  "The panels of the window, as `boxreel ui` shows them; with --hud-ms\n"
+                  "also the times of the solver's parts")
+        ->group("Picture");
     AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
              "Simulation steps a second (60)")
         ->group("Simulation");

@@ -88,7 +88,7 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
 Result<void> CheckMotion(const ShotOptions& options)
 {
     const MotionLook& look = options.motion;
-    const auto refusal = [](const char* sentence) { return Error{ErrorKind::Unusable, sentence}; };
+    const auto refusal = [](const std::string& sentence) { return Error{ErrorKind::Unusable, sentence}; };
     const bool several = options.at.size() + options.steps.size() > 1;
     if (look.strobe && look.onion)
     {
@@ -104,9 +104,11 @@ Result<void> CheckMotion(const ShotOptions& options)
         return refusal("--columns is for several moments; give them, such as --at 0s,1s,2s,3s, "
                        "or leave it out.");
     }
-    if (options.look.hud && (several || look.axes || look.scaleBar || !look.caption.empty()))
+    const bool hasPanel = options.look.hud || options.look.panels;
+    if (hasPanel && (several || look.axes || look.scaleBar || !look.caption.empty()))
     {
-        return refusal("--hud draws a panel over one picture with nothing beside it; leave it "
+        return refusal(std::string(options.look.hud ? "--hud" : "--ui") +
+                       " draws a panel over one picture with nothing beside it; leave it "
                        "out, or --axes, --scale-bar, --caption and all moments but one.");
     }
     return {};

@@ -28,6 +28,7 @@ struct ParsedOptions
     DiffOptions diff;
     GoldenOptions golden;
     PlayOptions play;
+    UiOptions ui;
     CheckOptions check;
     ExportOptions exported;
     BenchOptions bench;
@@ -40,6 +41,7 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed);
 void DeclareDiff(CLI::App& program, ParsedOptions& parsed);
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed);
 void DeclarePlay(CLI::App& program, ParsedOptions& parsed);
+void DeclareUi(CLI::App& program, ParsedOptions& parsed);
 void DeclareCheck(CLI::App& program, ParsedOptions& parsed);
 void DeclareExport(CLI::App& program, ParsedOptions& parsed);
 void DeclareDoctor(CLI::App& program);

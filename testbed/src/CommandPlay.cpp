@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "CommandLine.h"
 #include "Commands.h"
-#include "SceneSession.h"
+#include "SessionPanels.h"
 #include "Terminal.h"
 
 #include <golden/ReferenceStore.h>
@@ -228,6 +228,11 @@ Result<void> Planner::AddFilm(const ScriptProduct& product)
     {
         return record.GetError();
     }
+    if (m_play.script.UsesPanels() && !record->snapshots.empty())
+    {
+        return Unusable("--snapshots keeps states of the scene, but not of the panels that the "
+                        "script uses; leave it out.");
+    }
     record->look.script = m_actions;
     record->film.overwrite = record->film.overwrite || m_options.force;
     record->film.resume = record->film.resume || m_options.resume;
@@ -245,7 +250,7 @@ Result<SceneSession> OpenSession(const Play& play, const SceneLook& look)
     {
         return play.script.At(play.script.sceneLine, source.GetError());
     }
-    return SceneSession::Open(std::move(*source), look);
+    return OpenSession(std::move(*source), look);
 }
 
 std::string NumberText(double value)
@@ -303,6 +308,10 @@ Result<int> Expect(const Play& play, SceneSession& session)
             return written.GetError();
         }
     }
+    if (const Result<void> played = session.CheckCompanion(); !played)
+    {
+        return played.GetError();
+    }
     return failures;
 }
 
@@ -326,7 +335,7 @@ Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golde
     FrameContent content;
     session->Fill(content);
     GoldenCandidate candidate{golden.name, StateHashText(session->World()), {}, {}};
-    const Overlay* const panel = look.hud ? &content.overlay : nullptr;
+    const Overlay* const panel = look.hud || look.panels ? &content.overlay : nullptr;
     if (const Result<void> drawn =
             renderer->Draw(content.list, content.camera, candidate.frame, panel);
         !drawn)

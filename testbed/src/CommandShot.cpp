@@ -3,6 +3,7 @@
 #include "OutputPath.h"
 #include "RenderReport.h"
 #include "SceneMotion.h"
+#include "SessionPanels.h"
 #include "Terminal.h"
 
 #include <debugdraw/NiceNumbers.h>
@@ -196,7 +197,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
             return draws;
         }
     }
-    Result<SceneSession> session = SceneSession::Open(std::move(source), options.look);
+    Result<SceneSession> session = OpenSession(std::move(source), options.look);
     if (!session)
     {
         return session.GetError();
@@ -234,7 +235,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
     for (const Picture& picture : pictures)
     {
         const Result<void> written =
-            options.look.hud
+            options.look.hud || options.look.panels
                 ? WriteWithPanel(options, picture, parts.front().list, content.camera,
                                  content.overlay, totals)
                 : WriteFigure(options, picture,

@@ -106,6 +106,20 @@ struct PlayOptions
     Backend backend = Backend::Auto;
 };
 
+/// A scene in a window.
+struct UiOptions
+{
+    std::string scene;                ///< a name or a file; empty: the last one
+    std::optional<PixelSize> size;    ///< of the window; none: as it was
+    std::string theme;                ///< its name; empty: as it was
+    std::uint32_t seed = 1;
+    std::optional<Rational> stepsPerSecond;
+    std::filesystem::path into;       ///< a folder for what buttons write; empty: the current one
+    bool isPaused = false;            ///< to begin with
+    bool fresh = false;               ///< as if it were the first time; nothing is kept
+    Backend backend = Backend::Auto;  ///< of films and figures
+};
+
 /// What works on this machine.
 struct DoctorOptions
 {};
@@ -151,6 +165,7 @@ Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunUi(const UiOptions& options);
 Result<int> RunDoctor(const DoctorOptions& options);
 Result<int> RunCheck(const CheckOptions& options);
 Result<int> RunExport(const ExportOptions& options);

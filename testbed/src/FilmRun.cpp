@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "FilmRun.h"
 
+#include "SessionPanels.h"
 #include "StopSignals.h"
 #include "Terminal.h"
 
@@ -157,7 +158,7 @@ Result<void> FilmRun::Open(SceneSource source)
         return renderer.GetError();
     }
     m_renderer.emplace(std::move(*renderer));
-    Result<SceneSession> session = SceneSession::Open(std::move(source), m_options.look);
+    Result<SceneSession> session = OpenSession(std::move(source), m_options.look);
     if (!session)
     {
         return session.GetError();

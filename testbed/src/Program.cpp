@@ -31,6 +31,7 @@ struct Runner
     Result<int> operator()(const CheckOptions& options) const { return RunCheck(options); }
     Result<int> operator()(const ExportOptions& options) const { return RunExport(options); }
     Result<int> operator()(const PlayOptions& options) const { return RunPlay(options); }
+    Result<int> operator()(const UiOptions& options) const { return RunUi(options); }
     Result<int> operator()(const BenchOptions& options) const { return RunBench(options); }
 };
 

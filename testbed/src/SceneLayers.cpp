@@ -88,6 +88,19 @@ Result<SceneLayers> ParseLayers(const std::string& option, const std::string& te
     return layers;
 }
 
+std::string TextOf(const SceneLayers& layers)
+{
+    std::string text;
+    for (const LayerName& known : kLayers)
+    {
+        if (layers.*known.layer)
+        {
+            text.append(text.empty() ? "" : ",").append(known.name);
+        }
+    }
+    return text;
+}
+
 View PictureView(const Camera& camera, const Theme& theme, double scale)
 {
     constexpr double kCorners = 8.0; // how far a pointed one reaches, in widths of an outline

@@ -39,6 +39,9 @@ struct SceneLayers
 /// layers, for anything else.
 Result<SceneLayers> ParseLayers(const std::string& option, const std::string& text);
 
+/// What ParseLayers takes; empty when nothing is shown.
+std::string TextOf(const SceneLayers& layers);
+
 /// What may reach into a picture of this camera, whose pixels are `scale` times as many: with room
 /// for outlines and their corners.
 View PictureView(const Camera& camera, const Theme& theme, double scale);

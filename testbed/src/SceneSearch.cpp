@@ -65,6 +65,7 @@ Result<SceneSource> OpenFile(const std::filesystem::path& file)
         return scene.GetError();
     }
     source.scene = std::move(*scene);
+    source.asked = file.string();
     source.title = file.stem().string();
     return source;
 }
@@ -122,6 +123,7 @@ Result<SceneSource> OpenScene(const std::string& nameOrFile)
     {
         SceneSource source;
         source.entry = entry;
+        source.asked = entry->name;
         source.title = entry->name;
         return source;
     }

@@ -29,6 +29,7 @@ struct SceneSource
 {
     const SceneEntry* entry = nullptr; ///< null: `scene` was loaded from a file
     std::unique_ptr<Scene> scene;
+    std::string asked; ///< what OpenScene was given
     std::string title;
     std::vector<std::string> leftOut; ///< one line each: what the file asked for and is not there
 };

@@ -81,6 +81,12 @@ BodyNames ShownNames(const SceneLook& look, const BodyNames& names)
     return shown;
 }
 
+/// Of the picture, by panels [px]; something is left for the scene in any case.
+int WidthBesidePanels(const SceneLook& look)
+{
+    return std::max(look.width - look.covered, (2 * look.width + 4) / 5);
+}
+
 /// Bodies come by the scene or by bombs.
 bool MakesBodies(const Scene& scene, const SceneLook& look)
 {
@@ -89,9 +95,9 @@ bool MakesBodies(const Scene& scene, const SceneLook& look)
 
 } // namespace
 
-SceneSession::SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
-                           const SceneCamera& camera)
-    : m_scene(std::move(scene)), m_title(std::move(title)), m_look(look),
+SceneSession::SceneSession(SceneSource source, const SceneLook& look, const SceneCamera& camera)
+    : m_scene(std::move(source.scene)), m_title(std::move(source.title)),
+      m_asked(std::move(source.asked)), m_look(look),
       m_stepsPerSecond(look.stepsPerSecond.value_or(RateOf(m_scene->PreferredSteps().timeStep))),
       m_stepSettings(m_scene->PreferredSteps()), m_camera(camera),
       m_layers(LayersOf(look), look.arrows, m_stepsPerSecond.ToDouble(), m_scene->World()),
@@ -113,20 +119,21 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
     ViewChoice view = look.view;
     if (std::holds_alternative<SceneView>(view))
     {
-        view = PreferredView(*source.scene, double(look.width) / look.height);
+        view = PreferredView(*source.scene, double(WidthBesidePanels(look)) / look.height);
     }
     if (const Result<void> found = FindNames("--camera", BodiesOf(view), source.scene->Names());
         !found)
     {
         return found.GetError();
     }
-    const Result<SceneCamera> camera = SceneCamera::Create(
-        view, source.scene->World(), look.width, look.height, MakesBodies(*source.scene, look));
+    const Result<SceneCamera> camera =
+        SceneCamera::Create(view, source.scene->World(), WidthBesidePanels(look), look.height,
+                            MakesBodies(*source.scene, look));
     if (!camera)
     {
         return camera.GetError();
     }
-    SceneSession session(std::move(source.scene), std::move(source.title), look, *camera);
+    SceneSession session(std::move(source), look, *camera);
     if (look.script != nullptr)
     {
         const Result<ScriptInput> input =
@@ -185,32 +192,140 @@ void SceneSession::AdvanceBetween(std::int64_t step, double fraction)
 
 void SceneSession::StepOnce()
 {
+    if (m_companion)
+    {
+        m_companion->BeforeStep(*this, m_input.ForPanels(m_step));
+    }
+    m_input.Apply(*m_scene, m_stepSettings, m_step);
+    ++m_step;
+    if (m_isPaused && !m_stepsOnce)
+    {
+        return;
+    }
+    m_stepsOnce = false;
+    Simulate();
+    if (m_companion)
+    {
+        m_companion->AfterStep(*this);
+    }
+}
+
+void SceneSession::Simulate()
+{
     using Clock = std::chrono::steady_clock;
-    m_input.Apply(*m_scene, m_step);
     m_layers.BeforeStep(m_scene->World());
     const Clock::time_point start = Clock::now();
     m_scene->Step(m_stepSettings);
-    ++m_step;
+    ++m_sceneStep;
     if (m_look.hudMilliseconds)
     {
         const double taken =
             std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-        m_stepMilliseconds = m_step == 1 ? taken : 0.9 * m_stepMilliseconds + 0.1 * taken;
+        m_stepMilliseconds = m_sceneStep == 1 ? taken : 0.9 * m_stepMilliseconds + 0.1 * taken;
     }
-    m_camera.Update(m_scene->World(), SecondsAt(m_step, m_stepsPerSecond),
+    m_camera.Update(m_scene->World(), SecondsAt(m_sceneStep, m_stepsPerSecond),
                     StepSeconds(m_stepsPerSecond));
 }
 
 double SceneSession::Time() const
 {
-    return m_fraction ? SecondsAt(m_step - 1, m_stepsPerSecond) +
-                            *m_fraction * StepSeconds(m_stepsPerSecond)
-                      : SecondsAt(m_step, m_stepsPerSecond);
+    const bool isBetween = m_fraction && m_sceneStep > 0;
+    return isBetween ? SecondsAt(m_sceneStep - 1, m_stepsPerSecond) +
+                           *m_fraction * StepSeconds(m_stepsPerSecond)
+                     : SecondsAt(m_sceneStep, m_stepsPerSecond);
+}
+
+Result<void> SceneSession::CheckView() const
+{
+    const Result<void> gone = CheckCompanion();
+    return gone ? m_camera.CheckBodiesCame() : gone;
+}
+
+void SceneSession::SetLayers(const SceneLayers& layers, bool labels)
+{
+    if (layers == m_look.layers && labels == m_look.labels)
+    {
+        return;
+    }
+    m_look.layers = layers;
+    m_look.labels = labels;
+    m_layers = LayerCollector(LayersOf(m_look), m_look.arrows, m_stepsPerSecond.ToDouble(),
+                              m_scene->World());
+    m_shownNames = ShownNames(m_look, m_scene->Names());
+}
+
+int SceneSession::UncoveredWidth() const
+{
+    return WidthBesidePanels(m_look);
+}
+
+void SceneSession::LookAt(const b2Vec2& center, double pixelsPerMeter)
+{
+    m_ownView = Camera{.width = m_look.width,
+                       .height = m_look.height,
+                       .centerX = double(center.x),
+                       .centerY = double(center.y),
+                       .pixelsPerMeter = pixelsPerMeter};
+}
+
+void SceneSession::Resize(int width, int height, int covered)
+{
+    if (m_ownView)
+    {
+        const double scale = double(height) / m_look.height;
+        m_ownView->pixelsPerMeter *= scale;
+    }
+    m_look.width = width;
+    m_look.height = height;
+    m_look.covered = covered;
+}
+
+Result<void> SceneSession::Replace(SceneSource source, const SceneLook& look)
+{
+    SceneLook begun = look;
+    begun.script = nullptr; // whose actions were understood for the first scene
+    Result<SceneSession> other = Open(std::move(source), begun);
+    if (!other)
+    {
+        return other.GetError();
+    }
+    other->m_look.script = look.script;
+    other->m_input = std::move(m_input);
+    other->m_step = m_step;
+    other->m_isPaused = m_isPaused;
+    other->m_companion = std::move(m_companion);
+    *this = std::move(*other);
+    return {};
+}
+
+/// A view as wide as what no panel covers, in the picture: its middle there, all of it in sight.
+Camera SceneSession::Placed(const Camera& view) const
+{
+    if (m_look.covered == 0 && view.width == m_look.width && view.height == m_look.height)
+    {
+        return view;
+    }
+    Camera placed = view;
+    const int uncovered = UncoveredWidth();
+    if (!m_ownView)
+    {
+        placed.pixelsPerMeter *= std::min(double(uncovered) / view.width,
+                                          double(m_look.height) / view.height);
+    }
+    placed.width = m_look.width;
+    placed.height = m_look.height;
+    placed.centerX += 0.5 * (m_look.width - uncovered) / placed.pixelsPerMeter;
+    return placed;
 }
 
 Camera SceneSession::CurrentCamera() const
 {
-    return m_fraction ? Between(m_viewBefore, m_camera.View(), *m_fraction) : m_camera.View();
+    if (m_ownView)
+    {
+        return Placed(*m_ownView);
+    }
+    return Placed(m_fraction ? Between(m_viewBefore, m_camera.View(), *m_fraction)
+                             : m_camera.View());
 }
 
 void SceneSession::Fill(FrameContent& content, const DrawList& notes)
@@ -225,6 +340,10 @@ void SceneSession::Fill(FrameContent& content, const DrawList& notes)
         Collect(0.0, content.list, notes);
     }
     content.camera = Scaled(CurrentCamera(), m_look.scale);
+    if (m_companion)
+    {
+        content.overlay = m_companion->OverPicture(*this);
+    }
     if (m_hud)
     {
         content.overlay = m_hud->Build(DescribeState());
@@ -270,7 +389,7 @@ HudContent SceneSession::DescribeState() const
     HudContent content;
     content.title = m_title;
     content.rows = {{"time", Decimals(Time(), 3) + " s"},
-                    {"step", std::to_string(m_fraction ? m_step - 1 : m_step)},
+                    {"step", std::to_string(m_fraction ? m_sceneStep - 1 : m_sceneStep)},
                     {"bodies", std::to_string(world.GetBodyCount())},
                     {"contacts", std::to_string(world.GetContactCount())}};
     for (auto& row : m_scene->Describe())

@@ -45,7 +45,25 @@ struct SceneLook
     bool collectEverything = false;
     bool labels = false;          ///< the number of each body at its centre of mass
     bool hud = false;             ///< a panel with time, step and counts
+    bool panels = false;          ///< those of the testbed's window
     bool hudMilliseconds = false; ///< and the time a step took, which no two runs share
+    int covered = 0; ///< of the picture's right side, by panels: views keep clear of it [px]
+};
+
+class SceneSession;
+
+/// What goes along with a session and may change it between two steps: panels that a script clicks.
+class SessionCompanion
+{
+public:
+    virtual ~SessionCompanion() = default;
+    /// `actions`: what the script does with the panels before this step.
+    virtual void BeforeStep(SceneSession& session, const std::vector<ScriptAction>& actions) = 0;
+    virtual void AfterStep(SceneSession& session) = 0;
+    /// What lies over the picture.
+    virtual Overlay OverPicture(SceneSession& session) = 0;
+    /// What went wrong.
+    virtual Result<void> Check() const = 0;
 };
 
 class SceneSession
@@ -65,20 +83,54 @@ public:
     /// them. Expects an empty list.
     void Fill(FrameContent& content, const DrawList& notes = {});
 
-    std::int64_t Step() const { return m_step; } ///< the last that was simulated
+    std::int64_t Step() const { return m_step; } ///< the last that was simulated, or passed by
+                                                 ///< while it was paused
+    std::int64_t SceneStep() const { return m_sceneStep; } ///< the scene's own count
     const Rational& StepsPerSecond() const { return m_stepsPerSecond; }
     const std::string& Title() const { return m_title; }
+    const std::string& Asked() const { return m_asked; } ///< finds the scene again (OpenScene)
     const BodyNames& Names() const { return m_scene->Names(); }
     const b2World& World() const { return m_scene->World(); }
     b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
     Scene& CurrentScene() { return *m_scene; }
     const StepSettings& Steps() const { return m_stepSettings; }
+    StepSettings& Steps() { return m_stepSettings; } ///< but for the time step
     Camera CurrentCamera() const; ///< at scale 1
-    double Time() const;          ///< that is shown, simulated since the start [s]
+    double Time() const; ///< that is shown, simulated since the scene began [s]
     /// Bodies may come that are not there yet.
     bool MakesBodiesLater() const;
     /// Unusable while a body that the camera should show has never been there.
-    Result<void> CheckView() const { return m_camera.CheckBodiesCame(); }
+    Result<void> CheckView() const;
+    /// What went wrong in what goes along.
+    Result<void> CheckCompanion() const
+    {
+        return m_companion ? m_companion->Check() : Result<void>();
+    }
+
+    // What a person changes while it goes on.
+    const SceneLook& Look() const { return m_look; }
+    void SetLayers(const SceneLayers& layers, bool labels);
+    /// Paused, steps pass by and nothing is simulated.
+    void Pause(bool isPaused) { m_isPaused = isPaused; }
+    bool IsPaused() const { return m_isPaused; }
+    /// The next step is simulated although it is paused.
+    void StepOnceThough() { m_stepsOnce = true; }
+    /// This point in the middle of what no panel covers, at so many pixels a metre, from now on.
+    void LookAt(const b2Vec2& center, double pixelsPerMeter);
+    /// As its look says, again.
+    void LookAsBefore() { m_ownView.reset(); }
+    bool HasOwnView() const { return m_ownView.has_value(); }
+    /// What panels leave of the picture's width [px].
+    int UncoveredWidth() const;
+    /// Of another size from now on, and covered so far by panels; the view shows as much as it did.
+    void Resize(int width, int height, int covered);
+    /// Another scene, or the same anew, in the place of this one: steps go on being counted, and
+    /// what goes along stays. It is as it was when there is an Error.
+    Result<void> Replace(SceneSource source, const SceneLook& look);
+    void SetCompanion(std::shared_ptr<SessionCompanion> companion)
+    {
+        m_companion = std::move(companion);
+    }
 
     /// All that decides which states it goes through, as lines of text: before the first step. A
     /// state that was saved may be restored wherever the text is the same.
@@ -92,15 +144,17 @@ public:
     std::int64_t LatestStateFor(std::int64_t step) const;
 
 private:
-    SceneSession(std::unique_ptr<Scene> scene, std::string title, const SceneLook& look,
-                 const SceneCamera& camera);
+    SceneSession(SceneSource source, const SceneLook& look, const SceneCamera& camera);
     void StepOnce();
+    void Simulate();
+    Camera Placed(const Camera& view) const;
     void Collect(double farthest, DrawList& list, const DrawList& notes);
     HudContent DescribeState() const;
     boxreel::View CollectedView(double farthest) const;
 
     std::unique_ptr<Scene> m_scene;
     std::string m_title;
+    std::string m_asked;
     SceneLook m_look;
     ScriptInput m_input;
     Rational m_stepsPerSecond;
@@ -110,6 +164,11 @@ private:
     BodyNames m_shownNames;
     std::optional<Hud> m_hud;
     std::int64_t m_step = 0;
+    std::int64_t m_sceneStep = 0;
+    bool m_isPaused = false;
+    bool m_stepsOnce = false;
+    std::optional<Camera> m_ownView; // that a person has chosen; its middle is the uncovered part's
+    std::shared_ptr<SessionCompanion> m_companion;
     b2PoseRecord m_posesBefore; // the last step, while what lies before its end is shown
     Camera m_viewBefore;
     std::optional<double> m_fraction; // of the last step's way that is shown; none: its end

@@ -33,6 +33,8 @@ std::vector<std::uint8_t> SceneSession::SaveState()
 {
     std::vector<std::uint8_t> bytes;
     PutNumber(bytes, static_cast<std::uint64_t>(m_step));
+    PutNumber(bytes, static_cast<std::uint64_t>(m_stepSettings.velocityIterations));
+    PutNumber(bytes, static_cast<std::uint64_t>(m_stepSettings.positionIterations));
     const std::vector<double> camera = m_camera.State();
     PutNumber(bytes, camera.size());
     for (const double number : camera)
@@ -47,19 +49,25 @@ std::vector<std::uint8_t> SceneSession::SaveState()
 bool SceneSession::RestoreState(std::span<const std::uint8_t> bytes)
 {
     const std::uint64_t step = TakeNumber(bytes);
+    const std::uint64_t velocityIterations = TakeNumber(bytes);
+    const std::uint64_t positionIterations = TakeNumber(bytes);
     std::vector<double> numbers;
     for (std::uint64_t left = TakeNumber(bytes); left > 0 && !bytes.empty(); --left)
     {
         numbers.push_back(std::bit_cast<double>(TakeNumber(bytes)));
     }
     SceneCamera camera = m_camera;
+    constexpr std::uint64_t kMostIterations = 1'000'000;
     if (step > std::uint64_t(std::numeric_limits<std::int64_t>::max()) ||
+        velocityIterations > kMostIterations || positionIterations > kMostIterations ||
         !camera.Restore(numbers) || !RestoreScene(*m_scene, bytes).empty())
     {
         return false;
     }
     m_camera = camera;
-    m_step = static_cast<std::int64_t>(step);
+    m_step = m_sceneStep = static_cast<std::int64_t>(step);
+    m_stepSettings.velocityIterations = static_cast<int32>(velocityIterations);
+    m_stepSettings.positionIterations = static_cast<int32>(positionIterations);
     return true;
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Panels over a frame. An Overlay is plain triangles with texture coordinates into the one font
-/// texture; a Hud lays one out with Dear ImGui. Only Overlay.cpp knows Dear ImGui.
+/// texture; a Hud lays one out with Dear ImGui, which only ImGui*.cpp know.
 namespace boxreel
 {
 

@@ -21,6 +21,8 @@
 namespace boxreel
 {
 
+class Window;
+
 struct RendererSettings
 {
     int width = 1280; ///< 1 to 8192 [px]
@@ -69,6 +71,9 @@ public:
     /// An Error (Absent) that names all that was tried when no back end works; (Unusable) for a
     /// size out of range, or a BOXREEL_BACKEND that is none.
     static Result<Renderer> Create(const RendererSettings& settings);
+    /// The same in a window's GL context, whatever back end the settings name: one renderer a
+    /// window at a time, which must not outlive it.
+    static Result<Renderer> CreateIn(Window& window, const RendererSettings& settings);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
@@ -97,6 +102,9 @@ public:
     /// Submit and Read in one.
     Result<void> Draw(const DrawList& list, const Camera& camera, Frame& frame,
                       const Overlay* overlay = nullptr);
+
+    /// Shows the picture of the last Submit in its window, and waits for the display.
+    Result<void> Show();
 
     const RenderStatistics& Statistics() const;
     const RenderTotals& Totals() const;

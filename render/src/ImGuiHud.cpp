@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <render/Overlay.h>
-
-#include "FontAtlas.h"
-
-#include <imgui.h>
+#include "ImGuiFrame.h"
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <string_view>
 
 namespace boxreel
@@ -30,9 +25,6 @@ constexpr ImU32 kRim = IM_COL32(255, 255, 255, 36);
 constexpr ImU32 kTitleInk = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 kNameInk = IM_COL32(170, 178, 190, 255);
 constexpr ImU32 kValueInk = IM_COL32(240, 242, 245, 255);
-
-// Dear ImGui keeps its current context in one variable of the process.
-std::mutex g_imgui;
 
 float Width(std::string_view text)
 {
@@ -136,48 +128,6 @@ void Panel(const HudContent& content, const Layout& layout)
     }
 }
 
-void Copy(const ImDrawData& data, int width, int height, Overlay& overlay)
-{
-    overlay.vertices.clear();
-    overlay.indices.clear();
-    overlay.commands.clear();
-    for (int i = 0; i < data.CmdListsCount; ++i)
-    {
-        const ImDrawList& list = *data.CmdLists[i];
-        const auto firstVertex = std::uint32_t(overlay.vertices.size());
-        for (const ImDrawVert& vertex : list.VtxBuffer)
-        {
-            const auto channel = [&](int shift) {
-                return std::uint8_t(vertex.col >> shift & 0xffu);
-            };
-            overlay.vertices.push_back({{vertex.pos.x, vertex.pos.y},
-                                        {vertex.uv.x, vertex.uv.y},
-                                        {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT),
-                                         channel(IM_COL32_B_SHIFT), channel(IM_COL32_A_SHIFT)}});
-        }
-        for (const ImDrawCmd& command : list.CmdBuffer)
-        {
-            if (command.ElemCount == 0)
-            {
-                continue;
-            }
-            const auto firstIndex = std::uint32_t(overlay.indices.size());
-            for (unsigned int k = 0; k < command.ElemCount; ++k)
-            {
-                const ImDrawIdx index = list.IdxBuffer[int(command.IdxOffset + k)];
-                overlay.indices.push_back(firstVertex + command.VtxOffset + index);
-            }
-            const auto limit = [](float value, int most) {
-                return int(std::clamp(value, 0.0f, float(most)));
-            };
-            overlay.commands.push_back(
-                {firstIndex, command.ElemCount, limit(command.ClipRect.x, width),
-                 limit(command.ClipRect.y, height), limit(command.ClipRect.z, width),
-                 limit(command.ClipRect.w, height)});
-        }
-    }
-}
-
 void SetStyle(float unit)
 {
     ImGuiStyle& style = ImGui::GetStyle();
@@ -194,34 +144,13 @@ void SetStyle(float unit)
 
 struct Hud::Impl
 {
-    Impl(int w, int h, double s) : width(w), height(h), scale(s)
+    Impl(int width, int height, double s) : scale(s), frame(width, height, s)
     {
-        const std::lock_guard lock(g_imgui);
-        // The atlas is shared; Dear ImGui only marks it as in use while a frame is built, under the
-        // lock.
-        context = ImGui::CreateContext(FontAtlas::Get(scale).ImGuiAtlas());
-        ImGui::SetCurrentContext(context);
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.LogFilename = nullptr;
-        io.DisplaySize = {float(width), float(height)};
-        io.DeltaTime = 1.0f / 60.0f;
-        SetStyle(float(scale));
-        ImGui::SetCurrentContext(nullptr);
-    }
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
-    ~Impl()
-    {
-        const std::lock_guard lock(g_imgui);
-        ImGui::DestroyContext(context);
+        frame.With([s] { SetStyle(float(s)); });
     }
 
-    int width;
-    int height;
     double scale;
-    ImGuiContext* context;
-    Overlay overlay;
+    ImGuiFrame frame;
 };
 
 Hud::Hud(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
@@ -231,16 +160,9 @@ Hud::~Hud() = default;
 
 Result<Hud> Hud::Create(int width, int height, double scale)
 {
-    if (width < 1 || width > 8192 || height < 1 || height > 8192)
+    if (const Result<void> usable = CheckPanelSize(width, height, scale); !usable)
     {
-        return Error{ErrorKind::Unusable, "a panel cannot be laid out in a picture of " +
-                                              std::to_string(width) + "x" + std::to_string(height) +
-                                              " pixels; width and height go from 1 to 8192"};
-    }
-    if (!(scale >= 0.1 && scale <= 16.0))
-    {
-        return Error{ErrorKind::Unusable, "a panel cannot be scaled by " + std::to_string(scale) +
-                                              "; give a scale from 0.1 to 16"};
+        return usable.GetError();
     }
     return Hud(std::make_unique<Impl>(width, height, scale));
 }
@@ -250,22 +172,17 @@ const Overlay& Hud::Build(const HudContent& content)
     constexpr ImGuiWindowFlags kFlags =
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
         ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
-    const std::lock_guard lock(g_imgui);
-    ImGui::SetCurrentContext(m_impl->context);
-    ImGui::NewFrame();
-    const Layout layout = Arrange(content, ImGui::GetIO().DisplaySize, float(m_impl->scale));
-    const float margin = layout.unit * kFrameMargin;
-    ImGui::SetNextWindowPos({margin, margin});
-    ImGui::SetNextWindowSize({layout.width, layout.height});
-    if (ImGui::Begin("hud", nullptr, kFlags))
-    {
-        Panel(content, layout);
-    }
-    ImGui::End();
-    ImGui::Render();
-    Copy(*ImGui::GetDrawData(), m_impl->width, m_impl->height, m_impl->overlay);
-    ImGui::SetCurrentContext(nullptr);
-    return m_impl->overlay;
+    return m_impl->frame.Build([&] {
+        const Layout layout = Arrange(content, ImGui::GetIO().DisplaySize, float(m_impl->scale));
+        const float margin = layout.unit * kFrameMargin;
+        ImGui::SetNextWindowPos({margin, margin});
+        ImGui::SetNextWindowSize({layout.width, layout.height});
+        if (ImGui::Begin("hud", nullptr, kFlags))
+        {
+            Panel(content, layout);
+        }
+        ImGui::End();
+    });
 }
 
 } // namespace boxreel

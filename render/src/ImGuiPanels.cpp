@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <render/PanelCanvas.h>
+
+#include "ImGuiFrame.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::pair<ImGuiKey_, Key> kKeys[] = {
+    {ImGuiKey_Tab, Key::Tab},           {ImGuiKey_LeftArrow, Key::Left},
+    {ImGuiKey_RightArrow, Key::Right},  {ImGuiKey_UpArrow, Key::Up},
+    {ImGuiKey_DownArrow, Key::Down},    {ImGuiKey_PageUp, Key::PageUp},
+    {ImGuiKey_PageDown, Key::PageDown}, {ImGuiKey_Home, Key::Home},
+    {ImGuiKey_End, Key::End},           {ImGuiKey_Delete, Key::Delete},
+    {ImGuiKey_Backspace, Key::Backspace}, {ImGuiKey_Space, Key::Space},
+    {ImGuiKey_Enter, Key::Enter},       {ImGuiKey_Escape, Key::Escape},
+    {ImGuiKey_A, KeyOf('a')},           {ImGuiKey_C, KeyOf('c')},
+    {ImGuiKey_V, KeyOf('v')},           {ImGuiKey_X, KeyOf('x')},
+    {ImGuiKey_Y, KeyOf('y')},           {ImGuiKey_Z, KeyOf('z')}};
+
+ImVec4 Ink(int red, int green, int blue, float alpha)
+{
+    return {float(red) / 255.0f, float(green) / 255.0f, float(blue) / 255.0f, alpha};
+}
+
+/// Dark and quiet, so that the picture beside it stands out.
+void SetColors(ImGuiStyle& style)
+{
+    const auto set = [&](ImGuiCol color, const ImVec4& ink) { style.Colors[color] = ink; };
+    const ImVec4 accent = Ink(64, 132, 198, 1.0f);
+    set(ImGuiCol_Text, Ink(232, 235, 240, 1.0f));
+    set(ImGuiCol_TextDisabled, Ink(142, 150, 162, 1.0f));
+    set(ImGuiCol_WindowBg, Ink(20, 22, 27, 0.94f));
+    set(ImGuiCol_PopupBg, Ink(26, 29, 35, 0.98f));
+    set(ImGuiCol_Border, Ink(255, 255, 255, 0.12f));
+    set(ImGuiCol_FrameBg, Ink(48, 53, 62, 1.0f));
+    set(ImGuiCol_FrameBgHovered, Ink(60, 67, 79, 1.0f));
+    set(ImGuiCol_FrameBgActive, Ink(70, 79, 94, 1.0f));
+    set(ImGuiCol_CheckMark, Ink(120, 190, 255, 1.0f));
+    set(ImGuiCol_SliderGrab, accent);
+    set(ImGuiCol_SliderGrabActive, Ink(104, 172, 238, 1.0f));
+    set(ImGuiCol_Button, Ink(52, 59, 70, 1.0f));
+    set(ImGuiCol_ButtonHovered, Ink(68, 78, 94, 1.0f));
+    set(ImGuiCol_ButtonActive, accent);
+    set(ImGuiCol_Header, Ink(42, 47, 56, 1.0f));
+    set(ImGuiCol_HeaderHovered, Ink(58, 66, 79, 1.0f));
+    set(ImGuiCol_HeaderActive, accent);
+    set(ImGuiCol_Separator, Ink(255, 255, 255, 0.10f));
+    set(ImGuiCol_ScrollbarBg, Ink(0, 0, 0, 0.0f));
+    set(ImGuiCol_ScrollbarGrab, Ink(70, 77, 90, 1.0f));
+    set(ImGuiCol_PlotLines, Ink(120, 190, 255, 1.0f));
+    set(ImGuiCol_TextSelectedBg, Ink(64, 132, 198, 0.5f));
+}
+
+void SetStyle(float scale)
+{
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowPadding = {10.0f, 10.0f};
+    style.WindowRounding = 0.0f;
+    style.WindowBorderSize = 0.0f;
+    style.FramePadding = {6.0f, 3.0f};
+    style.FrameRounding = 3.0f;
+    style.ItemSpacing = {6.0f, 4.0f};
+    style.ItemInnerSpacing = {6.0f, 4.0f};
+    style.IndentSpacing = 14.0f;
+    style.ScrollbarSize = 11.0f;
+    style.ScrollbarRounding = 5.0f;
+    style.GrabMinSize = 9.0f;
+    style.GrabRounding = 3.0f;
+    style.PopupRounding = 5.0f;
+    style.ScaleAllSizes(scale);
+    SetColors(style);
+}
+
+/// Tells Dear ImGui by which numbers it finds keys; each Key is its own.
+void MapKeys(ImGuiIO& io)
+{
+    for (const auto& [theirs, ours] : kKeys)
+    {
+        io.KeyMap[theirs] = static_cast<int>(ours);
+    }
+}
+
+void Hand(const PanelInput& input, ImGuiIO& io)
+{
+    io.MousePos = {input.pointer.x, input.pointer.y};
+    std::copy(input.buttons.begin(), input.buttons.end(), io.MouseDown);
+    io.MouseWheel = input.wheel;
+    io.AddInputCharactersUTF8(input.text.c_str());
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    for (const Key key : input.keys)
+    {
+        io.KeysDown[static_cast<int>(key)] = true;
+    }
+    io.KeyShift = input.shift;
+    io.KeyCtrl = input.control;
+    io.DeltaTime = std::clamp(float(input.seconds), 1.0f / 1000.0f, 1.0f);
+}
+
+static_assert(kKeyCount <= 512, "Dear ImGui has room for so many keys");
+
+} // namespace
+
+struct PanelCanvas::Impl
+{
+    Impl(int width, int height, double scale) : frame(width, height, scale)
+    {
+        frame.With([scale] {
+            SetStyle(float(scale));
+            MapKeys(ImGui::GetIO());
+        });
+    }
+
+    ImGuiFrame frame;
+    bool wantsPointer = false;
+    bool wantsKeys = false;
+};
+
+PanelCanvas::PanelCanvas(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+PanelCanvas::PanelCanvas(PanelCanvas&&) noexcept = default;
+PanelCanvas& PanelCanvas::operator=(PanelCanvas&&) noexcept = default;
+PanelCanvas::~PanelCanvas() = default;
+
+Result<PanelCanvas> PanelCanvas::Create(int width, int height, double scale)
+{
+    const Result<void> usable = CheckPanelSize(width, height, scale);
+    return usable ? Result<PanelCanvas>(
+                        PanelCanvas(std::make_unique<Impl>(width, height, scale)))
+                  : usable.GetError();
+}
+
+const Overlay& PanelCanvas::Build(const PanelInput& input, const std::function<void()>& draw)
+{
+    m_impl->frame.With([&] { Hand(input, ImGui::GetIO()); });
+    const Overlay& overlay = m_impl->frame.Build(draw);
+    m_impl->frame.With([&] {
+        m_impl->wantsPointer = ImGui::GetIO().WantCaptureMouse;
+        m_impl->wantsKeys = ImGui::GetIO().WantTextInput;
+    });
+    return overlay;
+}
+
+void PanelCanvas::Resize(int width, int height)
+{
+    m_impl->frame.Resize(width, height);
+}
+
+bool PanelCanvas::WantsPointer() const
+{
+    return m_impl->wantsPointer;
+}
+
+bool PanelCanvas::WantsKeys() const
+{
+    return m_impl->wantsKeys;
+}
+
+} // namespace boxreel

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "ScriptSettings.h"
+
+#include "Nearest.h"
+#include "Values.h"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace boxreel
+{
+namespace
+{
+
+struct Setting
+{
+    const char* name;
+    int most; // 0: on or off
+    void (*apply)(int value, b2World& world, StepSettings& steps);
+};
+
+constexpr Setting kSettings[] = {
+    {"velocity-iterations", 1000,
+     [](int value, b2World&, StepSettings& steps) { steps.velocityIterations = value; }},
+    {"position-iterations", 1000,
+     [](int value, b2World&, StepSettings& steps) { steps.positionIterations = value; }},
+    {"sub-steps", 64,
+     [](int value, b2World& world, StepSettings&) { world.SetSubStepCount(value); }},
+    {"sleep", 0,
+     [](int value, b2World& world, StepSettings&) { world.SetAllowSleeping(value != 0); }},
+    {"warm-starting", 0,
+     [](int value, b2World& world, StepSettings&) { world.SetWarmStarting(value != 0); }},
+    {"continuous", 0,
+     [](int value, b2World& world, StepSettings&) { world.SetContinuousPhysics(value != 0); }},
+    {"sub-stepping", 0,
+     [](int value, b2World& world, StepSettings&) { world.SetSubStepping(value != 0); }},
+};
+
+const Setting* Find(const std::string& name)
+{
+    const auto found =
+        std::find_if(std::begin(kSettings), std::end(kSettings),
+                     [&](const Setting& setting) { return name == setting.name; });
+    return found == std::end(kSettings) ? nullptr : found;
+}
+
+Error UnknownSetting(const std::string& name)
+{
+    std::vector<std::string> names;
+    std::string all;
+    for (const Setting& setting : kSettings)
+    {
+        names.emplace_back(setting.name);
+        all += (all.empty() ? "" : ", ") + names.back();
+    }
+    const int nearest = name.empty() ? -1 : NearestWord(name, names);
+    return Error{ErrorKind::Unusable,
+                 (name.empty() ? "'set' needs a setting and its value"
+                               : "'" + name + "' is no setting") +
+                     (nearest < 0 ? "; give one of " + all + "."
+                                  : "; did you mean '" + names[std::size_t(nearest)] + "'?")};
+}
+
+} // namespace
+
+Result<int> ParseSetting(const std::string& name, const std::string& text)
+{
+    const Setting* const setting = Find(name);
+    if (setting == nullptr)
+    {
+        return UnknownSetting(name);
+    }
+    if (setting->most == 0)
+    {
+        return text == "on" || text == "off"
+                   ? Result<int>(text == "on" ? 1 : 0)
+                   : Error{ErrorKind::Unusable, name + " '" + text + "': give on or off."};
+    }
+    const Result<std::int64_t> number = ParseWhole(name, text, 1, setting->most);
+    return number ? Result<int>(static_cast<int>(*number)) : number.GetError();
+}
+
+void ApplySetting(const std::string& name, int value, b2World& world, StepSettings& steps)
+{
+    Find(name)->apply(value, world, steps);
+}
+
+} // namespace boxreel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "SceneSession.h"
+
+#include <ui/Panels.h>
+
+#include <memory>
+
+/// What is between a session and the panels, in a window and without one: facts one way, choices
+/// the other.
+namespace boxreel
+{
+
+/// `isTimed`: with where the time of the last step went, which no two runs share.
+PanelFacts FactsOf(SceneSession& session, bool isTimed);
+
+/// How the session's world is stepped now.
+SolverChoices SolverOf(const SceneSession& session);
+
+/// What of it may change while the session goes on: all but the rate.
+void Apply(const SolverChoices& solver, SceneSession& session);
+
+/// Those before and after, as scripts call them: {"sleep", "off"}.
+std::vector<std::pair<std::string, std::string>> Differences(const SolverChoices& before,
+                                                             const SolverChoices& after);
+
+/// Panels over a session that films and pictures are made of, clicked by its script. They are there
+/// too, but not drawn, when only the script needs them.
+Result<std::shared_ptr<SessionCompanion>> CreateScriptedPanels(const SceneLook& look,
+                                                               const SceneSession& session);
+
+/// Opens a session, with panels where its look or its script asks for them.
+Result<SceneSession> OpenSession(SceneSource source, SceneLook look);
+
+} // namespace boxreel

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Camera.h>
+#include <recorder/FrameClock.h>
+#include <script/Script.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What a person has done to a scene since it began, as the script that does it again.
+namespace boxreel
+{
+
+class WorkbenchLog
+{
+public:
+    /// A scene begins: what was logged is forgotten.
+    void Begin(std::string scene, std::vector<std::string> options, const Rational& stepsPerSecond);
+
+    /// Done before the step that begins after `step` steps.
+    void Add(ScriptAction action, std::int64_t step);
+    /// The same for a picture or a film, whose options say its moments.
+    void Add(ScriptProduct product) { m_script.products.push_back(std::move(product)); }
+
+    /// What is seen at a step; `isChosen`: since a person has moved the view.
+    void See(const Camera& view, std::int64_t step, bool isChosen);
+
+    /// Up to `step`, where the world's hash is `state`. `view`: of a picture of it.
+    std::string Text(std::int64_t step, const std::string& state) const;
+
+private:
+    struct Seen
+    {
+        std::int64_t step = 0;
+        double x = 0.0; ///< [m]
+        double y = 0.0;
+        double height = 0.0;
+    };
+    std::vector<Seen> Keys() const;
+
+    Script m_script;
+    Rational m_stepsPerSecond{60, 1};
+    std::vector<Seen> m_seen; // where it changed, with the step before
+    bool m_isChosen = false;
+};
+
+} // namespace boxreel

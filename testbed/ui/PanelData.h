@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SceneLayers.h>
+
+#include <scenes/Scene.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What goes between the panels and whoever has them: plain data both ways.
+namespace boxreel
+{
+
+/// Where the time of a step went, in the order of the panel.
+inline constexpr std::array<const char*, 8> kStageNames{
+    "step", "collide", "solve", "init", "velocity", "position", "TOI", "broad-phase"};
+
+/// What panels show.
+struct PanelFacts
+{
+    std::string scene;
+    std::int64_t step = 0;
+    double seconds = 0.0; ///< simulated
+    int bodies = 0;
+    int awake = 0; ///< of the bodies
+    int contacts = 0;
+    int joints = 0;
+    int proxies = 0;
+    int treeHeight = 0;
+    int treeBalance = 0;
+    double treeQuality = 0.0;
+    std::vector<KeyBinding> keys;                             ///< that the scene answers to
+    std::vector<std::pair<std::string, std::string>> remarks; ///< the scene's own
+    std::optional<std::array<float, kStageNames.size()>> times; ///< of the last step [ms]; none:
+                                                                ///< they are nobody's business
+    bool isWindow = true;              ///< not in a film or a picture, which cannot write files
+    std::optional<double> filmSeconds; ///< of the film that is being made
+    std::string message;               ///< what was done last
+};
+
+/// How the world is stepped.
+struct SolverChoices
+{
+    int velocityIterations = 8;
+    int positionIterations = 3;
+    int subSteps = 1;
+    int hertz = 60;
+    bool sleep = true;
+    bool warmStarting = true;
+    bool continuous = true;
+    bool subStepping = false; ///< one time of impact a step
+    friend bool operator==(const SolverChoices&, const SolverChoices&) = default;
+};
+
+/// What panels change.
+struct PanelChoices
+{
+    bool isPaused = false;
+    bool showsPanels = true;
+    bool showsPicker = false;
+    SolverChoices solver;
+    bool keepsSolver = false; ///< for other scenes, too
+    SceneLayers layers;
+    bool labels = false; ///< the numbers of bodies
+    bool statistics = true;
+    bool profile = true;
+    std::string theme = "classic";
+    bool filmsPanels = false; ///< they are seen in films
+    friend bool operator==(const PanelChoices&, const PanelChoices&) = default;
+};
+
+/// What is asked for once.
+enum class PanelWish
+{
+    Step,
+    Restart,
+    NextScene,
+    PreviousScene,
+    ResetView,
+    Bomb,
+    Film, ///< begin or end one
+    FigureSvg,
+    FigurePng,
+    Script,
+};
+
+struct PanelAnswer
+{
+    std::vector<PanelWish> wishes;
+    std::string scene; ///< that was chosen; empty: none
+};
+
+} // namespace boxreel

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: MIT
+#include "Panels.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+std::string Text(const char* format, ...)
+{
+    char text[160];
+    va_list values;
+    va_start(values, format);
+    std::vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    return text;
+}
+
+struct LayerCheck
+{
+    const char* name;
+    bool SceneLayers::*layer;
+};
+constexpr LayerCheck kLayerChecks[] = {
+    {"Shapes", &SceneLayers::shapes},
+    {"Joints", &SceneLayers::joints},
+    {"AABBs", &SceneLayers::aabbs},
+    {"Pairs", &SceneLayers::pairs},
+    {"Contact points", &SceneLayers::contacts},
+    {"Contact normals", &SceneLayers::normals},
+    {"Contact impulses", &SceneLayers::impulses},
+    {"Friction impulses", &SceneLayers::friction},
+    {"Centres of mass", &SceneLayers::centers},
+    {"Velocities", &SceneLayers::velocities},
+    {"Joint forces", &SceneLayers::forces},
+    {"Joint signs", &SceneLayers::glyphs},
+    {"Names", &SceneLayers::names},
+};
+
+struct KeyHelp
+{
+    const char* keys;
+    const char* effect;
+};
+constexpr KeyHelp kKeyHelp[] = {
+    {"P", "pause, go on"},
+    {"O", "a single step"},
+    {"R", "restart"},
+    {"[  ]", "previous, next scene"},
+    {"Ctrl+O", "find a scene"},
+    {"Tab", "hide or show the panels"},
+    {"Z  X, wheel", "zoom"},
+    {"arrows, right drag", "pan"},
+    {"Home", "reset the view"},
+    {"left drag", "pull a body"},
+    {"Space", "throw a bomb"},
+    {"Shift+drag", "sling a bomb"},
+    {"Ctrl+arrows", "shift the origin"},
+    {"Esc", "quit"},
+};
+
+} // namespace
+
+Panels::Panels(PanelCanvas canvas, int width, int height, double scale)
+    : m_canvas(std::move(canvas)), m_widgets(scale), m_width(width), m_height(height)
+{}
+
+Result<Panels> Panels::Create(int width, int height, double scale)
+{
+    Result<PanelCanvas> canvas = PanelCanvas::Create(width, height, scale);
+    return canvas ? Result<Panels>(Panels(std::move(*canvas), width, height, scale))
+                  : canvas.GetError();
+}
+
+void Panels::Resize(int width, int height)
+{
+    m_width = width;
+    m_height = height;
+    m_canvas.Resize(width, height);
+}
+
+double Panels::Width(const PanelChoices& choices) const
+{
+    return choices.showsPanels ? std::min(double(m_widgets.Px(kColumnWidth)), double(m_width)) : 0.0;
+}
+
+void Panels::Observe(const PanelFacts& facts)
+{
+    if (facts.scene != m_observed || facts.step < m_observedStep)
+    {
+        m_contacts.Clear();
+        m_times.fill(History());
+    }
+    m_observed = facts.scene;
+    m_observedStep = facts.step;
+    m_contacts.Add(float(facts.contacts));
+    for (std::size_t i = 0; facts.times && i < m_times.size(); ++i)
+    {
+        m_times[i].Add((*facts.times)[i]);
+    }
+}
+
+PanelAnswer Panels::Build(const PanelFacts& facts, PanelChoices& choices, const PanelInput& input)
+{
+    m_answer = {};
+    m_widgets.BeginFrame();
+    m_picture = m_canvas.Build(input, [&] {
+        if (choices.showsPanels)
+        {
+            Column(facts, choices);
+        }
+        const std::string chosen =
+            m_picker.Build(choices.showsPicker, m_width, m_height, m_widgets);
+        m_answer.scene = chosen.empty() ? m_answer.scene : chosen;
+    });
+    return std::exchange(m_answer, {});
+}
+
+void Panels::Column(const PanelFacts& facts, PanelChoices& choices)
+{
+    const float width = float(Width(choices));
+    ImGui::SetNextWindowPos({float(m_width) - width, 0.0f});
+    ImGui::SetNextWindowSize({width, float(m_height)});
+    if (ImGui::Begin("panels", nullptr,
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus |
+                         ImGuiWindowFlags_AlwaysVerticalScrollbar))
+    {
+        ImGui::TextUnformatted(facts.scene.c_str());
+        ImGui::SameLine();
+        ImGui::TextDisabled("%s", Text("%.2f s, step %lld", facts.seconds,
+                                       static_cast<long long>(facts.step))
+                                      .c_str());
+        Buttons(facts, choices);
+        SceneSection(facts);
+        ScenesSection(facts);
+        SolverSection(choices);
+        DrawSection(facts, choices);
+        if (choices.statistics)
+        {
+            StatisticsSection(facts);
+        }
+        if (choices.profile)
+        {
+            ProfileSection();
+        }
+        KeysSection();
+    }
+    ImGui::End();
+}
+
+void Panels::Buttons(const PanelFacts& facts, PanelChoices& choices)
+{
+    m_widgets.SetPanel("Run");
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float third = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
+    // The name of the control stays the same while its face changes.
+    if (ImGui::Button(choices.isPaused ? "Go on###pause" : "Pause###pause", {third, 0.0f}))
+    {
+        choices.isPaused = !choices.isPaused;
+    }
+    m_widgets.Note("Pause");
+    ImGui::SameLine();
+    if (m_widgets.Button("Step", third))
+    {
+        Ask(PanelWish::Step);
+    }
+    ImGui::SameLine();
+    if (m_widgets.Button("Restart", third))
+    {
+        Ask(PanelWish::Restart);
+    }
+    if (m_widgets.Button("Find scene", third))
+    {
+        choices.showsPicker = true;
+    }
+    ImGui::SameLine();
+    if (m_widgets.Button("Reset view", third))
+    {
+        Ask(PanelWish::ResetView);
+    }
+    ImGui::SameLine();
+    if (m_widgets.Button("Bomb", third))
+    {
+        Ask(PanelWish::Bomb);
+    }
+    if (facts.isWindow)
+    {
+        FileButtons(facts, choices);
+    }
+    ImGui::Spacing();
+}
+
+void Panels::FileButtons(const PanelFacts& facts, PanelChoices& choices)
+{
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float third = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
+    const bool isFilming = facts.filmSeconds.has_value();
+    if (isFilming)
+    {
+        ImGui::PushStyleColor(ImGuiCol_Button, {0.72f, 0.16f, 0.16f, 1.0f});
+    }
+    const std::string face =
+        (isFilming ? Text("End %.1f s", *facts.filmSeconds) : std::string("Record")) + "###record";
+    if (ImGui::Button(face.c_str(), {third, 0.0f}))
+    {
+        Ask(PanelWish::Film);
+    }
+    m_widgets.Note("Record");
+    if (isFilming)
+    {
+        ImGui::PopStyleColor();
+    }
+    ImGui::SameLine();
+    const float sixth = (third - gap) / 2.0f;
+    if (m_widgets.Button("SVG", sixth))
+    {
+        Ask(PanelWish::FigureSvg);
+    }
+    ImGui::SameLine();
+    if (m_widgets.Button("PNG", sixth))
+    {
+        Ask(PanelWish::FigurePng);
+    }
+    ImGui::SameLine();
+    if (m_widgets.Button("Script", third))
+    {
+        Ask(PanelWish::Script);
+    }
+    m_widgets.Check("Panels in films", choices.filmsPanels);
+    if (!facts.message.empty())
+    {
+        ImGui::PushTextWrapPos(0.0f);
+        ImGui::TextDisabled("%s", facts.message.c_str());
+        ImGui::PopTextWrapPos();
+    }
+}
+
+/// What the scene itself has to say; nothing of most.
+void Panels::SceneSection(const PanelFacts& facts)
+{
+    for (const auto& [name, value] : facts.remarks)
+    {
+        m_widgets.Fact(name.c_str(), value);
+    }
+    for (const KeyBinding& binding : facts.keys)
+    {
+        ImGui::Text("%c", binding.key == ' ' ? '_' : binding.key - (binding.key >= 'a' ? 32 : 0));
+        ImGui::SameLine(m_widgets.Px(36.0));
+        ImGui::TextDisabled("%s", binding.effect);
+    }
+}
+
+void Panels::ScenesSection(const PanelFacts& facts)
+{
+    if (!m_widgets.Section("Scenes", false))
+    {
+        return;
+    }
+    std::vector<std::string_view> categories; // in the order of the table
+    for (const SceneEntry& entry : AllScenes())
+    {
+        if (std::find(categories.begin(), categories.end(), entry.category) == categories.end())
+        {
+            categories.emplace_back(entry.category);
+        }
+    }
+    for (const std::string_view category : categories)
+    {
+        const bool isOpen = ImGui::TreeNode(std::string(category).c_str());
+        m_widgets.Note(std::string(category));
+        for (const SceneEntry& entry : AllScenes())
+        {
+            if (isOpen && category == entry.category &&
+                m_widgets.Line(entry.name, facts.scene == entry.name))
+            {
+                m_answer.scene = entry.name;
+            }
+        }
+        if (isOpen)
+        {
+            ImGui::TreePop();
+        }
+    }
+}
+
+void Panels::SolverSection(PanelChoices& choices)
+{
+    if (!m_widgets.Section("Solver", true))
+    {
+        return;
+    }
+    SolverChoices& solver = choices.solver;
+    m_widgets.Number("Velocity iterations", solver.velocityIterations, 1, 50);
+    m_widgets.Number("Position iterations", solver.positionIterations, 1, 50);
+    m_widgets.Number("Sub-steps", solver.subSteps, 1, 64);
+    m_widgets.Number("Hertz", solver.hertz, 5, 480);
+    if (ImGui::IsItemHovered())
+    {
+        ImGui::SetTooltip("Another rate begins the scene anew.");
+    }
+    const float half = m_widgets.Px(152.0);
+    m_widgets.Check("Sleep", solver.sleep);
+    ImGui::SameLine(half);
+    m_widgets.Check("Warm starting", solver.warmStarting);
+    m_widgets.Check("Continuous", solver.continuous);
+    ImGui::SameLine(half);
+    m_widgets.Check("Sub-stepping", solver.subStepping);
+    m_widgets.Check("Keep for every scene", choices.keepsSolver);
+}
+
+void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
+{
+    if (!m_widgets.Section("Draw", true))
+    {
+        return;
+    }
+    bool isLeft = true;
+    const auto check = [&](const char* name, bool& value) {
+        if (!isLeft)
+        {
+            ImGui::SameLine(m_widgets.Px(152.0));
+        }
+        m_widgets.Check(name, value);
+        isLeft = !isLeft;
+    };
+    for (const LayerCheck& layer : kLayerChecks)
+    {
+        check(layer.name, choices.layers.*layer.layer);
+    }
+    check("Numbers", choices.labels);
+    check("Statistics", choices.statistics);
+    check("Profile", choices.profile);
+    if (!facts.isWindow)
+    {
+        return; // a film has one theme
+    }
+    ImGui::SetNextItemWidth(m_widgets.Px(130.0));
+    if (ImGui::BeginCombo("Theme", choices.theme.c_str()))
+    {
+        for (const std::string_view name : ThemeNames())
+        {
+            const std::string text(name);
+            if (m_widgets.Line(text.c_str(), choices.theme == name))
+            {
+                choices.theme = text;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    m_widgets.Note("Theme");
+}
+
+void Panels::Plot(const char* name, const History& history, const std::string& text)
+{
+    const float top = std::max(1e-3f, *std::max_element(history.Values().begin(),
+                                                        history.Values().end()));
+    ImGui::PlotLines(name, history.Values().data(), int(History::kLength), int(history.Oldest()),
+                     text.c_str(), 0.0f, 1.15f * top,
+                     {ImGui::GetContentRegionAvail().x, m_widgets.Px(44.0)});
+    m_widgets.Note(name + 2); // without the two signs that hide it
+}
+
+void Panels::StatisticsSection(const PanelFacts& facts)
+{
+    if (!m_widgets.Section("Statistics", true))
+    {
+        return;
+    }
+    m_widgets.Fact("bodies, awake", Text("%d, %d", facts.bodies, facts.awake));
+    m_widgets.Fact("contacts, joints", Text("%d, %d", facts.contacts, facts.joints));
+    m_widgets.Fact("proxies", Text("%d", facts.proxies));
+    m_widgets.Fact("tree", Text("height %d, balance %d", facts.treeHeight, facts.treeBalance));
+    m_widgets.Fact("", Text("quality %.2f", facts.treeQuality));
+    Plot("##Contacts", m_contacts,
+         Text("contacts %.0f [%.1f] (%.0f)", double(facts.contacts), double(m_contacts.Mean()),
+              double(m_contacts.Largest())));
+}
+
+void Panels::ProfileSection()
+{
+    if (!m_widgets.Section("Profile", true))
+    {
+        return;
+    }
+    if (m_times.front().IsEmpty())
+    {
+        ImGui::TextDisabled("not measured");
+        return;
+    }
+    ImGui::TextDisabled("ms of a step: now [average] (most)");
+    for (std::size_t i = 0; i < m_times.size(); ++i)
+    {
+        const History& time = m_times[i];
+        m_widgets.Fact(kStageNames[i], Text("%6.3f [%6.3f] (%6.3f)", double(time.Last()),
+                                            double(time.Mean()), double(time.Largest())));
+    }
+    Plot("##Step time", m_times.front(),
+         Text("step %.3f ms", double(m_times.front().Last())));
+}
+
+void Panels::KeysSection()
+{
+    if (!m_widgets.Section("Keys", false))
+    {
+        return;
+    }
+    for (const KeyHelp& help : kKeyHelp)
+    {
+        m_widgets.Fact(help.keys, help.effect);
+    }
+}
+
+} // namespace boxreel

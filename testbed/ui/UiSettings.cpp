@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "UiSettings.h"
+
+#include <debugdraw/AtomicFile.h>
+#include <debugdraw/Theme.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace boxreel
+{
+namespace
+{
+
+using nlohmann::json;
+
+constexpr std::uintmax_t kMostBytes = 1'000'000;
+
+/// Calls `visit(name, value)` for everything that a file holds, so that reading and writing cannot
+/// come apart.
+template <class Settings, class Visit>
+void VisitAll(Settings& s, const Visit& visit)
+{
+    visit("width", s.width);
+    visit("height", s.height);
+    visit("scene", s.scene);
+    visit("panels", s.choices.showsPanels);
+    visit("keep solver", s.choices.keepsSolver);
+    visit("velocity iterations", s.choices.solver.velocityIterations);
+    visit("position iterations", s.choices.solver.positionIterations);
+    visit("sub-steps", s.choices.solver.subSteps);
+    visit("hertz", s.choices.solver.hertz);
+    visit("sleep", s.choices.solver.sleep);
+    visit("warm starting", s.choices.solver.warmStarting);
+    visit("continuous", s.choices.solver.continuous);
+    visit("sub-stepping", s.choices.solver.subStepping);
+    visit("shapes", s.choices.layers.shapes);
+    visit("joints", s.choices.layers.joints);
+    visit("aabbs", s.choices.layers.aabbs);
+    visit("pairs", s.choices.layers.pairs);
+    visit("centers", s.choices.layers.centers);
+    visit("contacts", s.choices.layers.contacts);
+    visit("normals", s.choices.layers.normals);
+    visit("impulses", s.choices.layers.impulses);
+    visit("friction", s.choices.layers.friction);
+    visit("velocities", s.choices.layers.velocities);
+    visit("forces", s.choices.layers.forces);
+    visit("glyphs", s.choices.layers.glyphs);
+    visit("names", s.choices.layers.names);
+    visit("numbers", s.choices.labels);
+    visit("statistics", s.choices.statistics);
+    visit("profile", s.choices.profile);
+    visit("theme", s.choices.theme);
+    visit("film panels", s.choices.filmsPanels);
+    visit("open", s.openSections);
+}
+
+/// Within what the window and its panels can show.
+void Limit(UiSettings& settings)
+{
+    const auto limit = [](int& value, int lowest, int highest) {
+        value = std::clamp(value, lowest, highest);
+    };
+    limit(settings.width, 320, 8192);
+    limit(settings.height, 240, 8192);
+    SolverChoices& solver = settings.choices.solver;
+    limit(solver.velocityIterations, 1, 1000);
+    limit(solver.positionIterations, 1, 1000);
+    limit(solver.subSteps, 1, 64);
+    limit(solver.hertz, 5, 480);
+    if (!FindTheme(settings.choices.theme))
+    {
+        settings.choices.theme = "classic";
+    }
+}
+
+template <class Value>
+void Take(const json& object, const char* name, Value& value)
+{
+    const auto found = object.find(name);
+    if (found == object.end())
+    {
+        return;
+    }
+    try
+    {
+        value = found->get<Value>();
+    }
+    catch (const json::exception&)
+    {
+        // of another type: as a new user has it
+    }
+}
+
+} // namespace
+
+std::filesystem::path UiSettingsPath()
+{
+    const char* const config = std::getenv("XDG_CONFIG_HOME");
+    if (config != nullptr && *config == '/')
+    {
+        return std::filesystem::path(config) / "boxreel" / "ui.json";
+    }
+    const char* const home = std::getenv("HOME");
+    return home != nullptr && *home == '/'
+               ? std::filesystem::path(home) / ".config" / "boxreel" / "ui.json"
+               : std::filesystem::path();
+}
+
+Result<UiSettings> ReadUiSettings(const std::filesystem::path& file)
+{
+    UiSettings settings;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error))
+    {
+        return settings;
+    }
+    const Error unreadable{ErrorKind::Failed, file.string() +
+                                                  " holds no settings of this program; it is left "
+                                                  "alone until they are written anew."};
+    if (!std::filesystem::is_regular_file(file, error) ||
+        std::filesystem::file_size(file, error) > kMostBytes)
+    {
+        return unreadable;
+    }
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream),
+                           std::istreambuf_iterator<char>()};
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object())
+    {
+        return unreadable;
+    }
+    VisitAll(settings, [&](const char* name, auto& value) { Take(object, name, value); });
+    Limit(settings);
+    return settings;
+}
+
+Result<void> WriteUiSettings(const std::filesystem::path& file, const UiSettings& settings)
+{
+    json object = json::object();
+    VisitAll(settings, [&](const char* name, const auto& value) { object[name] = value; });
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    // Scene files have names of any bytes; what is no UTF-8 would not be JSON.
+    return WriteWhole(file, object.dump(1, ' ', false, json::error_handler_t::replace) + "\n",
+                      true);
+}
+
+} // namespace boxreel

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "Widgets.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+
+void Widgets::BeginFrame()
+{
+    m_places.clear();
+    m_panel.clear();
+    m_opening = std::exchange(m_toOpen, std::nullopt);
+}
+
+void Widgets::Note(const std::string& name)
+{
+    const std::string full = m_panel + "/" + name;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const Vec2 middle{0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
+    // An item that is scrolled out of its window is not there for the mouse.
+    m_places[full] = ImGui::IsItemVisible() ? std::optional(middle) : std::nullopt;
+    if (IsRevealed(full))
+    {
+        ImGui::SetScrollHereY(0.5f);
+    }
+}
+
+std::optional<Vec2> Widgets::Find(const std::string& name) const
+{
+    const auto found = m_places.find(name);
+    return found == m_places.end() ? std::nullopt : found->second;
+}
+
+std::vector<std::string> Widgets::Names() const
+{
+    std::vector<std::string> names;
+    for (const auto& [name, place] : m_places)
+    {
+        names.push_back(name);
+    }
+    return names;
+}
+
+bool Widgets::Section(const char* name, bool opensFirst)
+{
+    m_panel = name;
+    const std::string inside = m_panel + "/";
+    const bool isRevealed = m_revealed && m_revealed->starts_with(inside);
+    if (isRevealed || m_opening)
+    {
+        ImGui::SetNextItemOpen(isRevealed || m_opening->contains(name));
+    }
+    const bool isOpen = ImGui::CollapsingHeader(
+        name, opensFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    m_panel = "Panels";
+    Note(name);
+    m_panel = name;
+    isOpen ? (void)m_open.insert(name) : (void)m_open.erase(name);
+    return isOpen;
+}
+
+bool Widgets::Button(const char* name, float width)
+{
+    const bool isPressed = ImGui::Button(name, {width, 0.0f});
+    Note(name);
+    return isPressed;
+}
+
+bool Widgets::Check(const char* name, bool& value)
+{
+    const bool hasChanged = ImGui::Checkbox(name, &value);
+    Note(name);
+    return hasChanged;
+}
+
+bool Widgets::Number(const char* name, int& value, int lowest, int highest)
+{
+    const int before = value;
+    ImGui::PushID(name);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(name);
+    const float side = ImGui::GetFrameHeight();
+    const float gap = Px(2.0);
+    ImGui::SameLine(Px(140.0));
+    ImGui::SetNextItemWidth(
+        std::max(Px(40.0), ImGui::GetContentRegionAvail().x - 2.0f * (side + gap)));
+    ImGui::SliderInt("##value", &value, lowest, highest, "%d", ImGuiSliderFlags_AlwaysClamp);
+    Note(name);
+    ImGui::SameLine(0.0f, gap);
+    value -= ImGui::Button("-", {side, 0.0f}) ? 1 : 0;
+    Note(std::string(name) + "/less");
+    ImGui::SameLine(0.0f, gap);
+    value += ImGui::Button("+", {side, 0.0f}) ? 1 : 0;
+    Note(std::string(name) + "/more");
+    ImGui::PopID();
+    value = std::clamp(value, lowest, highest);
+    return value != before;
+}
+
+bool Widgets::Line(const char* name, bool isChosen)
+{
+    const bool isPicked = ImGui::Selectable(name, isChosen);
+    Note(name);
+    return isPicked;
+}
+
+void Widgets::Fact(const char* name, const std::string& value)
+{
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(Px(140.0));
+    ImGui::TextUnformatted(value.c_str());
+}
+
+} // namespace boxreel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/DrawList.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+/// The few kinds of controls that the panels are made of. Each is known by its panel's name and its
+/// own, "Solver/Sleep", so that a script can find it wherever it has been laid out.
+namespace boxreel
+{
+
+class Widgets
+{
+public:
+    explicit Widgets(double scale) : m_scale(float(scale)) {}
+
+    /// A length that is so long at scale 1 [px].
+    float Px(double length) const { return float(length) * m_scale; }
+
+    /// Once a frame, before any of the others.
+    void BeginFrame();
+
+    /// A headline that opens and closes what is below it; true while it is open. What follows
+    /// belongs to it.
+    bool Section(const char* name, bool opensFirst);
+    /// What follows belongs to a panel of this name.
+    void SetPanel(const char* name) { m_panel = name; }
+
+    bool Button(const char* name, float width = 0.0f);
+    bool Check(const char* name, bool& value);
+    /// A slider between two limits, with a button for one less and one for one more.
+    bool Number(const char* name, int& value, int lowest, int highest);
+    /// One of a list, as a line that can be chosen.
+    bool Line(const char* name, bool isChosen);
+    /// "name    value".
+    void Fact(const char* name, const std::string& value);
+    /// The last item of Dear ImGui's gets this name.
+    void Note(const std::string& name);
+
+    /// The middle of the control in the picture [px]; none when it is not seen.
+    std::optional<Vec2> Find(const std::string& name) const;
+    /// Opens its section and scrolls to it, in the frames that follow.
+    void Reveal(const std::string& name) { m_revealed = name; }
+    /// Of the controls of the last frame.
+    std::vector<std::string> Names() const;
+
+    const std::set<std::string>& OpenSections() const { return m_open; }
+    /// Opens these sections and closes the others, in the next frame.
+    void SetOpenSections(std::set<std::string> names) { m_toOpen = std::move(names); }
+
+private:
+    bool IsRevealed(const std::string& name) const { return m_revealed && *m_revealed == name; }
+
+    float m_scale;
+    std::string m_panel;
+    std::map<std::string, std::optional<Vec2>> m_places; // none: out of sight
+    std::optional<std::string> m_revealed;
+    std::set<std::string> m_open; // sections
+    std::optional<std::set<std::string>> m_toOpen;
+    std::optional<std::set<std::string>> m_opening; // of this frame
+};
+
+} // namespace boxreel
