@@ -176,23 +176,25 @@ struct Window::Impl
         return *static_cast<Impl*>(s_glfw->GetWindowUserPointer(window));
     }
 
-    /// With the place of the mouse, in pixels of the picture.
+    /// With the place of the mouse when it happened: GLFW would tell where it is now.
     WindowEvent Event(WindowEvent::Kind kind) const
     {
         WindowEvent event;
         event.kind = kind;
-        double x = 0.0;
-        double y = 0.0;
+        event.point = pointer;
+        return event;
+    }
+    /// In pixels of the picture.
+    void SetPointer(double x, double y)
+    {
         int width = 0;
         int height = 0;
         int pixelWidth = 0;
         int pixelHeight = 0;
-        glfw.GetCursorPos(window, &x, &y);
         glfw.GetWindowSize(window, &width, &height);
         glfw.GetFramebufferSize(window, &pixelWidth, &pixelHeight);
-        event.point = {float(x * pixelWidth / std::max(1, width)),
-                       float(y * pixelHeight / std::max(1, height))};
-        return event;
+        pointer = {float(x * pixelWidth / std::max(1, width)),
+                   float(y * pixelHeight / std::max(1, height))};
     }
     static void SetModifiers(WindowEvent& event, int mods)
     {
@@ -205,6 +207,7 @@ struct Window::Impl
 
     Glfw glfw;
     GLFWwindow* window = nullptr;
+    Vec2 pointer{-1.0f, -1.0f}; // where the mouse was last
     std::vector<WindowEvent> events;
     static inline const Glfw* s_glfw = nullptr; // callbacks get nothing but the window
 };
@@ -235,7 +238,8 @@ void Window::Impl::Listen()
         SetModifiers(event, mods);
         Of(w).events.push_back(event);
     });
-    glfw.SetCursorPosCallback(window, [](GLFWwindow* w, double, double) {
+    glfw.SetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        Of(w).SetPointer(x, y);
         Of(w).events.push_back(Of(w).Event(Kind::Pointer));
     });
     glfw.SetScrollCallback(window, [](GLFWwindow* w, double, double notches) {

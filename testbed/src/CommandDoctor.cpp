@@ -8,6 +8,7 @@
 #include <recorder/VideoWriter.h>
 #include <render/Figure.h>
 #include <render/Renderer.h>
+#include <render/Window.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -170,18 +171,19 @@ Finding LookAtDisk()
     return std::string(room) + " free in " + folder.string();
 }
 
-/// Nothing here needs one.
+/// Only the window needs one; one that is named must be there.
 Finding LookAtDisplay()
 {
-    for (const char* variable : {"WAYLAND_DISPLAY", "DISPLAY"})
+    const char* const name = std::getenv("DISPLAY");
+    if (name == nullptr || *name == '\0')
     {
-        const char* const value = std::getenv(variable);
-        if (value != nullptr && *value != '\0')
-        {
-            return std::string(variable) + " is " + value;
-        }
+        return std::string("none for `boxreel ui`; record, shot and play need none");
     }
-    return std::string("none, and none is needed by record, shot and play");
+    const Result<void> display = CheckDisplay();
+    return display ? Finding(std::string("DISPLAY is ") + name)
+                   : Error{ErrorKind::Absent, display.GetError().message +
+                                                  "; start it, or unset DISPLAY: record, shot and "
+                                                  "play need none."};
 }
 
 Result<int> Tell(const Check& check)

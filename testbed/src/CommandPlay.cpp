@@ -25,7 +25,8 @@ struct Expectation
 {
     int line = 0;
     ScriptMoment at;
-    Condition condition;
+    std::optional<Condition> condition; ///< none: it is the world's state that is expected
+    std::string state{};                ///< its hash, 16 hex digits
 };
 struct GoldenPicture
 {
@@ -152,6 +153,19 @@ Result<void> Planner::Add(const ScriptProduct& product)
 
 Result<void> Planner::AddExpectation(const ScriptProduct& product)
 {
+    if (product.name.starts_with("state "))
+    {
+        const std::string hash = product.name.substr(6);
+        const bool isHash = hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") ==
+                                                     std::string::npos;
+        if (!isHash)
+        {
+            return Unusable("'" + hash + "' is no state; give the 16 digits and letters a to f "
+                                         "that the window and verdicts say.");
+        }
+        m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});
+        return {};
+    }
     const Result<Condition> condition = Condition::Parse("expect", product.name);
     if (!condition)
     {
@@ -264,10 +278,34 @@ std::string NumberText(double value)
 Result<void> CheckBody(const Play& play, const Expectation& expectation,
                        const SceneSession& session)
 {
-    const std::string missing = expectation.condition.MissingBody(session.World(), session.Names());
+    const std::string missing =
+        expectation.condition
+            ? expectation.condition->MissingBody(session.World(), session.Names())
+            : "";
     return missing.empty() || session.MakesBodiesLater()
                ? Result<void>()
                : play.script.At(expectation.line, Unusable(missing));
+}
+
+/// What an expectation says now.
+struct Answer
+{
+    bool holds = false;
+    std::string expected;
+    std::string found; ///< empty: there is no one value
+};
+
+Answer AnswerOf(const Expectation& expectation, const SceneSession& session)
+{
+    if (!expectation.condition)
+    {
+        const std::string state = StateHashText(session.World());
+        return {state == expectation.state, "state " + expectation.state, state};
+    }
+    const Condition& condition = *expectation.condition;
+    const auto value = condition.ValueIn(session.World(), session.Names(), session.Time());
+    return {condition.Holds(session.World(), session.Names(), session.Time()), condition.Text(),
+            value ? NumberText(*value) : ""};
 }
 
 /// How many do not hold, each in a line.
@@ -295,14 +333,12 @@ Result<int> Expect(const Play& play, SceneSession& session)
     for (const Expectation* expectation : inOrder)
     {
         session.AdvanceTo(stepOf(expectation));
-        const Condition& condition = expectation->condition;
-        const auto value = condition.ValueIn(session.World(), session.Names(), session.Time());
-        const bool holds = condition.Holds(session.World(), session.Names(), session.Time());
-        failures += holds ? 0 : 1;
-        std::string line = holds ? "ok    " : Red("FAIL", stdout) + "  ";
+        const Answer answer = AnswerOf(*expectation, session);
+        failures += answer.holds ? 0 : 1;
+        std::string line = answer.holds ? "ok    " : Red("FAIL", stdout) + "  ";
         line += play.script.file.string() + ":" + std::to_string(expectation->line) + ": " +
-                condition.Text();
-        line += value ? " (" + NumberText(*value) + ")" : "";
+                answer.expected;
+        line += answer.found.empty() ? "" : " (" + answer.found + ")";
         if (const Result<void> written = WriteOutput(line + "\n"); !written)
         {
             return written.GetError();

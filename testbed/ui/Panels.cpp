@@ -237,11 +237,16 @@ void Panels::FileButtons(const PanelFacts& facts, PanelChoices& choices)
         Ask(PanelWish::Script);
     }
     m_widgets.Check("Panels in films", choices.filmsPanels);
-    if (!facts.message.empty())
+    // Room for it in any case, so that what is below stays where it is.
+    ImGui::BeginChild("message", {0.0f, 2.0f * ImGui::GetTextLineHeight()}, false,
+                      ImGuiWindowFlags_NoScrollbar);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextDisabled("%s", facts.message.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndChild();
+    if (ImGui::IsItemHovered() && !facts.message.empty())
     {
-        ImGui::PushTextWrapPos(0.0f);
-        ImGui::TextDisabled("%s", facts.message.c_str());
-        ImGui::PopTextWrapPos();
+        ImGui::SetTooltip("%s", facts.message.c_str());
     }
 }
 

@@ -57,13 +57,14 @@ TEST(DoctorCommand, SaysOfEachThingThatItWorks)
     EXPECT_TRUE(folder.Files().empty());
 }
 
-TEST(DoctorCommand, SaysWhichDisplayThereIs)
+TEST(DoctorCommand, SaysThatADisplayThatIsNamedIsNotThere)
 {
     const TemporaryFolder folder;
-    const Variable some("DISPLAY", ":7");
-    const Variable none("WAYLAND_DISPLAY", "");
-    EXPECT_THAT(RunBoxreel({"doctor"}, folder.Path()).output,
-                HasSubstr("ok    display      DISPLAY is :7"));
+    const Variable some("DISPLAY", ":4711");
+    const Outcome outcome = RunBoxreel({"doctor"}, folder.Path());
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.output, HasSubstr(":4711"));
+    EXPECT_THAT(outcome.output, HasSubstr("unset DISPLAY"));
 }
 
 TEST(DoctorCommand, TakesNoArguments)
