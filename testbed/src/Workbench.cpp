@@ -199,6 +199,17 @@ void Workbench::BuildPanels(const PanelInput& input)
     {
         Wish(wish);
     }
+    if (m_choices.showsPicker && !before.showsPicker)
+    {
+        SettlePicker();
+    }
+}
+
+/// It has the keyboard after a frame or two; what is typed before would be lost.
+void Workbench::SettlePicker()
+{
+    BuildPanels(m_input);
+    BuildPanels(m_input);
 }
 
 void Workbench::ApplyChoices(const PanelChoices& before)

@@ -80,6 +80,7 @@ private:
     void Tick();
     void BuildPanels(const PanelInput& input);
     void ApplyChoices(const PanelChoices& before);
+    void SettlePicker();
     void Cover();
     void Wish(PanelWish wish);
     void Press(const WindowEvent& event);

@@ -315,6 +315,7 @@ bool Workbench::Shortcut(const WindowEvent& event)
     {
     case Key::O:
         m_choices.showsPicker = true;
+        SettlePicker();
         return true;
     case Key::P:
         m_choices.isPaused = !m_choices.isPaused;
