@@ -92,7 +92,8 @@ double Panels::Width(const PanelChoices& choices) const
     return choices.showsPanels ? std::min(double(m_widgets.Px(kColumnWidth)), double(m_width)) : 0.0;
 }
 
-void Panels::Observe(const PanelFacts& facts)
+/// Another scene's steps are forgotten.
+void Panels::Recognise(const PanelFacts& facts)
 {
     if (facts.scene != m_observed || facts.step < m_observedStep)
     {
@@ -101,6 +102,11 @@ void Panels::Observe(const PanelFacts& facts)
     }
     m_observed = facts.scene;
     m_observedStep = facts.step;
+}
+
+void Panels::Observe(const PanelFacts& facts)
+{
+    Recognise(facts);
     m_contacts.Add(float(facts.contacts));
     for (std::size_t i = 0; facts.times && i < m_times.size(); ++i)
     {
@@ -111,6 +117,7 @@ void Panels::Observe(const PanelFacts& facts)
 PanelAnswer Panels::Build(const PanelFacts& facts, PanelChoices& choices, const PanelInput& input)
 {
     m_answer = {};
+    Recognise(facts);
     m_widgets.BeginFrame();
     m_picture = m_canvas.Build(input, [&] {
         if (choices.showsPanels)

@@ -48,6 +48,7 @@ public:
 
 private:
     Panels(PanelCanvas canvas, int width, int height, double scale);
+    void Recognise(const PanelFacts& facts);
     void Column(const PanelFacts& facts, PanelChoices& choices);
     void Buttons(const PanelFacts& facts, PanelChoices& choices);
     void FileButtons(const PanelFacts& facts, PanelChoices& choices);

@@ -22,8 +22,11 @@ void Widgets::Note(const std::string& name)
     const ImVec2 high = ImGui::GetItemRectMax();
     const Vec2 middle{0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
     // An item that is scrolled out of its window is not there for the mouse.
-    m_places[full] = ImGui::IsItemVisible() ? std::optional(middle) : std::nullopt;
-    if (IsRevealed(full))
+    const float top = ImGui::GetWindowPos().y;
+    const bool isSeen = ImGui::IsItemVisible() && middle.y >= top &&
+                        middle.y < top + ImGui::GetWindowSize().y;
+    m_places[full] = isSeen ? std::optional(middle) : std::nullopt;
+    if (IsRevealed(full) && !isSeen)
     {
         ImGui::SetScrollHereY(0.5f);
     }
