@@ -175,7 +175,7 @@ AccuracyResult CaseFrom(const Json& json)
 Result<AccuracyFigures> ParseAccuracyFigures(const std::string& output)
 {
     const std::string line = LastLine(output);
-    AccuracyFigures figures = RunFrom(Json::parse(line, nullptr, false), "cpu");
+    AccuracyFigures figures = RunFrom(ParseJson(line), "cpu");
     if (!IsRun(figures) || !figures.failure.empty())
     {
         return Error{ErrorKind::Failed, "A benchmark program printed no figures: '" + line + "'."};
@@ -186,7 +186,7 @@ Result<AccuracyFigures> ParseAccuracyFigures(const std::string& output)
 Result<double> ParseAccuracyTime(const std::string& output)
 {
     const std::string line = LastLine(output);
-    const double cpu = Number(Json::parse(line, nullptr, false), "cpu", 0.0);
+    const double cpu = Number(ParseJson(line), "cpu", 0.0);
     if (!(cpu > 0.0))
     {
         return Error{ErrorKind::Failed, "A benchmark program printed no time: '" + line + "'."};
@@ -216,13 +216,13 @@ std::string AccuracyJson(const std::vector<AccuracyResult>& results)
                          {"goals", goals},
                          {"runs", runs}});
     }
-    return Json{{"cases", cases}}.dump(2) + "\n";
+    return LinesOf(Json{{"cases", cases}});
 }
 
 Result<std::vector<AccuracyResult>> ParseAccuracyJson(const std::string& text,
                                                       const std::string& name)
 {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = ParseJson(text);
     if (const Result<void> sound =
             CheckFields(json, kRanges, name, "boxreel bench --accuracy --json");
         !sound)

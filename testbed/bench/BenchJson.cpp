@@ -165,7 +165,7 @@ Result<BenchFigures> ParseFigures(const std::string& output)
     const std::size_t end = output.find_last_not_of('\n');
     const std::size_t start = output.rfind('\n', end);
     const std::string line = output.substr(start == std::string::npos ? 0 : start + 1);
-    const Json json = Json::parse(line, nullptr, false);
+    const Json json = ParseJson(line);
     BenchFigures figures;
     bool complete = true;
     const std::pair<const char*, double BenchFigures::*> numbers[] = {
@@ -211,12 +211,12 @@ std::string BenchJson(const std::vector<BenchResult>& results)
         }
         scenes.push_back(std::move(scene));
     }
-    return Json{{"scenes", scenes}}.dump(2) + "\n";
+    return LinesOf(Json{{"scenes", scenes}});
 }
 
 Result<std::vector<BenchResult>> ParseBenchJson(const std::string& text, const std::string& name)
 {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = ParseJson(text);
     if (const Result<void> sound = CheckFields(json, kRanges, name, "boxreel bench --json"); !sound)
     {
         return sound.GetError();

@@ -6,31 +6,24 @@
 #include <string>
 
 /// Fields of what the benchmark programs print, and of files that may be anybody's: what is not
-/// there, or is something else, is the given value.
+/// there, or is something else, is the given value. What of the JSON library takes long to compile
+/// is compiled once, in JsonFields.cpp.
 namespace boxreel
 {
 
 using Json = nlohmann::ordered_json;
 
-inline double Number(const Json& json, const char* name, double otherwise)
-{
-    return json.is_object() && json.contains(name) && json[name].is_number()
-               ? json[name].get<double>()
-               : otherwise;
-}
+/// Of a text that is no JSON, a value that is_discarded().
+Json ParseJson(const std::string& text);
+
+/// In lines, with a line feed at the end.
+std::string LinesOf(const Json& json);
+
+double Number(const Json& json, const char* name, double otherwise);
 
 /// What is beyond a million either way, and no int for sure, is -1.
-inline int Integer(const Json& json, const char* name, int otherwise)
-{
-    const double number = Number(json, name, otherwise);
-    return number >= -1e6 && number <= 1e6 ? int(number) : -1;
-}
+int Integer(const Json& json, const char* name, int otherwise);
 
-inline std::string Text(const Json& json, const char* name)
-{
-    return json.is_object() && json.contains(name) && json[name].is_string()
-               ? json[name].get<std::string>()
-               : "";
-}
+std::string Text(const Json& json, const char* name);
 
 } // namespace boxreel

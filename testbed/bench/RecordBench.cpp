@@ -115,7 +115,7 @@ Result<void> RecordRun::MakeRaw()
     {
         return run.GetError();
     }
-    const Json json = Json::parse(run->output, nullptr, false);
+    const Json json = ParseJson(run->output);
     m_result.cached = HasPeers() ? Number(json, "cached", kNoValue) : kNoValue;
     return {};
 }
@@ -199,7 +199,7 @@ Result<void> RecordRun::Make(Entry& entry)
     }
     if (entry.figures.role == RecordRole::Immediate) // of the two processes together
     {
-        const Json json = Json::parse(run->output, nullptr, false);
+        const Json json = ParseJson(run->output);
         run->memory = 1024.0 * Number(json, "kilobytes", kNoValue);
     }
     entry.rounds.push_back(std::move(*run));

@@ -214,7 +214,7 @@ Json ResultJson(const RecordResult& result)
 
 Result<FilmCheck> ParseFilmCheck(const std::string& output)
 {
-    const Json json = Json::parse(output, nullptr, false);
+    const Json json = ParseJson(output);
     const FilmCheck check{Integer(json, "frames", -1), Integer(json, "width", 0),
                           Integer(json, "height", 0), Number(json, "drawnError", kNoValue),
                           Number(json, "groundError", kNoValue)};
@@ -230,7 +230,7 @@ Result<std::vector<RecordStage>> ParseStages(const std::string& output)
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);)
     {
-        const Json json = Json::parse(line, nullptr, false);
+        const Json json = ParseJson(line);
         const double frames = Number(json, "frames", 0.0);
         if (Text(json, "event") != "stages" || !(frames > 0.0))
         {
@@ -259,12 +259,12 @@ std::string RecordJson(const std::vector<RecordResult>& results)
     {
         cases.push_back(ResultJson(result));
     }
-    return Json{{"recording", kDefinition}, {"cases", cases}}.dump(2) + "\n";
+    return LinesOf(Json{{"recording", kDefinition}, {"cases", cases}});
 }
 
 Result<std::vector<RecordResult>> ParseRecordJson(const std::string& text, const std::string& name)
 {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = ParseJson(text);
     if (const Result<void> sound =
             CheckFields(json, kRanges, name, "boxreel bench --record --json");
         !sound)

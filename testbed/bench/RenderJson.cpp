@@ -166,7 +166,7 @@ Result<std::vector<RenderFigures>> ParseRenderLines(const std::string& output)
         {
             continue; // a library may talk
         }
-        const Json json = Json::parse(line, nullptr, false);
+        const Json json = ParseJson(line);
         RenderFigures figures;
         figures.method = Text(json, "method");
         figures.by = Text(json, "by");
@@ -216,12 +216,12 @@ std::string RenderJson(const std::vector<RenderResult>& results)
         }
         cases.push_back(std::move(one));
     }
-    return Json{{"drawing", kDefinition}, {"cases", cases}}.dump(2) + "\n";
+    return LinesOf(Json{{"drawing", kDefinition}, {"cases", cases}});
 }
 
 Result<std::vector<RenderResult>> ParseRenderJson(const std::string& text, const std::string& name)
 {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = ParseJson(text);
     if (const Result<void> sound =
             CheckFields(json, kRanges, name, "boxreel bench --render --json");
         !sound)
