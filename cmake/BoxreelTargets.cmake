@@ -33,7 +33,7 @@ endfunction()
 # includes what it uses; the matrix builds without (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 function(boxreel_precompile target)
   target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <limits> <memory> <optional>
-                            <span> <string> <utility> <vector> ${ARGN})
+                            <span> <string> <utility> <variant> <vector> ${ARGN})
 endfunction()
 
 # boxreel_add_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]): the library boxreel::NAME of the
