@@ -64,7 +64,6 @@ void Workbench::BeginScene()
 {
     m_preferred = SolverOf(*m_session);
     m_choices.solver.hertz = m_preferred.hertz;
-    Apply(m_choices.solver, *m_session);
     const Camera view = Uncovered();
     std::vector<std::string> options{
         "--size", std::to_string(view.width) + "x" + std::to_string(view.height)};
@@ -82,7 +81,7 @@ void Workbench::BeginScene()
     m_log.Begin(m_session->Asked(), std::move(options), m_session->StepsPerSecond());
     for (const auto& [name, value] : Differences(m_preferred, m_choices.solver))
     {
-        LogSetting(name, value);
+        Set(name, value);
     }
     m_log.See(view, 0, m_session->HasOwnView());
     m_sceneKeys.clear();
@@ -90,13 +89,13 @@ void Workbench::BeginScene()
     m_owed = 0.0;
 }
 
-void Workbench::LogSetting(const std::string& name, const std::string& value)
+void Workbench::Set(const std::string& name, const std::string& value)
 {
     ScriptAction action;
     action.kind = ScriptAction::Kind::Set;
     action.name = name;
     action.value = *ParseSetting(name, value);
-    m_log.Add(action, m_session->SceneStep());
+    Do(action);
 }
 
 /// To another scene, or the same one anew.
@@ -199,13 +198,14 @@ void Workbench::BuildPanels(const PanelInput& input)
     {
         Wish(wish);
     }
-    if (m_choices.showsPicker && !before.showsPicker)
+    if (m_choices.showsPicker != before.showsPicker)
     {
         SettlePicker();
     }
 }
 
-/// It has the keyboard after a frame or two; what is typed before would be lost.
+/// It takes the keyboard, and gives it back, after a frame or two: what is typed before would be
+/// lost.
 void Workbench::SettlePicker()
 {
     BuildPanels(m_input);
@@ -223,14 +223,9 @@ void Workbench::ApplyChoices(const PanelChoices& before)
     {
         m_settings.look.theme = FindTheme(m_choices.theme).value_or(Theme::Classic());
     }
-    const auto changed = Differences(before.solver, m_choices.solver);
-    if (!changed.empty())
+    for (const auto& [name, value] : Differences(before.solver, m_choices.solver))
     {
-        Apply(m_choices.solver, *m_session);
-    }
-    for (const auto& [name, value] : changed)
-    {
-        LogSetting(name, value);
+        Set(name, value);
     }
     if (before.solver.hertz != m_choices.solver.hertz)
     {

@@ -74,7 +74,7 @@ private:
 
     Workbench() = default;
     void BeginScene();
-    void LogSetting(const std::string& name, const std::string& value);
+    void Set(const std::string& name, const std::string& value);
     void Change(const std::string& scene, bool isOther);
     void ChangeBy(int places);
     void Tick();
@@ -86,6 +86,7 @@ private:
     void Press(const WindowEvent& event);
     void Release(const WindowEvent& event);
     void Move(const WindowEvent& event);
+    void DropAt(Vec2 pixel);
     void Turn(const WindowEvent& event);
     void KeyDown(const WindowEvent& event);
     void KeyUp(Key key);

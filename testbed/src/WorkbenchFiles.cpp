@@ -3,7 +3,6 @@
 #include "Workbench.h"
 
 #include <debugdraw/AtomicFile.h>
-#include <golden/StateHash.h>
 #include <render/Figure.h>
 #include <render/FigureFrame.h>
 #include <render/Png.h>
@@ -191,8 +190,7 @@ void Workbench::Picture(const std::string& extension)
 void Workbench::SaveScript()
 {
     const std::filesystem::path path = FreeName(".play");
-    const std::string text =
-        m_log.Text(m_session->SceneStep(), StateHashText(m_session->World()));
+    const std::string text = m_log.Text(m_session->SceneStep(), m_session->World());
     const Result<void> written = WriteWhole(path, text, false);
     Say(written ? "Wrote " + path.string() + ": what was done since the scene began."
                 : written.GetError().message);

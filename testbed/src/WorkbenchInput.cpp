@@ -85,7 +85,7 @@ b2Vec2 Workbench::WorldAt(Vec2 pixel) const
 /// To the scene, and into the log.
 void Workbench::Do(const ScriptAction& action)
 {
-    m_log.Add(action, m_session->SceneStep());
+    m_log.Add(action, m_session->SceneStep(), m_session->World());
     Perform(action, m_session->CurrentScene(), m_session->Steps());
 }
 
@@ -140,8 +140,7 @@ void Workbench::Release(const WindowEvent& event)
     const Hold held = std::exchange(m_hold, Hold::Nothing);
     if (held == Hold::Scene)
     {
-        Do(Action(ScriptAction::Kind::Move, point));
-        Do(Action(ScriptAction::Kind::Drop, point));
+        DropAt(event.point);
     }
     else if (held == Hold::Bomb)
     {
@@ -149,6 +148,13 @@ void Workbench::Release(const WindowEvent& event)
         bomb.velocity = kSlingSpeed * (m_slingFrom - point);
         Do(bomb);
     }
+}
+
+/// Scripts let go where the mouse was last.
+void Workbench::DropAt(Vec2 pixel)
+{
+    Do(Action(ScriptAction::Kind::Move, WorldAt(pixel)));
+    Do(Action(ScriptAction::Kind::Drop, WorldAt(pixel)));
 }
 
 void Workbench::Move(const WindowEvent& event)
@@ -256,7 +262,7 @@ void Workbench::LetGo()
     m_input.buttons = {};
     if (std::exchange(m_hold, Hold::Nothing) == Hold::Scene)
     {
-        Do(Action(ScriptAction::Kind::Drop, WorldAt(m_input.pointer)));
+        DropAt(m_input.pointer);
     }
     BuildPanels(m_input);
 }

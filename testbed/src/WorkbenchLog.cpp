@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "WorkbenchLog.h"
 
+#include <golden/StateHash.h>
 #include <script/ScriptWriter.h>
 
 #include <cmath>
@@ -34,12 +35,18 @@ void WorkbenchLog::Begin(std::string scene, std::vector<std::string> options,
     m_script.options = std::move(options);
     m_stepsPerSecond = stepsPerSecond;
     m_seen.clear();
+    m_lastStep = -1;
     m_isChosen = false;
 }
 
-void WorkbenchLog::Add(ScriptAction action, std::int64_t step)
+void WorkbenchLog::Add(ScriptAction action, std::int64_t step, const b2World& world)
 {
     using Kind = ScriptAction::Kind;
+    if (step != m_lastStep)
+    {
+        m_lastStep = step;
+        m_stateBefore = StateHashText(world);
+    }
     action.at.when = step;
     std::vector<ScriptAction>& actions = m_script.actions;
     // Of all places that the mouse was at before a step, the step sees the last.
@@ -93,7 +100,7 @@ std::vector<WorkbenchLog::Seen> WorkbenchLog::Keys() const
     return keys;
 }
 
-std::string WorkbenchLog::Text(std::int64_t step, const std::string& state) const
+std::string WorkbenchLog::Text(std::int64_t step, const b2World& world) const
 {
     Script script = m_script;
     if (m_isChosen)
@@ -108,7 +115,7 @@ std::string WorkbenchLog::Text(std::int64_t step, const std::string& state) cons
     ScriptProduct end;
     end.kind = ScriptProduct::Kind::Expect;
     end.at.when = step;
-    end.name = "state " + state;
+    end.name = "state " + (step == m_lastStep ? m_stateBefore : StateHashText(world));
     script.products.push_back(std::move(end));
     return "# What was done in the window, step by step. Play it: boxreel play FILE\n" +
            WriteScript(script);

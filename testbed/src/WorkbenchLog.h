@@ -19,16 +19,17 @@ public:
     /// A scene begins: what was logged is forgotten.
     void Begin(std::string scene, std::vector<std::string> options, const Rational& stepsPerSecond);
 
-    /// Done before the step that begins after `step` steps.
-    void Add(ScriptAction action, std::int64_t step);
+    /// Is about to be done to `world`, before the step that begins after `step` steps.
+    void Add(ScriptAction action, std::int64_t step, const b2World& world);
     /// The same for a picture or a film, whose options say its moments.
     void Add(ScriptProduct product) { m_script.products.push_back(std::move(product)); }
 
     /// What is seen at a step; `isChosen`: since a person has moved the view.
     void See(const Camera& view, std::int64_t step, bool isChosen);
 
-    /// Up to `step`, where the world's hash is `state`. `view`: of a picture of it.
-    std::string Text(std::int64_t step, const std::string& state) const;
+    /// Up to `step`, at whose end the script expects the state that the world had: what has been
+    /// done since shows only in the next one.
+    std::string Text(std::int64_t step, const b2World& world) const;
 
 private:
     struct Seen
@@ -44,6 +45,8 @@ private:
     Rational m_stepsPerSecond{60, 1};
     std::vector<Seen> m_seen; // where it changed, with the step before
     bool m_isChosen = false;
+    std::int64_t m_lastStep = -1; // before which something was done …
+    std::string m_stateBefore;    // … and the world's state then
 };
 
 } // namespace boxreel

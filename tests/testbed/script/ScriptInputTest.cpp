@@ -55,7 +55,8 @@ std::string Played(const std::string& lines, std::int64_t steps, std::int64_t fr
     EXPECT_TRUE(input) << input.GetError().message;
     for (std::int64_t step = from; input && step < steps; ++step)
     {
-        input->Apply(scene, step);
+        StepSettings settings;
+        input->Apply(scene, settings, step);
         scene.notes += "|";
     }
     return scene.notes;
@@ -94,9 +95,10 @@ TEST(ScriptInput, ThrowsBombs)
     Listening scene;
     const Result<ScriptInput> input = InputOf("at 0s bomb\nat step 1 bomb 3,4 5,6\n", scene);
     ASSERT_TRUE(input);
-    input->Apply(scene, 0);
+    StepSettings steps;
+    input->Apply(scene, steps, 0);
     EXPECT_EQ(scene.World().GetBodyCount(), 1);
-    input->Apply(scene, 1);
+    input->Apply(scene, steps, 1);
     ASSERT_EQ(scene.World().GetBodyCount(), 1) << "the one before it has gone";
     EXPECT_EQ(scene.World().GetBodyList()->GetPosition(), b2Vec2(3.0f, 4.0f));
     EXPECT_EQ(scene.World().GetBodyList()->GetLinearVelocity(), b2Vec2(5.0f, 6.0f));
