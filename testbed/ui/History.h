@@ -25,6 +25,8 @@ public:
     void Clear() { *this = History(); }
 
     bool IsEmpty() const { return m_count == 0; }
+    /// Of the values that it has.
+    std::size_t Count() const { return std::min(m_count, kLength); }
     float Last() const { return m_values[(m_next + kLength - 1) % kLength]; }
     float Mean() const { return m_count == 0 ? 0.0f : float(m_sum / double(m_count)); }
     float Largest() const { return m_largest; }

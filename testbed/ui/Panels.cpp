@@ -124,8 +124,9 @@ PanelAnswer Panels::Build(const PanelFacts& facts, PanelChoices& choices, const 
         {
             Column(facts, choices);
         }
-        const std::string chosen =
-            m_picker.Build(choices.showsPicker, m_width, m_height, m_widgets);
+        const int uncovered = m_width - static_cast<int>(Width(choices));
+        const std::string chosen = m_picker.Build(
+            choices.showsPicker, std::max(uncovered, m_width / 2), m_height, m_widgets);
         m_answer.scene = chosen.empty() ? m_answer.scene : chosen;
     });
     return std::exchange(m_answer, {});
@@ -158,7 +159,7 @@ void Panels::Column(const PanelFacts& facts, PanelChoices& choices)
         }
         if (choices.profile)
         {
-            ProfileSection();
+            ProfileSection(facts);
         }
         KeysSection();
     }
@@ -372,13 +373,18 @@ void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
     m_widgets.Note("Theme");
 }
 
-void Panels::Plot(const char* name, const History& history, const std::string& text)
+/// As long as there are steps, up to the whole width.
+void Panels::Plot(const char* name, const History& history)
 {
-    const float top = std::max(1e-3f, *std::max_element(history.Values().begin(),
-                                                        history.Values().end()));
-    ImGui::PlotLines(name, history.Values().data(), int(History::kLength), int(history.Oldest()),
-                     text.c_str(), 0.0f, 1.15f * top,
-                     {ImGui::GetContentRegionAvail().x, m_widgets.Px(44.0)});
+    const auto& values = history.Values();
+    const int count = int(history.Count());
+    const bool isWhole = history.Count() == History::kLength;
+    const float top = std::max(1e-3f, *std::max_element(values.begin(), values.end()));
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::PlotLines(name, values.data(), count, isWhole ? int(history.Oldest()) : 0, nullptr, 0.0f,
+                     1.15f * top,
+                     {std::max(m_widgets.Px(16.0), room * float(count) / float(History::kLength)),
+                      m_widgets.Px(44.0)});
     m_widgets.Note(name + 2); // without the two signs that hide it
 }
 
@@ -389,16 +395,16 @@ void Panels::StatisticsSection(const PanelFacts& facts)
         return;
     }
     m_widgets.Fact("bodies, awake", Text("%d, %d", facts.bodies, facts.awake));
-    m_widgets.Fact("contacts, joints", Text("%d, %d", facts.contacts, facts.joints));
+    m_widgets.Fact("joints", Text("%d", facts.joints));
     m_widgets.Fact("proxies", Text("%d", facts.proxies));
     m_widgets.Fact("tree", Text("height %d, balance %d", facts.treeHeight, facts.treeBalance));
     m_widgets.Fact("", Text("quality %.2f", facts.treeQuality));
-    Plot("##Contacts", m_contacts,
-         Text("contacts %.0f [%.1f] (%.0f)", double(facts.contacts), double(m_contacts.Mean()),
-              double(m_contacts.Largest())));
+    m_widgets.Fact("contacts", Text("%d [%.1f] (%.0f)", facts.contacts, double(m_contacts.Mean()),
+                                    double(m_contacts.Largest())));
+    Plot("##Contacts", m_contacts);
 }
 
-void Panels::ProfileSection()
+void Panels::ProfileSection(const PanelFacts& facts)
 {
     if (!m_widgets.Section("Profile", true))
     {
@@ -406,7 +412,7 @@ void Panels::ProfileSection()
     }
     if (m_times.front().IsEmpty())
     {
-        ImGui::TextDisabled("not measured");
+        ImGui::TextDisabled("%s", facts.isWindow ? "no step yet" : "only with --hud-ms");
         return;
     }
     ImGui::TextDisabled("ms of a step: now [average] (most)");
@@ -416,8 +422,7 @@ void Panels::ProfileSection()
         m_widgets.Fact(kStageNames[i], Text("%6.3f [%6.3f] (%6.3f)", double(time.Last()),
                                             double(time.Mean()), double(time.Largest())));
     }
-    Plot("##Step time", m_times.front(),
-         Text("step %.3f ms", double(m_times.front().Last())));
+    Plot("##Step time", m_times.front());
 }
 
 void Panels::KeysSection()

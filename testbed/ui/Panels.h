@@ -57,9 +57,9 @@ private:
     void SolverSection(PanelChoices& choices);
     void DrawSection(const PanelFacts& facts, PanelChoices& choices);
     void StatisticsSection(const PanelFacts& facts);
-    void ProfileSection();
+    void ProfileSection(const PanelFacts& facts);
     void KeysSection();
-    void Plot(const char* name, const History& history, const std::string& text);
+    void Plot(const char* name, const History& history);
     void Ask(PanelWish wish) { m_answer.wishes.push_back(wish); }
 
     PanelCanvas m_canvas;
