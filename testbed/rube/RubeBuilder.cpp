@@ -198,7 +198,10 @@ private:
         definition.filter.categoryBits = source.categoryBits;
         definition.filter.maskBits = source.maskBits;
         definition.filter.groupIndex = source.groupIndex;
-        body.CreateFixture(&definition)->SetDensity(source.density);
+        if (b2Fixture* const fixture = body.CreateFixture(&definition))
+        {
+            fixture->SetDensity(source.density);
+        }
     }
 
     static std::string BuildCircle(const RubeCircle& circle, const auto& attach)
