@@ -134,19 +134,17 @@ private:
     }
 
     // It is that of the centre of mass, which has moved with each fixture. Setting it would wake a
-    // body that sleeps; such a one rests.
+    // body that sleeps, so such a one is put to rest.
     static void RestoreVelocity(const RubeBody& source, b2Body& body)
     {
-        if (body.GetLinearVelocity() == source.linearVelocity)
+        if (body.GetType() != b2_dynamicBody || body.GetLinearVelocity() == source.linearVelocity)
         {
             return;
         }
         const bool isAwake = body.IsAwake();
+        body.SetAwake(true);
         body.SetLinearVelocity(source.linearVelocity);
-        if (!isAwake)
-        {
-            body.SetAwake(false);
-        }
+        body.SetAwake(isAwake);
     }
 
     // The inertia is about the body's origin; what is left about the centre of mass must not be

@@ -477,9 +477,14 @@ TEST(HostileSceneFile, ThatSleepsInFullSpinRests)
     const std::string spinning =
         R"("type":2,"massData-mass":1,"massData-I":2,"massData-center":{"x":1,"y":0},)"
         R"("angularVelocity":3)";
-    Built asleep(Body(spinning));
-    EXPECT_FALSE(asleep.world.GetBodyList()->IsAwake());
-    EXPECT_EQ(asleep.world.GetBodyList()->GetLinearVelocity(), b2Vec2(0.0f, 0.0f));
+    for (const char* velocity : {"0", R"({"x":1,"y":0})"})
+    {
+        Built asleep(Body(spinning + R"(,"linearVelocity":)" + velocity));
+        const b2Body& body = *asleep.world.GetBodyList();
+        EXPECT_FALSE(body.IsAwake());
+        EXPECT_EQ(body.GetLinearVelocity(), b2Vec2(0.0f, 0.0f));
+        EXPECT_EQ(body.GetAngularVelocity(), 0.0f);
+    }
     Built awake(Body(spinning + R"(,"awake":true,"linearVelocity":{"x":1,"y":0})"));
     EXPECT_EQ(awake.world.GetBodyList()->GetLinearVelocity(), b2Vec2(1.0f, 0.0f));
     EXPECT_EQ(awake.world.GetBodyList()->GetAngularVelocity(), 3.0f);
