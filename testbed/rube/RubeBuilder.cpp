@@ -137,14 +137,16 @@ private:
     // body that sleeps, so such a one is put to rest.
     static void RestoreVelocity(const RubeBody& source, b2Body& body)
     {
-        if (body.GetType() != b2_dynamicBody || body.GetLinearVelocity() == source.linearVelocity)
+        if (body.IsAwake())
         {
-            return;
+            body.SetLinearVelocity(source.linearVelocity); // the sign of a zero as well
         }
-        const bool isAwake = body.IsAwake();
-        body.SetAwake(true);
-        body.SetLinearVelocity(source.linearVelocity);
-        body.SetAwake(isAwake);
+        else if (body.GetType() == b2_dynamicBody &&
+                 body.GetLinearVelocity() != source.linearVelocity)
+        {
+            body.SetAwake(true);
+            body.SetAwake(false);
+        }
     }
 
     // The inertia is about the body's origin; what is left about the centre of mass must not be
