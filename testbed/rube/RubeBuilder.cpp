@@ -12,13 +12,22 @@ namespace
 
 constexpr std::size_t kMostFindings = 1000; ///< nobody reads more, and memory stays bounded
 
+/// More of a body are weighed together, not again with each that comes.
+constexpr std::size_t kManyFixtures = 100;
+
+/// As chains want their neighbours, with the same rounding.
+bool AreApart(const b2Vec2& a, const b2Vec2& b)
+{
+    return b2DistanceSquared(a, b) > b2_linearSlop * b2_linearSlop;
+}
+
 // Vertices closer to the one before than the engine can tell apart add nothing but asserts.
 std::vector<b2Vec2> WithoutRepeats(const std::vector<b2Vec2>& vertices)
 {
     std::vector<b2Vec2> kept;
     for (const b2Vec2& vertex : vertices)
     {
-        if (kept.empty() || b2Distance(kept.back(), vertex) > b2_linearSlop)
+        if (kept.empty() || AreApart(kept.back(), vertex))
         {
             kept.push_back(vertex);
         }
@@ -35,8 +44,8 @@ bool IsBox(const std::vector<b2Vec2>& vertices)
         return false;
     }
     const b2Vec2& half = vertices[2];
-    return vertices[0] == -half && vertices[1] == b2Vec2(half.x, -half.y) &&
-           vertices[3] == b2Vec2(-half.x, half.y);
+    return half.x > 0.0f && half.y > 0.0f && vertices[0] == -half &&
+           vertices[1] == b2Vec2(half.x, -half.y) && vertices[3] == b2Vec2(-half.x, half.y);
 }
 
 class Builder
@@ -103,6 +112,7 @@ private:
         b2Body* body = m_world.CreateBody(&definition);
         m_bodies.push_back(body);
 
+        m_weighsTogether = source.fixtures.size() > kManyFixtures;
         for (std::size_t i = 0; i < source.fixtures.size(); ++i)
         {
             const std::string why = BuildFixture(source.fixtures[i], *body);
@@ -112,23 +122,39 @@ private:
                        " of " + NameOfBody(m_scene, m_bodies.size() - 1) + " is left out: " + why);
             }
         }
+        if (m_weighsTogether)
+        {
+            body->ResetMassData();
+        }
         if (source.massData && source.type == b2_dynamicBody)
         {
             ApplyMassData(*source.massData, *body);
         }
-        // It is that of the centre of mass, which has moved with each fixture.
-        if (body->IsAwake() && body->GetLinearVelocity() != source.linearVelocity)
+        RestoreVelocity(source, *body);
+    }
+
+    // It is that of the centre of mass, which has moved with each fixture. Setting it would wake a
+    // body that sleeps, so such a one is put to rest.
+    static void RestoreVelocity(const RubeBody& source, b2Body& body)
+    {
+        if (body.IsAwake())
         {
-            body->SetLinearVelocity(source.linearVelocity);
+            body.SetLinearVelocity(source.linearVelocity); // the sign of a zero as well
+        }
+        else if (body.GetType() == b2_dynamicBody &&
+                 body.GetLinearVelocity() != source.linearVelocity)
+        {
+            body.SetAwake(true);
+            body.SetAwake(false);
         }
     }
 
-    // The inertia is about the body's origin; what is left about the centre of mass must be
-    // positive.
+    // The inertia is about the body's origin; what is left about the centre of mass must not be
+    // negative.
     void ApplyMassData(const b2MassData& data, b2Body& body)
     {
         const float32 ofCenter = data.mass * data.center.LengthSquared();
-        if (data.I > 0.0f && !(data.I > ofCenter))
+        if (data.I > 0.0f && !(data.I >= ofCenter))
         {
             Report("the mass of " + NameOfBody(m_scene, m_bodies.size() - 1) +
                    " is left out: its inertia is too small for a centre of mass so far from the "
@@ -161,18 +187,21 @@ private:
         return "it has no circle, edge, chain, loop or polygon";
     }
 
-    static void Attach(const RubeFixture& source, const b2Shape& shape, b2Body& body)
+    void Attach(const RubeFixture& source, const b2Shape& shape, b2Body& body) const
     {
         b2FixtureDef definition;
         definition.shape = &shape;
         definition.friction = source.friction;
         definition.restitution = source.restitution;
-        definition.density = source.density;
+        definition.density = m_weighsTogether ? 0.0f : source.density;
         definition.isSensor = source.isSensor;
         definition.filter.categoryBits = source.categoryBits;
         definition.filter.maskBits = source.maskBits;
         definition.filter.groupIndex = source.groupIndex;
-        body.CreateFixture(&definition);
+        if (b2Fixture* const fixture = body.CreateFixture(&definition))
+        {
+            fixture->SetDensity(source.density);
+        }
     }
 
     static std::string BuildCircle(const RubeCircle& circle, const auto& attach)
@@ -190,7 +219,7 @@ private:
 
     static std::string BuildEdge(const RubeEdge& edge, const auto& attach)
     {
-        if (!(b2Distance(edge.vertex1, edge.vertex2) > b2_linearSlop))
+        if (!AreApart(edge.vertex1, edge.vertex2))
         {
             return "the ends of the edge lie on each other";
         }
@@ -209,10 +238,10 @@ private:
         std::vector<b2Vec2> vertices = WithoutRepeats(chain.vertices);
         bool isLoop = chain.isLoop;
         // A last vertex on the first says the same as a loop, and a loop must not repeat it.
-        if (vertices.size() > 3 && b2Distance(vertices.front(), vertices.back()) <= b2_linearSlop)
+        isLoop = isLoop || (vertices.size() > 3 && !AreApart(vertices.front(), vertices.back()));
+        while (isLoop && vertices.size() > 1 && !AreApart(vertices.front(), vertices.back()))
         {
             vertices.pop_back();
-            isLoop = true;
         }
         const std::size_t needed = isLoop ? 3 : 2;
         if (vertices.size() < needed)
@@ -274,6 +303,7 @@ private:
     b2World& m_world;
     std::vector<std::string>& m_leftOut;
     std::size_t m_findings = 0;
+    bool m_weighsTogether = false; ///< the body that is being built
     std::vector<b2Body*> m_bodies; ///< in the order of the file
 };
 

@@ -166,11 +166,11 @@ void Describe(RubeJoint& said, b2DistanceJoint& joint)
 
 void Describe(RubeJoint& said, b2PulleyJoint& joint)
 {
-    said.anchorA = joint.GetBodyA()->GetLocalPoint(joint.GetAnchorA());
-    said.anchorB = joint.GetBodyB()->GetLocalPoint(joint.GetAnchorB());
+    SetAnchors(said, joint);
     said.type = "pulley";
-    said.details = RubePulley{joint.GetGroundAnchorA(), joint.GetGroundAnchorB(),
-                              joint.GetLengthA(), joint.GetLengthB(), joint.GetRatio()};
+    said.details =
+        RubePulley{joint.GetGroundAnchorA(), joint.GetGroundAnchorB(), joint.GetDefinedLengthA(),
+                   joint.GetDefinedLengthB(), joint.GetRatio()};
 }
 
 void Describe(RubeJoint& said, b2MouseJoint& joint)
@@ -328,13 +328,12 @@ private:
             KeepOfBody(m_said.bodies[i], file->bodies[i]);
         }
         const auto built = JointsOfFile(scene);
-        for (const auto& [joint, index] : m_joints)
+        for (std::size_t i = 0; i < built.size(); ++i)
         {
-            const auto found = std::find(built.begin(), built.end(), joint);
-            if (found != built.end())
+            const auto found = m_joints.find(built[i]);
+            if (found != m_joints.end())
             {
-                m_said.joints[index].properties =
-                    file->joints[std::size_t(found - built.begin())].properties;
+                m_said.joints[found->second].properties = file->joints[i].properties;
             }
         }
     }

@@ -2,10 +2,12 @@
 #include "RubeFile.h"
 
 #include "RubeBuilder.h"
+#include "RubeCrowd.h"
 #include "RubeJson.h"
 #include "RubeText.h"
 #include "RubeTraps.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <system_error>
@@ -31,8 +33,9 @@ public:
         NameJoints(content, m_joints);
         for (b2Body* body = m_world.GetBodyList(); body != nullptr; body = body->GetNext())
         {
-            m_bodies.insert(m_bodies.begin(), body);
+            m_bodies.push_back(body);
         }
+        std::reverse(m_bodies.begin(), m_bodies.end());
         NameBodies(content);
     }
 
@@ -138,16 +141,26 @@ Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
                                              std::vector<std::string>& leftOut)
 {
     const Result<std::string> text = ReadBounded(file);
-    if (!text)
-    {
-        return text.GetError();
-    }
-    const Result<RubeScene> content = ParseRubeScene(*text, file.string());
+    return text ? SceneOfText(*text, file.string(), leftOut)
+                : Result<std::unique_ptr<Scene>>(text.GetError());
+}
+
+Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::string& source,
+                                           std::vector<std::string>& leftOut)
+{
+    Result<RubeScene> content = ParseRubeScene(text, source);
     if (!content)
     {
         return content.GetError();
     }
-    return std::unique_ptr<Scene>(std::make_unique<RubeFileScene>(*content, leftOut));
+    auto scene = std::make_unique<RubeFileScene>(std::move(*content), leftOut);
+    if (IsTooCrowded(scene->World()))
+    {
+        return Error{ErrorKind::Unusable,
+                     source + " has more than " + std::to_string(kMostPairs) +
+                         " pairs of shapes that lie on each other; move its bodies apart."};
+    }
+    return std::unique_ptr<Scene>(std::move(scene));
 }
 
 Result<std::vector<std::string>> TrapsOfFile(const std::filesystem::path& file)

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace boxreel
@@ -21,6 +22,10 @@ struct RubeScene;
 /// bounded by the limits of RubeJson.h.
 Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
                                              std::vector<std::string>& leftOut);
+
+/// The same of a text in memory; `source` names it in messages.
+Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::string& source,
+                                           std::vector<std::string>& leftOut);
 
 /// RubeTraps of a file.
 Result<std::vector<std::string>> TrapsOfFile(const std::filesystem::path& file);

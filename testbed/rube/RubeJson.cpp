@@ -31,6 +31,7 @@ class Guard : public nlohmann::json_sax<json>
 public:
     const std::string& Refusal() const { return m_refusal; }
     std::size_t ErrorPosition() const { return m_errorPosition; }
+    bool IsNumberTooLarge() const { return m_isNumberTooLarge; }
 
     bool null() override { return CountValue(); }
     bool boolean(bool) override { return CountValue(); }
@@ -40,24 +41,31 @@ public:
     bool string(string_t&) override { return CountValue(); }
     bool binary(binary_t&) override { return CountValue(); }
     bool key(string_t&) override { return true; }
-    bool start_object(std::size_t) override { return Enter(); }
+    bool start_object(std::size_t) override { return CountObject() && Enter(); }
     bool start_array(std::size_t) override { return Enter(); }
     bool end_object() override { return Leave(); }
     bool end_array() override { return Leave(); }
 
-    bool parse_error(std::size_t position, const std::string&, const json::exception&) override
+    bool parse_error(std::size_t position, const std::string&,
+                     const json::exception& error) override
     {
+        constexpr int kNumberOverflow = 406; // of the library's documentation
         m_errorPosition = position;
+        m_isNumberTooLarge = error.id == kNumberOverflow;
         return false;
     }
 
 private:
-    bool CountValue()
+    bool CountValue() { return Within(++m_values, kMostValues, "values"); }
+
+    bool CountObject() { return Within(++m_objects, kMostObjects, "objects"); }
+
+    bool Within(std::size_t count, std::size_t most, const char* what)
     {
-        if (++m_values > kMostValues)
+        if (count > most)
         {
-            m_refusal = "has more than " + std::to_string(kMostValues) +
-                        " values; split the scene into smaller files";
+            m_refusal = "has more than " + std::to_string(most) + " " + what +
+                        "; split the scene into smaller files.";
         }
         return m_refusal.empty();
     }
@@ -80,8 +88,10 @@ private:
 
     std::string m_refusal;
     std::size_t m_values = 0;
+    std::size_t m_objects = 0;
     std::size_t m_depth = 0;
     std::size_t m_errorPosition = 0;
+    bool m_isNumberTooLarge = false;
 };
 
 Error Unusable(const std::string& message)
@@ -89,20 +99,30 @@ Error Unusable(const std::string& message)
     return {ErrorKind::Unusable, message};
 }
 
-// Where the parser gave up. `position` counts the bytes it has read.
-Error SyntaxError(std::string_view text, std::size_t position, const std::string& source)
+// "line 3, column 5" of the last byte that was read; `position` counts them.
+std::string Place(std::string_view text, std::size_t position)
 {
-    if (position > text.size())
-    {
-        return Unusable(source + " ends in the middle of its JSON text; copy or export it again.");
-    }
     const std::size_t at = std::min(position > 0 ? position - 1 : 0, text.size());
     const std::string_view before = text.substr(0, at);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t lastBreak = before.rfind('\n');
     const std::size_t column = lastBreak == std::string_view::npos ? at + 1 : at - lastBreak;
-    return Unusable(source + " is no JSON text: line " + std::to_string(line) + ", column " +
-                    std::to_string(column) + " cannot be read; export it again.");
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+// Where the parser gave up.
+Error SyntaxError(std::string_view text, std::size_t position, const std::string& source)
+{
+    if (text.empty())
+    {
+        return Unusable(source + " is empty; copy or export it again.");
+    }
+    if (position > text.size())
+    {
+        return Unusable(source + " ends in the middle of its JSON text; copy or export it again.");
+    }
+    return Unusable(source + " is no JSON text: " + Place(text, position) +
+                    " cannot be read; export it again.");
 }
 
 // Long names would drown the message; control characters could garble the terminal.
@@ -172,7 +192,7 @@ std::optional<float> FromHex(const std::string& digits)
     return std::bit_cast<float>(bits);
 }
 
-std::string Written(double number)
+std::string Written(auto number)
 {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
@@ -200,6 +220,11 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
     Guard guard;
     if (!json::sax_parse(text.begin(), text.end(), &guard))
     {
+        if (guard.IsNumberTooLarge())
+        {
+            return Unusable(source + ": the number at " + Place(text, guard.ErrorPosition()) +
+                            " is too large; correct it or export the scene again.");
+        }
         return guard.Refusal().empty() ? SyntaxError(text, guard.ErrorPosition(), source)
                                        : Unusable(source + " " + guard.Refusal());
     }
@@ -299,8 +324,9 @@ std::int64_t JsonValue::Integer(std::int64_t fallback, std::int64_t least, std::
     {
         return static_cast<std::int64_t>(value);
     }
-    Complain("must be a whole number from " + std::to_string(least) + " to " +
-             std::to_string(most));
+    Complain(least == most ? "must be " + std::to_string(least)
+                           : "must be a whole number from " + std::to_string(least) + " to " +
+                                 std::to_string(most));
     return fallback;
 }
 
@@ -331,8 +357,8 @@ float JsonValue::Number(float fallback, float least, float most) const
     {
         return static_cast<float>(value);
     }
-    Complain("is " + Written(value) + " but must be from " + Written(static_cast<double>(least)) +
-             " to " + Written(static_cast<double>(most)));
+    Complain("is " + Written(value) + " but must be from " + Written(least) + " to " +
+             Written(most));
     return fallback;
 }
 

@@ -4,6 +4,29 @@
 namespace boxreel
 {
 
+namespace
+{
+
+unsigned char Byte(const std::string& text, std::size_t index)
+{
+    return index < text.size() ? static_cast<unsigned char>(text[index]) : 0;
+}
+
+/// Bytes of a control character that begins there, of ASCII or of the second set, which UTF-8
+/// begins with C2; 0: none.
+std::size_t ControlAt(const std::string& text, std::size_t index)
+{
+    const unsigned char byte = Byte(text, index);
+    if (byte < 0x20 || byte == 0x7F)
+    {
+        return 1;
+    }
+    const unsigned char next = Byte(text, index + 1);
+    return byte == 0xC2 && next >= 0x80 && next < 0xA0 ? 2 : 0;
+}
+
+} // namespace
+
 // Names come from the file: long ones would drown the message, control characters could garble the
 // terminal. Bytes of other scripts pass; a name is cut between characters only.
 std::string Quoted(const std::string& name)
@@ -13,17 +36,17 @@ std::string Quoted(const std::string& name)
     if (length > kMost)
     {
         length = kMost;
-        while (length > 0 && (static_cast<unsigned char>(name[length]) & 0xC0) == 0x80)
+        while (length > 0 && (Byte(name, length) & 0xC0) == 0x80)
         {
             --length;
         }
     }
     std::string result = "\"";
-    result.append(name, 0, length);
-    for (char& c : result)
+    for (std::size_t i = 0; i < length;)
     {
-        const unsigned char byte = static_cast<unsigned char>(c);
-        c = byte < 0x20 || byte == 0x7F ? '?' : c;
+        const std::size_t control = ControlAt(name, i);
+        result += control > 0 ? '?' : name[i];
+        i += control > 0 ? control : 1;
     }
     return result + (length < name.size() ? "...\"" : "\"");
 }

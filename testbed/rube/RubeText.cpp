@@ -16,7 +16,7 @@ constexpr float32 kFarthest = 1e6f;   ///< coordinates and lengths: floats are 6
 constexpr float32 kFastest = 1e6f;    ///< velocities [m/s, rad/s]
 constexpr float32 kWidest = 1e6f;     ///< angles [rad]
 constexpr float32 kStrongest = 1e12f; ///< forces, torques, masses, densities
-constexpr float32 kStiffest = 1e24f;  ///< rotational inertia [kg m^2]
+constexpr float32 kStiffest = 1e25f;  ///< rotational inertia: the most mass, farthest [kg m^2]
 constexpr float32 kLargest = 1e6f;    ///< everything without a unit, damping and frequencies
 
 b2Vec2 ReadVector(const JsonValue& value, float32 most = kFarthest)

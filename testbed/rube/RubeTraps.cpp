@@ -12,6 +12,9 @@ namespace
 
 constexpr std::size_t kMost = 1000; ///< sentences: nobody reads more
 
+/// In the order in which the reader looks for them.
+constexpr const char* kShapeKinds[] = {"circle", "edge", "chain", "loop", "polygon"};
+
 std::string Part(const char* kind, std::size_t index, const JsonValue& value)
 {
     return std::string(kind) + " " + std::to_string(index) + " " +
@@ -87,18 +90,39 @@ private:
         {
             Say("it does not say friction, so it has none, not the engine's usual 0.2");
         }
-        if (fixture.Member("loop").Exists())
+        const std::string taken = ShapeOf(fixture);
+        if (taken == "loop")
         {
             Say("it is called loop, as in old files; a chain is made that closes itself");
         }
-        const JsonValue vertices = fixture.Member("polygon").Member("vertices");
-        if (vertices.Exists() && vertices.Member("x").Count() == 2)
+        if (taken == "polygon" &&
+            fixture.Member("polygon").Member("vertices").Member("x").Count() == 2)
         {
             Say("it is a polygon of two vertices; an edge is made");
         }
     }
 
-    void Say(const char* sentence)
+    /// The kind of the shape that is taken; notes others beside it.
+    std::string ShapeOf(const JsonValue& fixture)
+    {
+        std::string taken;
+        for (const char* kind : kShapeKinds)
+        {
+            if (!fixture.Member(kind).Exists())
+            {
+                continue;
+            }
+            if (!taken.empty())
+            {
+                Say("it has more than one shape; its " + taken + " is taken");
+                break;
+            }
+            taken = kind;
+        }
+        return taken;
+    }
+
+    void Say(const std::string& sentence)
     {
         if (++m_count <= kMost)
         {

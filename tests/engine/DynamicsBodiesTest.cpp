@@ -2,6 +2,8 @@
 #include "DynamicsInvariants.h"
 #include "DynamicsScene.h"
 
+#include <Dynamics/Access.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,6 +30,28 @@ TEST(DynamicsBodies, MassComesFromTheFixtures)
     body->DestroyFixture(body->GetFixtureList());
     EXPECT_FLOAT_EQ(body->GetMass(), 2.0f);
     EXPECT_FLOAT_EQ(body->GetLocalCenter().x, 0.0f);
+}
+
+TEST(DynamicsBodies, AreMeasuredWithTheNewestFixtureAsWithAllOfThem)
+{
+    Scene scene;
+    b2Body* body = scene.Body(b2_dynamicBody, 1.0f, 2.0f);
+    for (int i = 0; i < 40; ++i)
+    {
+        b2CircleShape circle;
+        circle.m_radius = 0.1f + 0.37f * static_cast<float32>((7 * i) % 11);
+        circle.m_p.Set(static_cast<float32>((5 * i) % 13), static_cast<float32>((3 * i) % 17));
+        body->CreateFixture(&circle, 0.0f);
+        const float32 thinnest = box2d::Data(*body).minExtent;
+        const float32 farthest = box2d::Data(*body).maxExtent;
+        body->ResetMassData(); // measures all of them
+        ASSERT_EQ(box2d::Data(*body).minExtent, thinnest) << i;
+        ASSERT_EQ(box2d::Data(*body).maxExtent, farthest) << i;
+        if (i % 9 == 8)
+        {
+            body->DestroyFixture(body->GetFixtureList());
+        }
+    }
 }
 
 TEST(DynamicsBodies, InertiaIsRightForAShapeFarFromTheOriginOfItsBody)

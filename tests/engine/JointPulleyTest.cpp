@@ -79,10 +79,20 @@ TEST(PulleyJoint, SaysWhereItHangs)
     EXPECT_EQ(hoist.joint->GetLengthB(), 5.0f);
     EXPECT_EQ(hoist.joint->GetRatio(), 2.0f);
     EXPECT_EQ(hoist.joint->GetAnchorA(), hoist.a->GetPosition());
+    EXPECT_EQ(hoist.joint->GetLocalAnchorA(), b2Vec2(0.0f, 0.0f));
     EXPECT_TRUE(hoist.joint->GetCollideConnected()) << "as pulleys are defined";
     hoist.world.ShiftOrigin(b2Vec2(1.0f, 2.0f));
     EXPECT_EQ(hoist.joint->GetGroundAnchorA(), b2Vec2(-4.0f, 8.0f));
     EXPECT_NEAR(hoist.joint->GetCurrentLengthA(), 5.0f, 1e-5f);
+}
+
+TEST(PulleyJoint, RemembersTheLengthsOfItsDefinition)
+{
+    Hoist hoist(1.0f, 2.0f);
+    hoist.Step(30);
+    EXPECT_LT(hoist.joint->GetLengthA(), 4.9f) << "the lighter load goes up";
+    EXPECT_EQ(hoist.joint->GetDefinedLengthA(), 5.0f);
+    EXPECT_EQ(hoist.joint->GetDefinedLengthB(), 5.0f);
 }
 
 TEST(PulleyJoint, WithALoadPulledUpToItsWheelStaysFinite)

@@ -1,11 +1,33 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# fuzz.sh SOURCE WORK SECONDS
-# Builds the engine with clang's fuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, asserts off, and lets it
-# look for that long, starting from the corpus. What it finds new stays in WORK/corpus; a finding is in
-# WORK/finding-*. Exits 77 (skipped) when clang's fuzzer is absent.
+# fuzz.sh SOURCE WORK SECONDS TARGET
+# Builds a target with clang's fuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and lets it look for
+# that long, starting from its corpus. TARGET: world (calls of the engine, asserts off: they would end it at
+# the first mistake it makes on purpose) or scene_file (texts for the loader of scene files, asserts on: no
+# file may reach one). What it finds new stays in WORK/corpus; a finding is in WORK/finding-*. Exits 77
+# (skipped) when clang's fuzzer is absent.
 set -eu
-source=$1 work=$2 seconds=$3
+source=$1 work=$2 seconds=$3 target=$4
+here=$source/tests/fuzz
+
+case $target in
+world)
+    corpus=$here/corpus
+    asserts=0
+    set -- -DBOXREEL_BUILD_TOOLKIT=OFF -DBOXREEL_BUILD_TESTBED=OFF
+    limits='-max_len=2048 -timeout=20'
+    ;;
+scene_file)
+    corpus=$here/scene-files
+    asserts=1
+    set --
+    limits="-max_len=4096 -timeout=10 -rss_limit_mb=1024 -dict=$here/scene-files.dict"
+    ;;
+*)
+    echo "fuzz.sh: there is no target '$target'; say world or scene_file." >&2
+    exit 1
+    ;;
+esac
 
 mkdir -p "$work/corpus"
 echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' >"$work/probe.cpp"
@@ -14,11 +36,12 @@ if ! clang++ -fsanitize=fuzzer "$work/probe.cpp" -o "$work/probe" 2>/dev/null; t
     exit 77
 fi
 cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_CXX_FLAGS='-O1 -g -DBOXREEL_ASSERTS=0' -DBOXREEL_SANITIZE=address,undefined -DBOXREEL_FUZZ=ON \
-    -DBOXREEL_BUILD_TOOLKIT=OFF -DBOXREEL_BUILD_TESTBED=OFF -DBOXREEL_WERROR=ON >"$work/build.log" 2>&1 &&
-    cmake --build "$work/build" --target boxreel_world_fuzz >>"$work/build.log" 2>&1 || {
+    -DCMAKE_CXX_FLAGS="-O1 -g -DBOXREEL_ASSERTS=$asserts" -DBOXREEL_SANITIZE=address,undefined -DBOXREEL_FUZZ=ON \
+    -DBOXREEL_WERROR=ON "$@" >"$work/build.log" 2>&1 &&
+    cmake --build "$work/build" --target "boxreel_${target}_fuzz" >>"$work/build.log" 2>&1 || {
     tail -n 40 "$work/build.log"
     exit 1
 }
-exec "$work/build/tests/fuzz/boxreel_world_fuzz" -max_total_time="$seconds" -max_len=2048 -timeout=20 -print_final_stats=1 -error_exitcode=1 \
-    -artifact_prefix="$work/finding-" "$work/corpus" "$source/tests/fuzz/corpus"
+# shellcheck disable=SC2086 # the limits are words
+exec "$work/build/tests/fuzz/boxreel_${target}_fuzz" -max_total_time="$seconds" $limits -print_final_stats=1 \
+    -error_exitcode=1 -artifact_prefix="$work/finding-" "$work/corpus" "$corpus"

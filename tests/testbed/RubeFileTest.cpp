@@ -260,7 +260,7 @@ TEST_F(RubeFile, ThatCannotBeReadIsNamed)
     const std::filesystem::path pipe = m_folder / "pipe.json";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THAT(Complaint(pipe), HasSubstr("is no regular file"));
-    EXPECT_THAT(Complaint(Write("")), HasSubstr("ends in the middle"));
+    EXPECT_THAT(Complaint(Write("")), HasSubstr("is empty"));
 }
 
 TEST_F(RubeFile, OfAGigabyteIsRefusedUnread)

@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+
+#include <sys/resource.h>
 
 namespace boxreel
 {
@@ -116,6 +119,88 @@ TEST_F(SceneFile, ThatIsNoneIsRefusedInOneSentence)
         EXPECT_THAT(outcome.code, testing::AnyOf(1, 4));
         EXPECT_THAT(outcome.errors, AllOf(HasSubstr(message), EndsWith("\n")));
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+    }
+    EXPECT_THAT(folder.Files(), ElementsAre("a.json"));
+}
+
+/// The same part of a text many times, with commas between.
+std::string Repeated(const std::string& part, std::size_t times)
+{
+    std::string text;
+    text.reserve((part.size() + 1) * times);
+    for (std::size_t i = 0; i < times; ++i)
+    {
+        text.append(i > 0 ? "," : "").append(part);
+    }
+    return text;
+}
+
+/// Bodies, fixtures, joints, vertices: as many of each as a file may have.
+class LargestSceneFile : public SceneFile, public testing::WithParamInterface<int>
+{
+protected:
+    /// Ends the program when it takes the square of their number in time: a second or two are
+    /// enough else.
+    Outcome RunBriefly(const std::vector<std::string>& arguments) const
+    {
+        rlimit before{};
+        getrlimit(RLIMIT_CPU, &before);
+        rlimit brief = before;
+        brief.rlim_cur = std::min<rlim_t>(BOXREEL_IS_SANITIZED ? 100 : 10, before.rlim_max);
+        setrlimit(RLIMIT_CPU, &brief); // of the processor's time [s]
+        const Outcome outcome = Run(arguments);
+        setrlimit(RLIMIT_CPU, &before);
+        return outcome;
+    }
+};
+
+TEST_P(LargestSceneFile, IsReadInHalfAGigabyte)
+{
+    switch (GetParam())
+    {
+    case 0:
+        Write("{\"body\":[" + Repeated("{}", 499'999) + "]}");
+        break;
+    case 1:
+        Write(R"({"body":[{"type":0,"fixture":[)" +
+              Repeated(R"({"density":1,"circle":{"radius":1}})", 249'999) + "]}]}");
+        break;
+    case 2:
+        Write(R"({"body":[{"type":2},{"type":2}],"joint":[)" +
+              Repeated(R"({"type":"rope","bodyA":0,"bodyB":1,"maxLength":1})", 390'000) + "]}");
+        break;
+    default:
+        Write(R"({"body":[{"fixture":[{"chain":{"vertices":{"x":[)" + Repeated("1,0", 499'990) +
+              "],\"y\":[" + Repeated("0", 999'980) + "]}}}]}]}");
+        break;
+    }
+    const Outcome outcome = RunBriefly({"check", "a.json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.errors, testing::IsEmpty());
+    if (!BOXREEL_IS_SANITIZED)
+    {
+        EXPECT_LT(outcome.peakKilobytes, 512 * 1024);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, LargestSceneFile, testing::Range(0, 4));
+
+TEST_F(SceneFile, OfAGigabyteIsRefusedUnread)
+{
+    Write("{");
+    std::filesystem::resize_file(folder / "a.json", 1u << 30); // sparse
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"check", "a.json"},
+          {"shot", "a.json", "-o", "a.png", "--step", "1"},
+          {"record", "a.json", "-o", "a.mp4", "--seconds", "1"}})
+    {
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_THAT(outcome.errors, HasSubstr("a.json is larger than 64 MB; split the scene"));
+        if (!BOXREEL_IS_SANITIZED)
+        {
+            EXPECT_LT(outcome.peakKilobytes, 200 * 1024);
+        }
     }
     EXPECT_THAT(folder.Files(), ElementsAre("a.json"));
 }

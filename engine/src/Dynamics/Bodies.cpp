@@ -235,30 +235,52 @@ void MoveCenter(BodyData& body, const b2Vec2& localCenter)
     body.linearVelocity += b2Cross(body.angularVelocity, shift);
 }
 
-} // namespace
-
-void World::MeasureExtents(BodyData& body)
+/// What has been found from the old extents no longer holds.
+void ForgetExtents(BodyData& body)
 {
     if (body.jointList != nullptr)
     {
         body.world->graph.NoteMasses(); // or the centre
     }
+    body.room = 0.0f;
+}
+
+void Include(const b2Shape& shape, BodyData& body)
+{
+    const int32 children = shape.GetChildCount();
+    for (int32 child = 0; child < children; ++child)
+    {
+        b2AABB box;
+        shape.ComputeAABB(&box, b2Transform(), child);
+        const b2Vec2 half = box.GetExtents();
+        body.minExtent = b2Min(body.minExtent, b2Min(half.x, half.y));
+        const b2Vec2 reach = b2Abs(box.GetCenter() - body.localCenter) + half;
+        body.maxExtent = b2Max(body.maxExtent, reach.Length());
+    }
+}
+
+} // namespace
+
+void World::MeasureExtents(BodyData& body)
+{
+    ForgetExtents(body);
     body.minExtent = b2_maxFloat;
     body.maxExtent = 0.0f;
-    body.room = 0.0f;
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
-        const int32 children = f->GetShape()->GetChildCount();
-        for (int32 child = 0; child < children; ++child)
-        {
-            b2AABB box;
-            f->GetShape()->ComputeAABB(&box, b2Transform(), child);
-            const b2Vec2 half = box.GetExtents();
-            body.minExtent = b2Min(body.minExtent, b2Min(half.x, half.y));
-            const b2Vec2 reach = b2Abs(box.GetCenter() - body.localCenter) + half;
-            body.maxExtent = b2Max(body.maxExtent, reach.Length());
-        }
+        Include(*f->GetShape(), body);
     }
+}
+
+void World::MeasureNewest(BodyData& body)
+{
+    if (body.fixtureCount == 1)
+    {
+        MeasureExtents(body);
+        return;
+    }
+    ForgetExtents(body);
+    Include(*body.fixtureList->GetShape(), body);
 }
 
 namespace

@@ -191,7 +191,7 @@ b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
         CreateProxies(*fixture);
     }
     // What weighs nothing changes no mass, so one that was set by hand lasts.
-    fixture->GetDensity() > 0.0f ? ResetMassData(data) : MeasureExtents(data);
+    fixture->GetDensity() > 0.0f ? ResetMassData(data) : MeasureNewest(data);
     return fixture;
 }
 

@@ -58,6 +58,9 @@ public:
     void ResetMassData(BodyData& body);
     /// How far the shapes reach from the centre of mass, and how thin they are.
     static void MeasureExtents(BodyData& body);
+    /// The same, when nothing but the fixture that was created last is new: a body of thousands is
+    /// not measured thousands of times.
+    static void MeasureNewest(BodyData& body);
     void SetMobility(b2Body& body, Mobility mobility);
     void SetActive(b2Body& body, bool active);
 

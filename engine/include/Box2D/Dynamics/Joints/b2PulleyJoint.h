@@ -42,6 +42,10 @@ public:
 
     b2Vec2 GetGroundAnchorA() const { return m_groundAnchorA; }
     b2Vec2 GetGroundAnchorB() const { return m_groundAnchorB; }
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    float32 GetDefinedLengthA() const { return m_lengthA; } ///< that of the definition [m]
+    float32 GetDefinedLengthB() const { return m_lengthB; } ///< that of the definition [m]
     float32 GetLengthA() const { return GetCurrentLengthA(); } ///< of the rope at present [m]
     float32 GetLengthB() const { return GetCurrentLengthB(); }
     float32 GetRatio() const { return m_ratio; }
