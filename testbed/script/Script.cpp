@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Script.h"
 
-#include "Nearest.h"
 #include "ScriptWords.h"
 #include "ViewChoice.h"
+
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 #include <fstream>
