@@ -4,6 +4,8 @@
 #include "DifferencePicture.h"
 #include "OkLab.h"
 
+#include <debugdraw/Nearest.h>
+
 #include <algorithm>
 #include <cassert>
 #include <charconv>
@@ -242,7 +244,12 @@ CompareSettings CompareSettings::SameMachine()
     return {};
 }
 
-Result<CompareSettings> CompareSettings::Preset(const std::string& name)
+std::vector<std::string> CompareSettings::PresetNames()
+{
+    return {Exact().preset, SameMachine().preset};
+}
+
+Result<CompareSettings> CompareSettings::Preset(const std::string& option, const std::string& name)
 {
     for (const CompareSettings& settings : {Exact(), SameMachine()})
     {
@@ -251,8 +258,7 @@ Result<CompareSettings> CompareSettings::Preset(const std::string& name)
             return settings;
         }
     }
-    return Error{ErrorKind::Unusable,
-                 "there is no comparison preset \"" + name + "\"; use exact or same-machine"};
+    return NotOneOf(option, name, PresetNames());
 }
 
 Comparison Compare(const Frame& expected, const Frame& actual, const CompareSettings& settings)

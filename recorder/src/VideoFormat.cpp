@@ -4,6 +4,8 @@
 #include "SequenceName.h"
 #include "VideoPlan.h"
 
+#include <debugdraw/Nearest.h>
+
 #include <algorithm>
 #include <cassert>
 #include <numeric>
@@ -86,7 +88,7 @@ Error UnknownName(const std::filesystem::path& path, const VideoSettings& settin
     const std::string extension = path.extension().string();
     return unusable(path.string() + " does not say which kind of film to write (" +
                     (extension.empty() ? "no extension" : "unknown extension " + extension) +
-                    "); " + formats + ".");
+                    "); " + Suggesting(extension, VideoEnds(), formats + "."));
 }
 
 std::string SizeText(int width, int height)
@@ -210,6 +212,16 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
 }
 
 } // namespace
+
+std::vector<std::string> VideoEnds()
+{
+    std::vector<std::string> ends;
+    for (const Extension& known : kExtensions)
+    {
+        ends.emplace_back(known.text);
+    }
+    return ends;
+}
 
 bool IsPipe(const std::filesystem::path& path)
 {

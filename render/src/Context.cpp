@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Context.h"
 
+#include <debugdraw/Nearest.h>
+
 #include <cstdlib>
 #include <span>
 #include <utility>
@@ -23,16 +25,6 @@ constexpr Backend kAutomatic[] = {Backend::OSMesa, Backend::Egl};
 // Mesa's libraries share one record of what is current in a thread, but EGL keeps another of its
 // own beside it, which then goes wrong; so the last context is left before the next is entered.
 thread_local Context* t_current = nullptr;
-
-std::string AllNames()
-{
-    std::string names;
-    for (const auto& [name, backend] : kNames)
-    {
-        names += (names.empty() ? "" : ", ") + std::string(name);
-    }
-    return names;
-}
 
 std::string NameOf(Backend backend)
 {
@@ -60,6 +52,16 @@ Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibrari
 
 } // namespace
 
+std::vector<std::string> BackendNames()
+{
+    std::vector<std::string> names;
+    for (const auto& [name, backend] : kNames)
+    {
+        names.emplace_back(name);
+    }
+    return names;
+}
+
 Result<Backend> ParseBackend(const std::string& option, const std::string& text)
 {
     for (const auto& [name, backend] : kNames)
@@ -69,7 +71,7 @@ Result<Backend> ParseBackend(const std::string& option, const std::string& text)
             return backend;
         }
     }
-    return Error{ErrorKind::Unusable, option + " '" + text + "': give one of " + AllNames() + "."};
+    return NotOneOf(option, text, BackendNames());
 }
 
 Result<void> Context::MakeCurrent()
@@ -121,9 +123,14 @@ Result<std::unique_ptr<Context>> CreateContext(Backend backend, const ContextLib
         }
         failures += "\n  " + NameOf(candidate) + ": " + context.GetError().message;
     }
+    std::string names;
+    for (const std::string& name : BackendNames())
+    {
+        names.append(names.empty() ? "" : ", ").append(name);
+    }
     return Error{ErrorKind::Absent,
                  "Nothing can be drawn, for no back end that was tried works:" + failures +
-                     "\nThe variable " + kVariable + " chooses one: " + AllNames() + "."};
+                     "\nThe variable " + kVariable + " chooses one: " + names + "."};
 }
 
 } // namespace boxreel

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "Script.h"
 
-#include "Nearest.h"
 #include "ScriptSettings.h"
 #include "ScriptWords.h"
 #include "ViewChoice.h"
+
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 #include <fstream>

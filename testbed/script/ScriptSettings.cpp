@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ScriptSettings.h"
 
-#include "Nearest.h"
 #include "Values.h"
+
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "Nearest.h"
 #include "OutputPath.h"
 #include "Terminal.h"
 
 #include <bench/Benchmark.h>
 #include <bench/Chart.h>
 #include <debugdraw/AtomicFile.h>
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "BodyRef.h"
 
-#include "Nearest.h"
 #include "Values.h"
+
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 

@@ -2,8 +2,9 @@
 #include "CommandLine.h"
 
 #include "CommandLineOptions.h"
-#include "Nearest.h"
 #include "OutputPath.h"
+
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 
@@ -11,6 +12,8 @@ namespace boxreel
 {
 namespace
 {
+
+constexpr const char* kWhat = "2D rigid bodies, drawn and recorded off-screen";
 
 /// The parser's help with a usage line that says which words are needed.
 class HelpFormatter : public CLI::Formatter
@@ -93,9 +96,8 @@ std::vector<std::string> OptionNames(const CLI::App& command)
 
 std::string Suggestion(const std::string& word, const std::vector<std::string>& candidates)
 {
-    const int nearest = NearestWord(word, candidates);
-    return nearest < 0 ? ";"
-                       : "; did you mean '" + candidates[static_cast<std::size_t>(nearest)] + "'?";
+    const std::string question = DidYouMean(word, candidates);
+    return question.empty() ? ";" : "; " + question;
 }
 
 /// The word after a command that is none of its own: a mistyped subcommand or option, or one word
@@ -452,9 +454,27 @@ Result<Request> CheckBench(BenchOptions options, const CLI::App& command)
     return Request(std::move(options));
 }
 
+/// `boxreel completion`, `boxreel man`.
+Result<Request> Description(CLI::App& program, const std::string& name, std::optional<Shell> shell)
+{
+    if (name == "completion" && !shell)
+    {
+        return Unusable(
+            "Say for which shell, such as `boxreel completion bash`; zsh is the other.");
+    }
+    const CommandText text = DescribeCommands(program);
+    return Request(TextRequest{name == "man"          ? ManualPage(text)
+                               : shell == Shell::Bash ? BashCompletion(text)
+                                                      : ZshCompletion(text)});
+}
+
 Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
 {
     const std::string name = program.get_subcommands().front()->get_name();
+    if (name == "completion" || name == "man")
+    {
+        return Description(program, name, parsed.shell);
+    }
     if (name == "record")
     {
         return CheckRecord(std::move(parsed.record));
@@ -529,6 +549,8 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
     DeclareDoctor(program);
     DeclareExport(program, parsed);
     DeclareBench(program, parsed);
+    DeclareCompletion(program, parsed);
+    DeclareMan(program);
     for (CLI::App* command : program.get_subcommands({}))
     {
         command->group("Commands");
@@ -541,9 +563,17 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
 
 } // namespace
 
+CommandText DescribeProgram()
+{
+    CLI::App program(kWhat, "boxreel");
+    ParsedOptions parsed;
+    DeclareProgram(program, parsed);
+    return DescribeCommands(program);
+}
+
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments)
 {
-    CLI::App program("2D rigid bodies, drawn and recorded off-screen", "boxreel");
+    CLI::App program(kWhat, "boxreel");
     ParsedOptions parsed;
     parsed.record.arguments.assign(arguments.begin(), arguments.end());
     DeclareProgram(program, parsed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "CommandTree.h"
 #include "Commands.h"
 
 #include <string>
@@ -12,7 +13,7 @@
 namespace boxreel
 {
 
-/// `--help`, `--version`: text to print instead of doing anything.
+/// `--help`, `--version`, `man`: text to print instead of doing anything.
 struct TextRequest
 {
     std::string text;
@@ -24,5 +25,8 @@ using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptio
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);
+
+/// What ParseCommandLine understands.
+CommandText DescribeProgram();
 
 } // namespace boxreel

@@ -25,20 +25,25 @@ auto NumberBetween(double lowest, double highest, const char* remedy)
 }
 
 /// "classic, okabe-ito, …".
-std::string NamesOfThemes()
+std::string Listed(const std::vector<std::string>& words)
 {
-    std::string names;
-    for (const std::string_view name : ThemeNames())
+    std::string list;
+    for (const std::string& word : words)
     {
-        names.append(names.empty() ? "" : ", ").append(name);
+        list.append(list.empty() ? "" : ", ").append(word);
     }
-    return names;
+    return list;
 }
 
 /// A theme's name, or "both" where `bothThemes` may say so.
 void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
 {
-    const auto read = [&look, bothThemes](const std::string& text) {
+    std::vector<std::string> names(ThemeNames().begin(), ThemeNames().end());
+    if (bothThemes != nullptr)
+    {
+        names.emplace_back("both");
+    }
+    const auto read = [&look, bothThemes, names](const std::string& text) {
         const std::optional<Theme> theme = FindTheme(text);
         if (!theme && text == "both")
         {
@@ -54,17 +59,13 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
         }
         if (!theme)
         {
-            const std::string both = bothThemes == nullptr ? "" : ", both";
-            throw CLI::ValidationError(
-                Refusal("--theme", text, "give one of " + NamesOfThemes() + both).message);
+            throw CLI::ValidationError(NotOneOf("--theme", text, names).message);
         }
         look.theme = *theme;
     };
-    const std::string both = bothThemes == nullptr ? "" : ", both";
-    command
-        .add_option_function<std::string>("--theme", read, NamesOfThemes() + both + " (classic)")
-        ->type_name("NAME")
-        ->group("Picture");
+    CLI::Option* option =
+        command.add_option_function<std::string>("--theme", read, Listed(names) + " (classic)");
+    Completes(option->type_name("NAME")->group("Picture"), {Completion::Kind::Words, names});
 }
 
 void AddSize(CLI::App& command, SceneLook& look)
@@ -99,10 +100,11 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "follow:3,17 or follow:17:HEIGHT: these in the middle; X,Y,HEIGHT in\n"
              "metres: fixed; from key to key: \"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
         ->group("Picture");
-    AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
-             "Any of shapes,joints,aabbs,pairs,centers,masses,contacts,normals,\n"
-             "impulses,friction,velocities,forces,names,glyphs (shapes,joints)")
-        ->group("Picture");
+    CLI::Option* draw =
+        AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
+                 "Any of shapes,joints,aabbs,pairs,centers,masses,contacts,normals,\n"
+                 "impulses,friction,velocities,forces,names,glyphs (shapes,joints)");
+    Completes(draw->group("Picture"), {Completion::Kind::List, LayerNames()});
     AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
              NumberBetween(1e-6, 1e6, "give seconds from 1e-6 to 1e6, such as 0.2"),
              "Seconds: a velocity's arrow is the way of so long a time (0.2)")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "CommandLineOptions.h"
 
+#include "OutputPath.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -46,25 +48,26 @@ Result<std::vector<int>> ParseThreads(const std::string& option, const std::stri
 
 void AddScene(CLI::App& command, std::string& scene)
 {
-    command.add_option("SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file")
-        ->type_name("");
+    CLI::Option* option =
+        command.add_option("SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file");
+    Completes(option->type_name(""), {Completion::Kind::Scenes, {".json"}});
 }
 
 void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
-             std::filesystem::path& path, const std::string& help)
+             std::filesystem::path& path, const std::string& help,
+             const std::vector<std::string>& ends)
 {
-    command
-        .add_option_function<std::string>(
-            names,
-            [&path, names](const std::string& text) {
-                if (text.empty() && names.starts_with("--"))
-                {
-                    throw CLI::ValidationError(names + " is empty; give a name.");
-                }
-                path = text;
-            },
-            help)
-        ->type_name(unit);
+    const auto read = [&path, names](const std::string& text) {
+        if (text.empty() && names.starts_with("--"))
+        {
+            throw CLI::ValidationError(names + " is empty; give a name.");
+        }
+        path = text;
+    };
+    CLI::Option* option = command.add_option_function<std::string>(names, read, help);
+    option->type_name(unit);
+    Completes(option, unit == "DIR" ? Completion{Completion::Kind::Folders, {}}
+                                    : Completion{Completion::Kind::Files, ends});
 }
 
 void AddForce(CLI::App& command, bool& force)
@@ -81,8 +84,10 @@ void AddStats(CLI::App& command, bool& stats)
 
 CLI::Option* AddBackend(CLI::App& command, Backend& backend)
 {
-    return AddValue(command, "--backend", "NAME", backend, ParseBackend,
-                    "osmesa, egl, egl-gpu, auto (auto: $BOXREEL_BACKEND, or what works)");
+    CLI::Option* option =
+        AddValue(command, "--backend", "NAME", backend, ParseBackend,
+                 "osmesa, egl, egl-gpu, auto (auto: $BOXREEL_BACKEND, or what works)");
+    return Completes(option, {Completion::Kind::Words, BackendNames()});
 }
 
 void DeclareList(CLI::App& program, ParsedOptions& parsed)
@@ -99,7 +104,8 @@ void DeclareShot(CLI::App& program, ParsedOptions& parsed)
     ShotOptions& shot = parsed.shot;
     CLI::App* command = program.add_subcommand("shot", "Make one picture of a scene");
     AddScene(*command, shot.scene);
-    AddPath(*command, "-o,--output", "FILE", shot.output, "The picture: .png, .svg or .pdf");
+    AddPath(*command, "-o,--output", "FILE", shot.output, "The picture: .png, .svg or .pdf",
+            FigureEnds());
     AddForce(*command, shot.force);
     AddStats(*command, shot.stats);
     AddMotion(*command, shot);
@@ -129,15 +135,14 @@ void DeclareDiff(CLI::App& program, ParsedOptions& parsed)
 {
     DiffOptions& diff = parsed.diff;
     CLI::App* command = program.add_subcommand("diff", "Compare two pictures");
-    AddPath(*command, "A", "", diff.expected, "The picture that is right, .png");
-    AddPath(*command, "B", "", diff.actual, "The picture to judge, .png");
+    AddPath(*command, "A", "", diff.expected, "The picture that is right, .png", {".png"});
+    AddPath(*command, "B", "", diff.actual, "The picture to judge, .png", {".png"});
     AddPath(*command, "-o,--output", "FILE", diff.output,
-            "Write a picture of the differences, .png");
+            "Write a picture of the differences, .png", {".png"});
     AddForce(*command, diff.force);
-    AddValue(
-        *command, "--preset", "NAME", diff.settings,
-        [](const std::string&, const std::string& name) { return CompareSettings::Preset(name); },
-        "same-machine, exact (same-machine)");
+    CLI::Option* preset = AddValue(*command, "--preset", "NAME", diff.settings,
+                                   CompareSettings::Preset, "same-machine, exact (same-machine)");
+    Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
     command->footer("Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
                     "Examples:\n"
                     "  boxreel diff before.png after.png\n"
@@ -159,10 +164,9 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
     CLI::App* accept = command->add_subcommand("accept", "Make what the scenes show the reference");
     for (CLI::App* action : {verify, accept})
     {
-        action
-            ->add_option("NAMES", golden.names,
-                         "Such as pyramid or pyramid/2s; all when none is given")
-            ->type_name("");
+        CLI::Option* names = action->add_option(
+            "NAMES", golden.names, "Such as pyramid or pyramid/2s; all when none is given");
+        Completes(names->type_name(""), {Completion::Kind::Scenes, {}});
         AddPath(*action, "--references", "DIR", golden.references,
                 "Folder of what was approved (golden/references)");
         AddPath(*action, "--output", "DIR", golden.output,
@@ -186,7 +190,7 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
     PlayOptions& play = parsed.play;
     CLI::App* command =
         program.add_subcommand("play", "Play a script: what it expects, films and pictures");
-    AddPath(*command, "SCRIPT", "", play.script, "A text file; below is what it holds");
+    AddPath(*command, "SCRIPT", "", play.script, "A text file; below is what it holds", {".play"});
     AddPath(*command, "--into", "DIR", play.into, "Folder for what it makes (the current one)");
     command->add_flag("--check", play.check,
                       "Only say whether it can be played; simulates and makes nothing");
@@ -227,7 +231,7 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
 void DeclareCheck(CLI::App& program, ParsedOptions& parsed)
 {
     CLI::App* command = program.add_subcommand("check", "Say what of a scene file can be built");
-    AddPath(*command, "FILE", "", parsed.check.file, "A R.U.B.E. .json file");
+    AddPath(*command, "FILE", "", parsed.check.file, "A R.U.B.E. .json file", {".json"});
     command->footer("Lists what is left out and why, and notes where the format's defaults are not "
                     "the engine's.\nExit code 0: all can be built, 2: something is left out, 1: no "
                     "scene file.\n\n"
@@ -253,7 +257,7 @@ void DeclareExport(CLI::App& program, ParsedOptions& parsed)
     CLI::App* command = program.add_subcommand("export", "Write a scene as a scene file");
     AddScene(*command, options.scene);
     AddPath(*command, "-o,--output", "FILE", options.output,
-            "The scene file, .json; - for the standard output");
+            "The scene file, .json; - for the standard output", {".json"});
     AddForce(*command, options.force);
     AddValue(*command, "--at", "TIME", options.at, ParseDuration,
              "After so much simulated time: 3s, 500ms, 2.5 (0s)");
@@ -299,16 +303,15 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
              "Of our engine (1); peers are compared with the first count");
     command->add_flag("--json", bench.json, "Print all figures as JSON instead of a table");
     AddPath(*command, "--from", "FILE", bench.from,
-            "Show what an earlier --json printed; run nothing");
-    command
-        ->add_option_function<std::vector<std::string>>(
-            "--chart",
-            [&bench](const std::vector<std::string>& names) {
-                bench.charts.assign(names.begin(), names.end());
-            },
-            "Draw the ratios, each case, each size, or\nspeed and stages: .png or .svg; repeatable")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+            "Show what an earlier --json printed; run nothing", {".json"});
+    CLI::Option* chart = command->add_option_function<std::vector<std::string>>(
+        "--chart",
+        [&bench](const std::vector<std::string>& names) {
+            bench.charts.assign(names.begin(), names.end());
+        },
+        "Draw the ratios, each case, each size, or\nspeed and stages: .png or .svg; repeatable");
+    chart->type_name("FILE")->allow_extra_args(false);
+    Completes(chart, {Completion::Kind::Files, ChartEnds()});
     AddForce(*command, bench.force);
     command->footer(
         "Times are those of a step, CPU that of the whole process a step. The ratios, wall and "
@@ -341,13 +344,13 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "  boxreel bench --from bench.json --chart bench.png --chart bench.svg\n"
         "  boxreel bench --curve --chart curve.png\n"
         "  boxreel bench --accuracy --json > accuracy.json\n"
-        "  boxreel bench --accuracy --from accuracy.json --chart error.svg   (one chart a case)\n"
-        "  boxreel bench --accuracy A-projectile --chart error.svg   (error-A-projectile.svg)\n"
+        "  boxreel bench --accuracy --from accuracy.json --chart error.svg   # one chart a case\n"
+        "  boxreel bench --accuracy A-projectile --chart error.svg   # error-A-projectile.svg\n"
         "  boxreel bench --render --json > drawing.json\n"
-        "  boxreel bench --render --from drawing.json --chart drawing.svg   (drawing-720p.svg …)\n"
+        "  boxreel bench --render --from drawing.json --chart drawing.svg   # drawing-720p.svg ...\n"
         "  boxreel bench --render 1500-720p --rounds 1\n"
         "  boxreel bench --record --json > recording.json\n"
-        "  boxreel bench --record --from recording.json --chart film.png   (film-speed.png …)\n"
+        "  boxreel bench --record --from recording.json --chart film.png   # film-speed.png ...\n"
         "  boxreel bench --record tumbler --rounds 1 --frames 60 --size 640x360");
 }
 

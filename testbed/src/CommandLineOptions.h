@@ -6,10 +6,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <debugdraw/Nearest.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +19,12 @@
 /// Each command's options, declared to the parser. Private to CommandLine*.cpp.
 namespace boxreel
 {
+
+enum class Shell
+{
+    Bash,
+    Zsh,
+};
 
 /// What the options of all commands are read into; only those of the command that was named count.
 struct ParsedOptions
@@ -32,6 +40,7 @@ struct ParsedOptions
     CheckOptions check;
     ExportOptions exported;
     BenchOptions bench;
+    std::optional<Shell> shell; ///< to complete for
 };
 
 void DeclareList(CLI::App& program, ParsedOptions& parsed);
@@ -46,24 +55,46 @@ void DeclareCheck(CLI::App& program, ParsedOptions& parsed);
 void DeclareExport(CLI::App& program, ParsedOptions& parsed);
 void DeclareDoctor(CLI::App& program);
 void DeclareBench(CLI::App& program, ParsedOptions& parsed);
+void DeclareCompletion(CLI::App& program, ParsedOptions& parsed);
+void DeclareMan(CLI::App& program);
+
+/// What was declared.
+CommandText DescribeCommands(CLI::App& program);
+
+/// Says what shells offer there.
+CLI::Option* Completes(CLI::Option* option, const Completion& completion);
+Completion CompletionOf(CLI::Option& option);
 
 /// One of a few words.
 template <class Value>
-auto OneOf(std::vector<std::pair<std::string, Value>> choices)
+struct OneOf
 {
-    return [choices](const std::string& option, const std::string& text) -> Result<Value> {
-        std::string names;
+    std::vector<std::pair<std::string, Value>> choices;
+
+    explicit OneOf(std::vector<std::pair<std::string, Value>> all) : choices(std::move(all)) {}
+
+    std::vector<std::string> Words() const
+    {
+        std::vector<std::string> words;
+        for (const auto& [name, value] : choices)
+        {
+            words.push_back(name);
+        }
+        return words;
+    }
+
+    Result<Value> operator()(const std::string& option, const std::string& text) const
+    {
         for (const auto& [name, value] : choices)
         {
             if (name == text)
             {
                 return value;
             }
-            names += (names.empty() ? "" : ", ") + name;
         }
-        return Error{ErrorKind::Unusable, option + " '" + text + "': give one of " + names + "."};
-    };
-}
+        return NotOneOf(option, text, Words());
+    }
+};
 
 inline auto RatioBetween(double lowest, double highest)
 {
@@ -96,13 +127,19 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
     };
     CLI::Option* option = command.add_option_function<std::string>(names, read, help);
     option->type_name(unit);
+    if constexpr (requires { parse.Words(); })
+    {
+        Completes(option, {Completion::Kind::Words, parse.Words()});
+    }
     return option;
 }
 
 /// Options that several commands share.
 void AddScene(CLI::App& command, std::string& scene);
+/// `unit`: DIR for a folder. `ends`: of the files' names, for shells; none: any.
 void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
-             std::filesystem::path& path, const std::string& help);
+             std::filesystem::path& path, const std::string& help,
+             const std::vector<std::string>& ends = {});
 void AddForce(CLI::App& command, bool& force);
 void AddStats(CLI::App& command, bool& stats);
 CLI::Option* AddBackend(CLI::App& command, Backend& backend);

@@ -124,6 +124,14 @@ void AddTime(CLI::App& command, RecordOptions& record)
         ->group("Time");
 }
 
+/// Of films, those as pictures among them.
+std::vector<std::string> FilmEnds()
+{
+    std::vector<std::string> ends = VideoEnds();
+    ends.emplace_back(".png");
+    return ends;
+}
+
 Result<FrameRange> ParseRange(const std::string& option, const std::string& text)
 {
     Result<FrameRange> range = FrameRange::Parse(text);
@@ -140,7 +148,8 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
     CLI::App* command = program.add_subcommand("record", "Make a film of a scene");
     AddScene(*command, record.scene);
     AddPath(*command, "-o,--output", "FILE", record.output,
-            "The film: .mp4 .mkv .webm .gif .apng .webp, frames-####.png,\nor - with --format");
+            "The film: .mp4 .mkv .webm .gif .apng .webp, frames-####.png,\nor - with --format",
+            FilmEnds());
     AddForce(*command, record.film.overwrite);
     command->add_flag("--resume", record.film.resume,
                       "Go on with a film that was stopped, or begin it");
@@ -163,7 +172,8 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
     AddValue(*command, "--snapshot-every", "N", record.snapshotEvery,
              WholeBetween(1, 1'000'000'000),
              "Steps between them (100, and later at most 1/16 of the way)");
-    AddPath(*command, "--thumbnail", "FILE", record.thumbnail, "Also a picture of one frame, .png");
+    AddPath(*command, "--thumbnail", "FILE", record.thumbnail, "Also a picture of one frame, .png",
+            {".png"});
     AddValue(*command, "--thumbnail-at", "TIME", record.thumbnailAt, ParseDuration,
              "When in the film (its middle; of one that --until ends before, its\nlast frame)");
     AddTime(*command, record);
@@ -194,15 +204,15 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed)
     MergeOptions& merge = parsed.merge;
     CLI::App* command =
         program.add_subcommand("merge", "Join parts of a film, without encoding them again");
-    command
-        ->add_option_function<std::vector<std::string>>(
-            "PARTS",
-            [&merge](const std::vector<std::string>& parts) {
-                merge.parts.assign(parts.begin(), parts.end());
-            },
-            "Films made with --frame-range, in any order, each with its .json")
-        ->type_name("");
-    AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind");
+    CLI::Option* parts = command->add_option_function<std::vector<std::string>>(
+        "PARTS",
+        [&merge](const std::vector<std::string>& names) {
+            merge.parts.assign(names.begin(), names.end());
+        },
+        "Films made with --frame-range, in any order, each with its .json");
+    Completes(parts->type_name(""), {Completion::Kind::Files, FilmEnds()});
+    AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind",
+            FilmEnds());
     AddForce(*command, merge.force);
     command->add_flag("--partial", merge.partial,
                       "A piece of the film will do: its first or last frames may be missing");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Condition.h"
 
-#include "Nearest.h"
 #include "Values.h"
+
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 #include <array>
@@ -43,11 +44,18 @@ std::string Quoted(std::string_view text)
     return quoted;
 }
 
+constexpr const char* kRemedy =
+    "write it like \"17.y < -10\", \"all.speed < 0.01\" or \"awake == 0\".";
+
+/// `why`: with the remedy.
 Error Refused(std::string_view option, std::string_view text, const std::string& why)
 {
-    return Error{ErrorKind::Unusable,
-                 std::string(option) + " " + Quoted(text) + ": " + why +
-                     "; write it like \"17.y < -10\", \"all.speed < 0.01\" or \"awake == 0\"."};
+    return Error{ErrorKind::Unusable, std::string(option) + " " + Quoted(text) + ": " + why};
+}
+
+Error Malformed(std::string_view option, std::string_view text, const std::string& why)
+{
+    return Refused(option, text, why + "; " + kRemedy);
 }
 
 bool IsNumber(std::string_view text)
@@ -58,7 +66,7 @@ bool IsNumber(std::string_view text)
 
 } // namespace
 
-std::optional<Condition::Quantity> Condition::QuantityOf(std::string_view word, bool isOfWorld)
+Result<Condition::Quantity> Condition::QuantityOf(std::string_view word, bool isOfWorld)
 {
     static constexpr std::array<Word, 11> words = {{
         {"x", Quantity::X, true, false},
@@ -68,19 +76,27 @@ std::optional<Condition::Quantity> Condition::QuantityOf(std::string_view word, 
         {"vy", Quantity::Vy, true, false},
         {"speed", Quantity::Speed, true, false},
         {"spin", Quantity::Spin, true, false},
-        {"awake", Quantity::Awake, true, true},
         {"time", Quantity::Time, false, true},
+        {"awake", Quantity::Awake, true, true},
         {"bodies", Quantity::Bodies, false, true},
         {"contacts", Quantity::Contacts, false, true},
     }};
+    std::vector<std::string> candidates;
+    std::string why = Quoted(word) + " is none of ";
     for (const Word& known : words)
     {
-        if (word == known.text && (isOfWorld ? known.isOfWorld : known.isOfBody))
+        if (!(isOfWorld ? known.isOfWorld : known.isOfBody))
+        {
+            continue;
+        }
+        if (word == known.text)
         {
             return known.quantity;
         }
+        why.append(candidates.empty() ? "" : ", ").append(known.text);
+        candidates.emplace_back(known.text);
     }
-    return std::nullopt;
+    return Error{ErrorKind::Unusable, why + "; " + Suggesting(word, candidates, kRemedy)};
 }
 
 Result<Condition> Condition::Parse(std::string_view option, std::string_view text)
@@ -88,7 +104,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const std::size_t at = text.find_first_of("<>=!");
     if (at == std::string_view::npos)
     {
-        return Refused(option, text, "it compares nothing");
+        return Malformed(option, text, "it compares nothing");
     }
     const bool isTwo = at + 1 < text.size() && text[at + 1] == '=';
     const std::string_view sign = text.substr(at, isTwo ? 2 : 1);
@@ -96,7 +112,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     condition.m_text = Trimmed(text);
     if (sign == "=" || sign == "!")
     {
-        return Refused(option, text, Quoted(sign) + " is none of < <= > >= == !=");
+        return Malformed(option, text, Quoted(sign) + " is none of < <= > >= == !=");
     }
     condition.m_relation = sign == "<"    ? Relation::Less
                            : sign == "<=" ? Relation::LessEqual
@@ -108,20 +124,17 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const Result<double> value = ParseNumber(option, right);
     if (!value)
     {
-        return Refused(option, text, Quoted(right) + " is no number");
+        return Malformed(option, text, Quoted(right) + " is no number");
     }
     condition.m_value = *value;
     const std::string_view left = Trimmed(text.substr(0, at));
     const std::size_t dot = left.rfind('.');
     const bool isOfWorld = dot == std::string_view::npos;
     const std::string_view word = Trimmed(isOfWorld ? left : left.substr(dot + 1));
-    const std::optional<Quantity> quantity = QuantityOf(word, isOfWorld);
+    const Result<Quantity> quantity = QuantityOf(word, isOfWorld);
     if (!quantity)
     {
-        return Refused(option, text,
-                       Quoted(word) +
-                           (isOfWorld ? " is none of time, awake, bodies, contacts"
-                                      : " is none of x, y, angle, vx, vy, speed, spin, awake"));
+        return Refused(option, text, quantity.GetError().message);
     }
     condition.m_quantity = *quantity;
     if (isOfWorld)
@@ -135,7 +148,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     }
     if (subject.empty())
     {
-        return Refused(option, text, "it names no body");
+        return Malformed(option, text, "it names no body");
     }
     condition.m_of = subject == "any"    ? Of::Any
                      : subject == "all"  ? Of::All

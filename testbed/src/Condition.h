@@ -75,7 +75,8 @@ private:
     };
     struct Word;
 
-    static std::optional<Quantity> QuantityOf(std::string_view word, bool isOfWorld);
+    /// Of the world or of a body; an Error is half a sentence: what there is, and the remedy.
+    static Result<Quantity> QuantityOf(std::string_view word, bool isOfWorld);
     static double Value(const b2Body& body, Quantity quantity);
     static double Value(const b2World& world, Quantity quantity, double seconds);
     bool Compare(double value) const;

@@ -2,7 +2,9 @@
 #include "OutputPath.h"
 
 #include <debugdraw/AtomicFile.h>
+#include <debugdraw/Nearest.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <unistd.h>
@@ -12,25 +14,49 @@ namespace boxreel
 namespace
 {
 
-constexpr const char* kChartFormats = ".png or .svg, the two formats charts are written in";
-
-bool IsChartName(const std::filesystem::path& path)
+/// What a kind of file's name may end in.
+struct Formats
 {
-    return path.extension() == ".png" || path.extension() == ".svg";
+    std::vector<std::string> ends;
+    const char* what;
+};
+
+Formats PictureFormats()
+{
+    return {{".png"}, "the one format pictures are written in"};
 }
 
-Error WrongEnd(const std::filesystem::path& path, const std::string& formats)
+Formats FigureFormats()
 {
-    return Error{ErrorKind::Unusable, std::string("'")
-                                          .append(path.string())
-                                          .append("' does not end in ")
-                                          .append(formats)
-                                          .append(".")};
+    return {FigureEnds(), "the formats pictures are written in"};
 }
 
-/// `isFormat`: the name's end is one of those that can be written; `formats` says which these are.
-Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFormat,
-                       const std::string& formats)
+Formats ChartFormats()
+{
+    return {ChartEnds(), "the two formats charts are written in"};
+}
+
+Result<void> CheckEnd(const std::filesystem::path& path, const Formats& formats)
+{
+    const std::vector<std::string>& ends = formats.ends;
+    const std::string end = path.extension().string();
+    if (std::find(ends.begin(), ends.end(), end) != ends.end())
+    {
+        return {};
+    }
+    std::string message = "'";
+    message.append(path.string()).append("' does not end in ");
+    for (const std::string& known : ends)
+    {
+        message.append(&known == &ends.front() ? "" : &known == &ends.back() ? " or " : ", ");
+        message.append(known);
+    }
+    const std::string question = DidYouMean(end, ends);
+    message.append(", ").append(formats.what).append(question.empty() ? "." : "; " + question);
+    return Error{ErrorKind::Unusable, message};
+}
+
+Result<void> CheckPath(const std::filesystem::path& path, bool force, const Formats& formats)
 {
     const std::string name = std::string("'").append(path.string()).append("'");
     std::error_code ignored;
@@ -39,9 +65,9 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFor
         return Error{ErrorKind::Unusable,
                      name + " is a folder; name a file in it, such as picture.png."};
     }
-    if (!isFormat)
+    if (const Result<void> end = CheckEnd(path, formats); !end)
     {
-        return WrongEnd(path, formats);
+        return end;
     }
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     if (!std::filesystem::is_directory(folder, ignored))
@@ -65,6 +91,16 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, bool isFor
 }
 
 } // namespace
+
+std::vector<std::string> FigureEnds()
+{
+    return {".png", ".svg", ".pdf"};
+}
+
+std::vector<std::string> ChartEnds()
+{
+    return {".png", ".svg"};
+}
 
 bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path& film)
 {
@@ -95,8 +131,7 @@ bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path
 
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
 {
-    return CheckPath(path, force, path.extension() == ".png",
-                     ".png, the one format pictures are written in");
+    return CheckPath(path, force, PictureFormats());
 }
 
 std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path)
@@ -110,18 +145,17 @@ std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path)
 
 Result<void> CheckFigurePath(const std::filesystem::path& path, bool force)
 {
-    return CheckPath(path, force, PictureFormatOf(path).has_value(),
-                     ".png, .svg or .pdf, the formats pictures are written in");
+    return CheckPath(path, force, FigureFormats());
 }
 
 Result<void> CheckChartName(const std::filesystem::path& path)
 {
-    return IsChartName(path) ? Result<void>() : WrongEnd(path, kChartFormats);
+    return CheckEnd(path, ChartFormats());
 }
 
 Result<void> CheckChartPath(const std::filesystem::path& path, bool force)
 {
-    return CheckPath(path, force, IsChartName(path), kChartFormats);
+    return CheckPath(path, force, ChartFormats());
 }
 
 Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,

@@ -12,6 +12,10 @@
 namespace boxreel
 {
 
+/// What the names of pictures of scenes, and those of charts, may end in.
+std::vector<std::string> FigureEnds();
+std::vector<std::string> ChartEnds();
+
 /// Whether a picture can be written there: the name ends in .png, its folder exists and takes
 /// a file, and no file is in the way unless `force`. Leaves everything as it was.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);

@@ -5,6 +5,7 @@
 
 #include <debugdraw/DrawCollector.h>
 #include <debugdraw/Faded.h>
+#include <debugdraw/Nearest.h>
 #include <debugdraw/WorldArrows.h>
 #include <debugdraw/WorldGlyphs.h>
 
@@ -31,16 +32,6 @@ constexpr LayerName kLayers[] = {
     {"names", &SceneLayers::names},           {"glyphs", &SceneLayers::glyphs},
 };
 
-std::string AllNames()
-{
-    std::string names;
-    for (const LayerName& known : kLayers)
-    {
-        names.append(names.empty() ? "" : ",").append(known.name);
-    }
-    return names;
-}
-
 uint32 EngineFlags(const SceneLayers& layers)
 {
     const std::pair<bool, uint32> flags[] = {{layers.shapes, b2Draw::e_shapeBit},
@@ -56,12 +47,34 @@ uint32 EngineFlags(const SceneLayers& layers)
     return all;
 }
 
+Error UnknownLayer(const std::string& option, const std::string& layer)
+{
+    std::string remedy = "give any of ";
+    for (const std::string& name : LayerNames())
+    {
+        remedy.append(name).append(",");
+    }
+    remedy.append(" with commas between them.");
+    return Error{ErrorKind::Unusable,
+                 option + " '" + layer + "': " + Suggesting(layer, LayerNames(), remedy)};
+}
+
 bool HasContacts(const ContactLook& look)
 {
     return look.points || look.normals || look.impulses || look.friction;
 }
 
 } // namespace
+
+std::vector<std::string> LayerNames()
+{
+    std::vector<std::string> names;
+    for (const LayerName& known : kLayers)
+    {
+        names.emplace_back(known.name);
+    }
+    return names;
+}
 
 Result<SceneLayers> ParseLayers(const std::string& option, const std::string& text)
 {
@@ -81,8 +94,7 @@ Result<SceneLayers> ParseLayers(const std::string& option, const std::string& te
         }
         if (!isKnown)
         {
-            return Error{ErrorKind::Unusable, option + " '" + part + "': give any of " +
-                                                  AllNames() + ", with commas between them."};
+            return UnknownLayer(option, part);
         }
     }
     return layers;

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 /// What of a world a picture shows, as `--draw` names it, and the collecting of it. A layer that is
 /// off is not collected.
@@ -34,6 +35,9 @@ struct SceneLayers
     bool glyphs = false; ///< signs of the joints
     friend bool operator==(const SceneLayers&, const SceneLayers&) = default;
 };
+
+/// Of all layers, as `--draw` and its help have them.
+std::vector<std::string> LayerNames();
 
 /// "shapes,contacts": these and no others. Unusable, one sentence that names `option` and all
 /// layers, for anything else.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SceneSearch.h"
 
-#include "Nearest.h"
-
+#include <debugdraw/Nearest.h>
 #include <rube/RubeFile.h>
 
 #include <filesystem>

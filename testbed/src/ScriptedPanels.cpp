@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Panels without a window: what a script does with them, step by step.
-#include "Nearest.h"
 #include "SessionPanels.h"
+
+#include <debugdraw/Nearest.h>
 
 #include <algorithm>
 #include <cctype>

@@ -3,6 +3,8 @@
 
 #include "Values.h"
 
+#include <debugdraw/Nearest.h>
+
 #include <charconv>
 #include <cmath>
 
@@ -272,9 +274,10 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
     }
     return fixed ? Result<ViewChoice>(*fixed)
                  : Error{ErrorKind::Unusable,
-                         named + "give the middle and the height of the view in metres, such as "
-                                 "0,20,50, or one of fit, fit:world, fit:3,17, follow:17, "
-                                 "path:0s=0,20,50;3s=10,5,12."};
+                         named + Suggesting(kind, {"scene", "fit", "follow", "path"},
+                                            "give the middle and the height of the view in metres, "
+                                            "such as 0,20,50, or one of scene, fit, fit:world, "
+                                            "fit:3,17, follow:17, path:0s=0,20,50;3s=10,5,12.")};
 }
 
 } // namespace boxreel

@@ -377,18 +377,18 @@ TEST(CompareVerdict, NamesTheLimitsAndWhereTheyCameFrom)
 
 TEST(ComparePreset, IsFoundByName)
 {
-    const Result<CompareSettings> exact = CompareSettings::Preset("exact");
+    const Result<CompareSettings> exact = CompareSettings::Preset("--preset", "exact");
     ASSERT_TRUE(exact);
     EXPECT_EQ(exact->tolerance, 0.0);
     EXPECT_EQ(exact->maxPixels, 0);
-    const Result<CompareSettings> sameMachine = CompareSettings::Preset("same-machine");
+    const Result<CompareSettings> sameMachine = CompareSettings::Preset("--preset", "same-machine");
     ASSERT_TRUE(sameMachine);
     EXPECT_EQ(sameMachine->tolerance, CompareSettings().tolerance);
 }
 
 TEST(ComparePreset, ThatIsUnknownIsAnErrorThatListsTheOthers)
 {
-    const Result<CompareSettings> result = CompareSettings::Preset("fuzzy");
+    const Result<CompareSettings> result = CompareSettings::Preset("--preset", "fuzzy");
     ASSERT_FALSE(result);
     EXPECT_EQ(result.GetError().kind, ErrorKind::Unusable);
     EXPECT_THAT(result.GetError().message, HasSubstr("fuzzy"));

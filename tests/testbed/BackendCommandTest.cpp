@@ -139,6 +139,8 @@ TEST_F(BackendCommand, WhatNeedsNoPixelsRunsWithoutGl)
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"list"},
                                                       {"--help"},
                                                       {"record", "--help"},
+                                                      {"completion", "bash"},
+                                                      {"man"},
                                                       {"--version"},
                                                       {"diff", "a.png", "a.png"}})
     {
@@ -177,6 +179,8 @@ TEST_F(BackendCommand, LoadsOnlyTheLibraryThatDraws)
     EXPECT_THAT(forPicture, noGl);
     EXPECT_THAT(LoadedBy({"list"}), noGl);
     EXPECT_THAT(LoadedBy({"record", "--help"}), noGl);
+    EXPECT_THAT(LoadedBy({"completion", "zsh"}), noGl);
+    EXPECT_THAT(LoadedBy({"man"}), noGl);
     EXPECT_THAT(LoadedBy({"shot", "pyrmid", "--at", "1s", "-o", "b.png"}, 1), noGl);
     const std::vector<std::string> shot{"shot", "bridge", "--step",  "0",
                                         "-o",   "b.png",  "--force", "--backend"};

@@ -197,6 +197,29 @@ TEST(CommandLine, AMistypedWordSuggestsTheNearest)
                                           "`boxreel shot --help` shows what there is.");
 }
 
+TEST(CommandLine, AMistypedValueSuggestsTheNearest)
+{
+    const std::pair<const char*, const char*> lines[] = {
+        {"record a -o a.mp4 --quality hihg", "--quality 'hihg': did you mean 'high'? Give one of "},
+        {"record a -o a.mp4 --codec h246", "did you mean 'h264'?"},
+        {"record a -o - --format y5m", "did you mean 'y4m'?"},
+        {"record a -o a.mp4 --progress jsn", "did you mean 'json'?"},
+        {"record a -o a.mp4 --backend OSMESSA", "did you mean 'osmesa'?"},
+        {"record a -o a.mp4 --theme darc", "did you mean 'dark'?"},
+        {"shot a --at 1s -o a.png --theme boht", "did you mean 'both'?"},
+        {"shot a --at 1s -o a.png --draw shapes,joint", "--draw 'joint': did you mean 'joints'?"},
+        {"shot a --at 1s -o a.png --camera folow:3", "did you mean 'follow'?"},
+        {"record a -o a.mp4 --until 3.sped<1", "did you mean 'speed'?"},
+        {"record a -o a.mp4 --until awak==0", "did you mean 'awake'?"},
+        {"diff a.png b.png --preset exat", "did you mean 'exact'?"},
+        {"completion bahs", "did you mean 'bash'?"},
+    };
+    for (const auto& [line, question] : lines)
+    {
+        EXPECT_THAT(Refusal(line), HasSubstr(question));
+    }
+}
+
 TEST(CommandLine, WhatIsLikeNothingSuggestsTheHelp)
 {
     EXPECT_EQ(Refusal("list --xylophone"),
@@ -225,6 +248,7 @@ TEST(CommandLine, WhatIsMissingIsNamed)
     EXPECT_EQ(Refusal("golden"),
               "Say what to do: verify, accept; `boxreel golden --help` tells more.");
     EXPECT_EQ(Refusal("record pyramid -o"), "--output needs a value.");
+    EXPECT_THAT(Refusal("completion"), HasSubstr("`boxreel completion bash`; zsh"));
     EXPECT_EQ(Refusal("record pyramid --seed="), "--seed needs a value.");
 }
 
@@ -440,13 +464,16 @@ TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
 
 TEST(CommandLine, HelpFitsATerminalOfHundredColumns)
 {
-    for (const char* command : {"", "list", "record", "shot", "diff", "golden", "golden verify",
-                                "golden accept", "bench"})
+    const CommandText program = DescribeProgram();
+    for (const CommandText* command : AllCommands(program))
     {
-        std::istringstream help(Parsed<TextRequest>(std::string(command) + " --help").text);
+        const std::string name = command->path.substr(std::string("boxreel").size());
+        std::istringstream help(Parsed<TextRequest>(name + " --help").text);
         for (std::string line; std::getline(help, line);)
         {
             EXPECT_LE(line.size(), 100u) << line;
+            EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c > 0; }))
+                << "terminals and roff have ASCII all: " << line;
         }
     }
 }

@@ -192,6 +192,38 @@ TEST_F(Command, LookOptionsChangeThePicture)
     EXPECT_NE(picture, shot("hz.png", {"--hz", "30"}));
 }
 
+TEST_F(Command, UnknownEndsOfNamesSuggestTheNearest)
+{
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp5"}, 1, "did you mean '.mp4'? Use .mp4, .mkv");
+    ExpectRefusal({"shot", "pyramid", "--at", "1s", "-o", "a.pgn"}, 1,
+                  "'a.pgn' does not end in .png, .svg or .pdf, the formats pictures are written "
+                  "in; did you mean '.png'?");
+    ExpectRefusal({"shot", "pyramid", "--at", "1s", "-o", "a.bmp"}, 1, "are written in.");
+}
+
+TEST_F(Command, ColoursAreForTerminalsThatWantThem)
+{
+    const auto onTerminal = [this](const std::string& line) {
+        const std::string command = std::string(line).append(1, ' ');
+        return RunTool({"script", "-qec", command, "/dev/null"}, folder.Path()).output;
+    };
+    const std::string program = std::string("'") + BOXREEL_PROGRAM + "' ";
+    const std::string plain = "env -u NO_COLOR TERM=xterm ";
+    EXPECT_THAT(onTerminal(plain + program + "list"), HasSubstr("\x1b[1mCATEGORY"));
+    EXPECT_THAT(onTerminal(plain + "NO_COLOR= " + program + "list"), HasSubstr("\x1b[1m"));
+    EXPECT_THAT(onTerminal(plain + program + "lsit"), HasSubstr("\x1b[31mboxreel:\x1b[0m "));
+    for (const char* refused : {"env TERM=xterm NO_COLOR=1 ", "env -u NO_COLOR TERM=dumb "})
+    {
+        for (const char* command : {"list", "lsit"})
+        {
+            const std::string output = onTerminal(refused + program + command);
+            EXPECT_THAT(output, testing::AnyOf(HasSubstr("CATEGORY"), HasSubstr("boxreel: ")));
+            EXPECT_THAT(output, testing::Not(HasSubstr("\x1b"))) << refused;
+        }
+    }
+    EXPECT_THAT(Run({"lsit"}).errors, testing::Not(HasSubstr("\x1b"))) << "no terminal";
+}
+
 TEST_F(Command, UnknownScenesSuggestTheNearest)
 {
     ExpectRefusal({"shot", "pyrmid", "--at", "1s", "-o", "a.png"}, 1, "did you mean 'pyramid'?");

@@ -23,13 +23,12 @@ constexpr unsigned kLongestRun = BOXREEL_LONGEST_RUN;
 constexpr unsigned kLongestRun = 280;
 #endif
 
-/// Replaces this process, which is a fresh copy, by the program.
-[[noreturn]] void BecomeBoxreel(const std::vector<std::string>& arguments,
-                                const std::filesystem::path& folder,
-                                const std::filesystem::path& output,
-                                const std::filesystem::path& errors)
+/// Replaces this process, which is a fresh copy, by the program. `arguments`: its name first.
+[[noreturn]] void Become(const char* program, const std::vector<std::string>& arguments,
+                         const std::filesystem::path& folder, const std::filesystem::path& output,
+                         const std::filesystem::path& errors)
 {
-    std::vector<char*> words{const_cast<char*>("boxreel")};
+    std::vector<char*> words;
     for (const std::string& argument : arguments)
     {
         words.push_back(const_cast<char*>(argument.c_str()));
@@ -41,21 +40,19 @@ constexpr unsigned kLongestRun = 280;
     if (chdir(folder.c_str()) == 0 && dup2(outputFile, STDOUT_FILENO) >= 0 &&
         dup2(errorFile, STDERR_FILENO) >= 0)
     {
-        execv(BOXREEL_PROGRAM, words.data());
+        execvp(program, words.data());
     }
     _exit(127);
 }
 
-} // namespace
-
-Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                   const std::function<void(int)>& whileRunning)
+Outcome Run(const char* program, const std::vector<std::string>& words,
+            const std::filesystem::path& folder, const std::function<void(int)>& whileRunning)
 {
     const TemporaryFolder logs;
     const pid_t child = fork();
     if (child == 0)
     {
-        BecomeBoxreel(arguments, folder, logs / "output", logs / "errors");
+        Become(program, words, folder, logs / "output", logs / "errors");
     }
     if (whileRunning)
     {
@@ -70,6 +67,21 @@ Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesys
     outcome.output = ReadFile(logs / "output");
     outcome.errors = ReadFile(logs / "errors");
     return outcome;
+}
+
+} // namespace
+
+Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                   const std::function<void(int)>& whileRunning)
+{
+    std::vector<std::string> words{"boxreel"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return Run(BOXREEL_PROGRAM, words, folder, whileRunning);
+}
+
+Outcome RunTool(const std::vector<std::string>& words, const std::filesystem::path& folder)
+{
+    return Run(words.front().c_str(), words, folder, {});
 }
 
 TemporaryFolder::TemporaryFolder()

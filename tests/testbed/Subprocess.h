@@ -23,6 +23,9 @@ struct Outcome
 Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                    const std::function<void(int)>& whileRunning = {});
 
+/// Runs another program, which is looked for on the PATH; `words`: its name and its arguments.
+Outcome RunTool(const std::vector<std::string>& words, const std::filesystem::path& folder);
+
 /// A folder of its own for a test, removed with everything in it at the end.
 class TemporaryFolder
 {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 /// How far two pictures differ, and whether that is too far. Called by the reference store, by
 /// tests and by `boxreel diff`. Knows no files and no scenes; the verdict has the same bits for the
@@ -31,8 +32,9 @@ struct CompareSettings
 
     static CompareSettings Exact();       ///< every bit
     static CompareSettings SameMachine(); ///< the default: single stray pixels pass
-    /// The preset of that name, or an Error that lists them.
-    static Result<CompareSettings> Preset(const std::string& name);
+    /// The preset of that name, or an Error that lists them and names `option`, the text's origin.
+    static Result<CompareSettings> Preset(const std::string& option, const std::string& name);
+    static std::vector<std::string> PresetNames();
 };
 
 struct Comparison

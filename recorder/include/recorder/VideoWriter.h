@@ -98,6 +98,9 @@ struct VideoSettings
     StageTimes* stages = nullptr; ///< what each stage of the film takes; null: not timed
 };
 
+/// What the names of films end in, but for pictures and the standard output: ".mp4" and so on.
+std::vector<std::string> VideoEnds();
+
 /// Whether `path` names a format that can be written with these settings, without opening anything:
 /// unknown extension, a size the format cannot hold (with the nearest that it can), a codec or a
 /// quality that it does not have.

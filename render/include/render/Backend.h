@@ -4,6 +4,7 @@
 #include <debugdraw/Result.h>
 
 #include <string>
+#include <vector>
 
 /// Which library draws off-screen. All software back ends give the same bits; a GPU's are its own,
 /// so one is used only when it is asked for by name.
@@ -18,7 +19,10 @@ enum class Backend
     EglGpu, ///< EGL without a surface, drawing on a GPU; never chosen by Auto itself
 };
 
-/// "auto", "osmesa", "egl" or "egl-gpu". `option` is where the text comes from, e.g. "--backend",
+/// "auto", "osmesa", "egl", "egl-gpu".
+std::vector<std::string> BackendNames();
+
+/// One of these names. `option` is where the text comes from, e.g. "--backend",
 /// for the sentence of the Error (Unusable).
 Result<Backend> ParseBackend(const std::string& option, const std::string& text);
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// What the completion scripts of both shells have in common. Private to CommandCompletion*.cpp.
+namespace boxreel
+{
+
+/// Of a POSIX shell: lines become the names of scenes that need no quotes, as SceneSlug makes them;
+/// and those of all scenes of $program, of which a checkout's script builds none meanwhile.
+constexpr const char* kSceneFunctions = R"sh(_boxreel_slugs()
+{
+    LC_ALL=C sed -e "s/['\\\\]//g" -e 's/[^A-Za-z0-9][^A-Za-z0-9]*/-/g' -e 's/^-//' -e 's/-$//' \
+        -e 'y/ABCDEFGHIJKLMNOPQRSTUVWXYZ/abcdefghijklmnopqrstuvwxyz/'
+}
+
+_boxreel_all_scenes()
+{
+    BOXREEL_NO_BUILD=1 "$program" list --names </dev/null 2>/dev/null | _boxreel_slugs
+}
+)sh";
+
+/// In single quotes, whatever it holds.
+inline std::string ShellQuoted(const std::string& text)
+{
+    std::string quoted = "'";
+    for (const char c : text)
+    {
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return quoted + "'";
+}
+
+inline std::string JoinedBy(const std::string& separator, const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+    {
+        text += (text.empty() ? "" : separator) + word;
+    }
+    return text;
+}
+
+/// "record": the last word of a command's path.
+inline std::string LastWord(const std::string& path)
+{
+    return path.substr(path.rfind(' ') + 1);
+}
+
+} // namespace boxreel

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// What the program understands, as plain data: read off the parser by DescribeProgram
+/// (CommandLine.h), so that what is made of it, completions and the manual page, knows every
+/// command and option, and none that is gone.
+namespace boxreel
+{
+
+/// What a shell offers where a word or an option's value stands.
+struct Completion
+{
+    enum class Kind
+    {
+        Nothing, ///< a number, a text
+        Words,   ///< one of `words`
+        List,    ///< several of `words`, with commas between them
+        Files,   ///< that end in one of `words`, such as ".png"; any when there are none
+        Folders,
+        Scenes, ///< by name, or files that end in one of `words`
+    };
+    Kind kind = Kind::Nothing;
+    std::vector<std::string> words;
+};
+
+/// A word that stands by itself: SCENE.
+struct WordText
+{
+    std::string name;
+    std::string help;
+    bool isList = false; ///< any number of them, the last of a command's words
+    Completion completion;
+};
+
+struct OptionText
+{
+    std::vector<std::string> names; ///< "-o", "--output": short ones first
+    std::string unit;               ///< of its value, "FILE"; empty: it takes none
+    std::string help;               ///< may have line breaks
+    std::string group;              ///< the heading that it stands below
+    bool repeats = false;           ///< may be given several times
+    Completion completion;
+};
+
+struct CommandText
+{
+    std::string path;    ///< "boxreel", "boxreel golden verify"
+    std::string summary; ///< half a sentence
+    std::string notes;   ///< what its help ends with, examples among it
+    std::vector<WordText> words;
+    std::vector<OptionText> options;
+    std::vector<CommandText> commands;
+};
+
+/// The command and all below it, each before those below.
+inline std::vector<const CommandText*> AllCommands(const CommandText& command)
+{
+    std::vector<const CommandText*> all{&command};
+    for (const CommandText& next : command.commands)
+    {
+        const std::vector<const CommandText*> below = AllCommands(next);
+        all.insert(all.end(), below.begin(), below.end());
+    }
+    return all;
+}
+
+/// Scripts for these shells. They offer scenes by the names that need no quotes, newtons-cradle,
+/// and ask the program for them when they are wanted.
+std::string BashCompletion(const CommandText& program);
+std::string ZshCompletion(const CommandText& program);
+
+/// The manual page, in roff for man(1).
+std::string ManualPage(const CommandText& program);
+
+} // namespace boxreel
