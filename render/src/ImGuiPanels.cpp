@@ -11,17 +11,26 @@ namespace boxreel
 namespace
 {
 
-constexpr std::pair<ImGuiKey_, Key> kKeys[] = {
-    {ImGuiKey_Tab, Key::Tab},           {ImGuiKey_LeftArrow, Key::Left},
-    {ImGuiKey_RightArrow, Key::Right},  {ImGuiKey_UpArrow, Key::Up},
-    {ImGuiKey_DownArrow, Key::Down},    {ImGuiKey_PageUp, Key::PageUp},
-    {ImGuiKey_PageDown, Key::PageDown}, {ImGuiKey_Home, Key::Home},
-    {ImGuiKey_End, Key::End},           {ImGuiKey_Delete, Key::Delete},
-    {ImGuiKey_Backspace, Key::Backspace}, {ImGuiKey_Space, Key::Space},
-    {ImGuiKey_Enter, Key::Enter},       {ImGuiKey_Escape, Key::Escape},
-    {ImGuiKey_A, KeyOf('a')},           {ImGuiKey_C, KeyOf('c')},
-    {ImGuiKey_V, KeyOf('v')},           {ImGuiKey_X, KeyOf('x')},
-    {ImGuiKey_Y, KeyOf('y')},           {ImGuiKey_Z, KeyOf('z')}};
+constexpr std::pair<ImGuiKey_, Key> kKeys[] = {{ImGuiKey_Tab, Key::Tab},
+                                               {ImGuiKey_LeftArrow, Key::Left},
+                                               {ImGuiKey_RightArrow, Key::Right},
+                                               {ImGuiKey_UpArrow, Key::Up},
+                                               {ImGuiKey_DownArrow, Key::Down},
+                                               {ImGuiKey_PageUp, Key::PageUp},
+                                               {ImGuiKey_PageDown, Key::PageDown},
+                                               {ImGuiKey_Home, Key::Home},
+                                               {ImGuiKey_End, Key::End},
+                                               {ImGuiKey_Delete, Key::Delete},
+                                               {ImGuiKey_Backspace, Key::Backspace},
+                                               {ImGuiKey_Space, Key::Space},
+                                               {ImGuiKey_Enter, Key::Enter},
+                                               {ImGuiKey_Escape, Key::Escape},
+                                               {ImGuiKey_A, KeyOf('a')},
+                                               {ImGuiKey_C, KeyOf('c')},
+                                               {ImGuiKey_V, KeyOf('v')},
+                                               {ImGuiKey_X, KeyOf('x')},
+                                               {ImGuiKey_Y, KeyOf('y')},
+                                               {ImGuiKey_Z, KeyOf('z')}};
 
 ImVec4 Ink(int red, int green, int blue, float alpha)
 {
@@ -129,8 +138,7 @@ PanelCanvas::~PanelCanvas() = default;
 Result<PanelCanvas> PanelCanvas::Create(int width, int height, double scale)
 {
     const Result<void> usable = CheckPanelSize(width, height, scale);
-    return usable ? Result<PanelCanvas>(
-                        PanelCanvas(std::make_unique<Impl>(width, height, scale)))
+    return usable ? Result<PanelCanvas>(PanelCanvas(std::make_unique<Impl>(width, height, scale)))
                   : usable.GetError();
 }
 

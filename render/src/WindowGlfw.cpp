@@ -102,13 +102,13 @@ Result<Glfw> Start()
 Key KeyOfName(const Glfw& glfw, int key, int scancode)
 {
     static constexpr std::pair<int, Key> kNamed[] = {
-        {GLFW_KEY_SPACE, Key::Space},         {GLFW_KEY_TAB, Key::Tab},
-        {GLFW_KEY_ENTER, Key::Enter},         {GLFW_KEY_KP_ENTER, Key::Enter},
-        {GLFW_KEY_ESCAPE, Key::Escape},       {GLFW_KEY_BACKSPACE, Key::Backspace},
-        {GLFW_KEY_DELETE, Key::Delete},       {GLFW_KEY_LEFT, Key::Left},
-        {GLFW_KEY_RIGHT, Key::Right},         {GLFW_KEY_UP, Key::Up},
-        {GLFW_KEY_DOWN, Key::Down},           {GLFW_KEY_HOME, Key::Home},
-        {GLFW_KEY_END, Key::End},             {GLFW_KEY_PAGE_UP, Key::PageUp},
+        {GLFW_KEY_SPACE, Key::Space},       {GLFW_KEY_TAB, Key::Tab},
+        {GLFW_KEY_ENTER, Key::Enter},       {GLFW_KEY_KP_ENTER, Key::Enter},
+        {GLFW_KEY_ESCAPE, Key::Escape},     {GLFW_KEY_BACKSPACE, Key::Backspace},
+        {GLFW_KEY_DELETE, Key::Delete},     {GLFW_KEY_LEFT, Key::Left},
+        {GLFW_KEY_RIGHT, Key::Right},       {GLFW_KEY_UP, Key::Up},
+        {GLFW_KEY_DOWN, Key::Down},         {GLFW_KEY_HOME, Key::Home},
+        {GLFW_KEY_END, Key::End},           {GLFW_KEY_PAGE_UP, Key::PageUp},
         {GLFW_KEY_PAGE_DOWN, Key::PageDown}};
     for (const auto& [code, named] : kNamed)
     {
@@ -232,8 +232,7 @@ void Window::Impl::Listen()
         Of(w).events.push_back(event);
     });
     glfw.SetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
-        WindowEvent event =
-            Of(w).Event(action == GLFW_PRESS ? Kind::ButtonDown : Kind::ButtonUp);
+        WindowEvent event = Of(w).Event(action == GLFW_PRESS ? Kind::ButtonDown : Kind::ButtonUp);
         event.button = button;
         SetModifiers(event, mods);
         Of(w).events.push_back(event);
@@ -247,8 +246,9 @@ void Window::Impl::Listen()
         event.wheel = float(notches);
         Of(w).events.push_back(event);
     });
-    glfw.SetFramebufferSizeCallback(
-        window, [](GLFWwindow* w, int, int) { Of(w).events.push_back(Of(w).Event(Kind::Resized)); });
+    glfw.SetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) {
+        Of(w).events.push_back(Of(w).Event(Kind::Resized));
+    });
     glfw.SetWindowRefreshCallback(
         window, [](GLFWwindow* w) { Of(w).events.push_back(Of(w).Event(Kind::Exposed)); });
     glfw.SetWindowFocusCallback(window, [](GLFWwindow* w, int hasFocus) {
@@ -278,10 +278,7 @@ public:
     void SwapBuffers() override { m_window.glfw.SwapBuffers(m_window.window); }
 
 protected:
-    bool IsCurrent() const override
-    {
-        return m_window.glfw.GetCurrentContext() == m_window.window;
-    }
+    bool IsCurrent() const override { return m_window.glfw.GetCurrentContext() == m_window.window; }
     Result<void> Bind() override
     {
         m_window.glfw.MakeContextCurrent(m_window.window);

@@ -254,9 +254,8 @@ Result<void> Parser::TakePanels(const std::string& verb, ScriptAction action, Wo
     {
         return Unusable(action.kind == Kind::Click
                             ? "'click' needs a control, such as click Solver/Sleep."
-                        : action.kind == Kind::Type
-                            ? "'type' needs letters, such as type dominos."
-                            : "'hit' needs a key, such as hit ctrl+o.");
+                        : action.kind == Kind::Type ? "'type' needs letters, such as type dominos."
+                                                    : "'hit' needs a key, such as hit ctrl+o.");
     }
     action.name = words.Take();
     m_script.actions.push_back(action);
@@ -358,10 +357,9 @@ Result<void> Parser::TakeAt(Words& words)
         }
         action.until = *until;
     }
-    static const std::vector<std::string> kVerbs{"press", "release", "tap",   "grab",  "move",
-                                                 "drag",  "drop",    "bomb",  "shift", "camera",
-                                                 "set",   "click",   "type",  "hit",   "shot",
-                                                 "golden", "expect"};
+    static const std::vector<std::string> kVerbs{
+        "press",  "release", "tap",   "grab", "move", "drag", "drop",   "bomb",  "shift",
+        "camera", "set",     "click", "type", "hit",  "shot", "golden", "expect"};
     const std::string verb = words.IsEmpty() ? "" : words.Take();
     if (std::find(kVerbs.begin(), kVerbs.end(), verb) == kVerbs.end())
     {

@@ -40,9 +40,8 @@ constexpr Setting kSettings[] = {
 
 const Setting* Find(const std::string& name)
 {
-    const auto found =
-        std::find_if(std::begin(kSettings), std::end(kSettings),
-                     [&](const Setting& setting) { return name == setting.name; });
+    const auto found = std::find_if(std::begin(kSettings), std::end(kSettings),
+                                    [&](const Setting& setting) { return name == setting.name; });
     return found == std::end(kSettings) ? nullptr : found;
 }
 
@@ -56,11 +55,11 @@ Error UnknownSetting(const std::string& name)
         all += (all.empty() ? "" : ", ") + names.back();
     }
     const int nearest = name.empty() ? -1 : NearestWord(name, names);
-    return Error{ErrorKind::Unusable,
-                 (name.empty() ? "'set' needs a setting and its value"
-                               : "'" + name + "' is no setting") +
-                     (nearest < 0 ? "; give one of " + all + "."
-                                  : "; did you mean '" + names[std::size_t(nearest)] + "'?")};
+    return Error{
+        ErrorKind::Unusable,
+        (name.empty() ? "'set' needs a setting and its value" : "'" + name + "' is no setting") +
+            (nearest < 0 ? "; give one of " + all + "."
+                         : "; did you mean '" + names[std::size_t(nearest)] + "'?")};
 }
 
 } // namespace

@@ -49,22 +49,20 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
         {
             if (bothThemes == nullptr)
             {
-                throw CLI::ValidationError(
-                    Refusal("--theme", text,
-                            "a film has one theme; give classic, okabe-ito, print or dark")
-                        .message);
+                Refuse(Refusal("--theme", text,
+                               "a film has one theme; give classic, okabe-ito, print or dark")
+                           .message);
             }
             *bothThemes = true;
             return;
         }
         if (!theme)
         {
-            throw CLI::ValidationError(NotOneOf("--theme", text, names).message);
+            Refuse(NotOneOf("--theme", text, names).message);
         }
         look.theme = *theme;
     };
-    CLI::Option* option =
-        command.add_option_function<std::string>("--theme", read, Listed(names) + " (classic)");
+    CLI::Option* option = AddText(command, "--theme", read, Listed(names) + " (classic)");
     Completes(option->type_name("NAME")->group("Picture"), {Completion::Kind::Words, names});
 }
 
@@ -74,13 +72,12 @@ void AddSize(CLI::App& command, SceneLook& look)
         const Result<PixelSize> size = ParseSize("--size", text);
         if (!size)
         {
-            throw CLI::ValidationError(size.GetError().message);
+            Refuse(size.GetError().message);
         }
         look.width = size->width;
         look.height = size->height;
     };
-    command
-        .add_option_function<std::string>("--size", read, "Width and height in pixels (1280x720)")
+    AddText(command, "--size", read, "Width and height in pixels (1280x720)")
         ->type_name("WxH")
         ->group("Picture");
 }
@@ -114,20 +111,17 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "Metres a newton, of forces, friction and impulses, each a mean of a\n"
              "step (the mean weight: 1/8 of the mean size, of contacts 1/3)")
         ->group("Picture");
-    command
-        .add_flag("--labels", look.labels,
-                  "The number of each body, before its name if --draw names")
+    AddFlag(command, "--labels", look.labels,
+            "The number of each body, before its name if --draw names")
         ->group("Picture");
-    command.add_flag("--hud", look.hud, "A panel with time, step, bodies, contacts")
+    AddFlag(command, "--hud", look.hud, "A panel with time, step, bodies, contacts")
         ->group("Picture");
-    command
-        .add_flag("--hud-ms", look.hudMilliseconds,
-                  "The panel, with the milliseconds of a step as well")
+    AddFlag(command, "--hud-ms", look.hudMilliseconds,
+            "The panel, with the milliseconds of a step as well")
         ->group("Picture");
-    command
-        .add_flag("--ui", look.panels,
-                  "The panels of the window, as `boxreel ui` shows them; with --hud-ms\n"
-                  "also the times of the solver's parts")
+    AddFlag(command, "--ui", look.panels,
+            "The panels of the window, as `boxreel ui` shows them; with --hud-ms\n"
+            "also the times of the solver's parts")
         ->group("Picture");
     AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
              "Simulation steps a second (60)")

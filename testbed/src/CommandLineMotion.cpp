@@ -17,16 +17,14 @@ void AddDimensions(CLI::App& command, MotionLook& look)
             const Result<DimensionChoice> dimension = ParseDimension("--dimension", text);
             if (!dimension)
             {
-                throw CLI::ValidationError(dimension.GetError().message);
+                Refuse(dimension.GetError().message);
             }
             look.dimensions.push_back(*dimension);
         }
     };
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--dimension", read,
-            "The distance of two bodies (3,17), or of bodies and points\n"
-            "(\"0,0 to 4.5,2\", \"3 to 4.5,2\"), in metres; repeatable")
+    AddTexts(command, "--dimension", read,
+             "The distance of two bodies (3,17), or of bodies and points\n"
+             "(\"0,0 to 4.5,2\", \"3 to 4.5,2\"), in metres; repeatable")
         ->type_name("FROM,TO")
         ->allow_extra_args(false)
         ->group("Annotations");
@@ -66,9 +64,9 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
              "The last N poses, fading; 100ms apart, or 5:50ms, 5:3steps;\n"
              "of these bodies: 5:50ms:3,17")
         ->group("Motion");
-    command.add_flag("--axes", look.axes, "Beside the picture, in metres; marks the origin")
+    AddFlag(command, "--axes", look.axes, "Beside the picture, in metres; marks the origin")
         ->group("Annotations");
-    command.add_flag("--scale-bar", look.scaleBar, "Below the picture, in metres")
+    AddFlag(command, "--scale-bar", look.scaleBar, "Below the picture, in metres")
         ->group("Annotations");
     AddDimensions(command, look);
     AddValue(
@@ -88,7 +86,9 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
 Result<void> CheckMotion(const ShotOptions& options)
 {
     const MotionLook& look = options.motion;
-    const auto refusal = [](const std::string& sentence) { return Error{ErrorKind::Unusable, sentence}; };
+    const auto refusal = [](const std::string& sentence) {
+        return Error{ErrorKind::Unusable, sentence};
+    };
     const bool several = options.at.size() + options.steps.size() > 1;
     if (look.strobe && look.onion)
     {

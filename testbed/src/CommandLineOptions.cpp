@@ -46,6 +46,30 @@ Result<std::vector<int>> ParseThreads(const std::string& option, const std::stri
 
 } // namespace
 
+CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,
+                     const std::string& help)
+{
+    return command.add_flag(names, flag, help);
+}
+
+CLI::Option* AddText(CLI::App& command, const std::string& names,
+                     std::function<void(const std::string&)> read, const std::string& help)
+{
+    return command.add_option_function<std::string>(names, read, help);
+}
+
+CLI::Option* AddTexts(CLI::App& command, const std::string& names,
+                      std::function<void(const std::vector<std::string>&)> read,
+                      const std::string& help)
+{
+    return command.add_option_function<std::vector<std::string>>(names, read, help);
+}
+
+void Refuse(const std::string& message)
+{
+    throw CLI::ValidationError(message);
+}
+
 void AddScene(CLI::App& command, std::string& scene)
 {
     CLI::Option* option =
@@ -60,11 +84,11 @@ void AddPath(CLI::App& command, const std::string& names, const std::string& uni
     const auto read = [&path, names](const std::string& text) {
         if (text.empty() && names.starts_with("--"))
         {
-            throw CLI::ValidationError(names + " is empty; give a name.");
+            Refuse(names + " is empty; give a name.");
         }
         path = text;
     };
-    CLI::Option* option = command.add_option_function<std::string>(names, read, help);
+    CLI::Option* option = AddText(command, names, read, help);
     option->type_name(unit);
     Completes(option, unit == "DIR" ? Completion{Completion::Kind::Folders, {}}
                                     : Completion{Completion::Kind::Files, ends});
@@ -72,14 +96,13 @@ void AddPath(CLI::App& command, const std::string& names, const std::string& uni
 
 void AddForce(CLI::App& command, bool& force)
 {
-    command.add_flag("--force", force, "Overwrite an existing file");
+    AddFlag(command, "--force", force, "Overwrite an existing file");
 }
 
 void AddStats(CLI::App& command, bool& stats)
 {
-    command.add_flag(
-        "--stats", stats,
-        "Then say what was drawn, what left as it was, and\nwhere the time of a film went");
+    AddFlag(command, "--stats", stats,
+            "Then say what was drawn, what left as it was, and\nwhere the time of a film went");
 }
 
 CLI::Option* AddBackend(CLI::App& command, Backend& backend)
@@ -93,7 +116,7 @@ CLI::Option* AddBackend(CLI::App& command, Backend& backend)
 void DeclareList(CLI::App& program, ParsedOptions& parsed)
 {
     CLI::App* command = program.add_subcommand("list", "The scenes, with what they show");
-    command->add_flag("--names", parsed.list.namesOnly, "Names only, one a line");
+    AddFlag(*command, "--names", parsed.list.namesOnly, "Names only, one a line");
     command->footer("Examples:\n"
                     "  boxreel list\n"
                     "  boxreel list --names | head -3");
@@ -192,15 +215,15 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
         program.add_subcommand("play", "Play a script: what it expects, films and pictures");
     AddPath(*command, "SCRIPT", "", play.script, "A text file; below is what it holds", {".play"});
     AddPath(*command, "--into", "DIR", play.into, "Folder for what it makes (the current one)");
-    command->add_flag("--check", play.check,
-                      "Only say whether it can be played; simulates and makes nothing");
-    command->add_flag("--test", play.test,
-                      "Only look at what it expects and at what was approved; makes no\nfilms and "
-                      "shots");
-    command->add_flag("--accept", play.accept,
-                      "Pictures become the references that they would be compared with");
+    AddFlag(*command, "--check", play.check,
+            "Only say whether it can be played; simulates and makes nothing");
+    AddFlag(*command, "--test", play.test,
+            "Only look at what it expects and at what was approved; makes no\nfilms and "
+            "shots");
+    AddFlag(*command, "--accept", play.accept,
+            "Pictures become the references that they would be compared with");
     AddForce(*command, play.force);
-    command->add_flag("--resume", play.resume, "Go on with films that were stopped");
+    AddFlag(*command, "--resume", play.resume, "Go on with films that were stopped");
     AddBackend(*command, play.backend);
     command->footer(
         "A script:\n"
@@ -211,7 +234,7 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
         "  at 3s drop                           its button goes up\n"
         "  at step 240 bomb 0,30 5,-40          from a place with a velocity, or just: bomb\n"
         "  at 4s shift 100,0                    of the origin\n"
-        "  at 4s set sub-steps 4                of the solver; sleep, continuous, … on or off\n"
+        "  at 4s set sub-steps 4                of the solver; sleep and others: on or off\n"
         "  at 4s click Solver/Sleep             on the panels of `boxreel ui`; also type, hit\n"
         "  at 0s camera 0,5,20                  middle and height; goes on to the next one\n"
         "  at 5s expect chassis.x > 10          as --until of `boxreel record`; or: state HASH\n"
@@ -282,16 +305,16 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
     CLI::App* command = program.add_subcommand("bench", "Time the engine beside its peers");
     command->add_option("SCENES", bench.scenes, "Such as large-pyramid; all when none is given")
         ->type_name("");
-    command->add_flag("--list", bench.list, "Only say which scenes there are");
-    command->add_flag("--curve", bench.curve,
-                      "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies,\nthe "
-                      "latter with 1 and 4 sub-steps");
-    command->add_flag("--accuracy", bench.accuracy,
-                      "Run cases of known truth instead: error against time");
-    command->add_flag("--render", bench.render,
-                      "Time drawing instead, beside Cairo: error at edges against time");
-    command->add_flag("--record", bench.record,
-                      "Time recording instead, beside ffmpeg and immediate mode");
+    AddFlag(*command, "--list", bench.list, "Only say which scenes there are");
+    AddFlag(*command, "--curve", bench.curve,
+            "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies,\nthe "
+            "latter with 1 and 4 sub-steps");
+    AddFlag(*command, "--accuracy", bench.accuracy,
+            "Run cases of known truth instead: error against time");
+    AddFlag(*command, "--render", bench.render,
+            "Time drawing instead, beside Cairo: error at edges against time");
+    AddFlag(*command, "--record", bench.record,
+            "Time recording instead, beside ffmpeg and immediate mode");
     AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
              "How often each engine runs, in turn; figures are medians, those of\n--accuracy the "
              "least (3)");
@@ -301,11 +324,11 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
              "Of the films of --record (1280x720)");
     AddValue(*command, "--threads", "N[,N...]", bench.threads, ParseThreads,
              "Of our engine (1); peers are compared with the first count");
-    command->add_flag("--json", bench.json, "Print all figures as JSON instead of a table");
+    AddFlag(*command, "--json", bench.json, "Print all figures as JSON instead of a table");
     AddPath(*command, "--from", "FILE", bench.from,
             "Show what an earlier --json printed; run nothing", {".json"});
-    CLI::Option* chart = command->add_option_function<std::vector<std::string>>(
-        "--chart",
+    CLI::Option* chart = AddTexts(
+        *command, "--chart",
         [&bench](const std::vector<std::string>& names) {
             bench.charts.assign(names.begin(), names.end());
         },
@@ -347,7 +370,8 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "  boxreel bench --accuracy --from accuracy.json --chart error.svg   # one chart a case\n"
         "  boxreel bench --accuracy A-projectile --chart error.svg   # error-A-projectile.svg\n"
         "  boxreel bench --render --json > drawing.json\n"
-        "  boxreel bench --render --from drawing.json --chart drawing.svg   # drawing-720p.svg ...\n"
+        "  boxreel bench --render --from drawing.json --chart drawing.svg   # drawing-720p.svg "
+        "...\n"
         "  boxreel bench --render 1500-720p --rounds 1\n"
         "  boxreel bench --record --json > recording.json\n"
         "  boxreel bench --record --from recording.json --chart film.png   # film-speed.png ...\n"

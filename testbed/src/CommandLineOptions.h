@@ -110,6 +110,18 @@ inline auto WholeBetween(std::int64_t lowest, std::int64_t highest)
     };
 }
 
+/// What the parser's own templates do, compiled once: a flag, an option that hands on its text, and
+/// one that may have several.
+CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,
+                     const std::string& help);
+CLI::Option* AddText(CLI::App& command, const std::string& names,
+                     std::function<void(const std::string&)> read, const std::string& help);
+CLI::Option* AddTexts(CLI::App& command, const std::string& names,
+                      std::function<void(const std::vector<std::string>&)> read,
+                      const std::string& help);
+/// Becomes the parser's error: for the functions that read.
+[[noreturn]] void Refuse(const std::string& message);
+
 /// An option whose text `parse` turns into a value for `target`; a refusal becomes the parser's
 /// error.
 template <class Target, class Parse>
@@ -121,11 +133,11 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
         auto value = parse(name, text);
         if (!value)
         {
-            throw CLI::ValidationError(value.GetError().message);
+            Refuse(value.GetError().message);
         }
         target = static_cast<Target>(*value);
     };
-    CLI::Option* option = command.add_option_function<std::string>(names, read, help);
+    CLI::Option* option = AddText(command, names, read, help);
     option->type_name(unit);
     if constexpr (requires { parse.Words(); })
     {

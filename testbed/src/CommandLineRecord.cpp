@@ -19,12 +19,12 @@ CLI::Option* AddRepeated(CLI::App& command, const std::string& name, const std::
             Result<Value> value = parse(name, text);
             if (!value)
             {
-                throw CLI::ValidationError(value.GetError().message);
+                Refuse(value.GetError().message);
             }
             values.push_back(std::move(*value));
         }
     };
-    return command.add_option_function<std::vector<std::string>>(name, read, help)
+    return AddTexts(command, name, read, help)
         ->type_name(unit)
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -76,10 +76,9 @@ void AddFormat(CLI::App& command, VideoSettings& film)
     AddValue(command, "--group", "N", film.groupFrames, WholeBetween(1, 100000),
              "Frames encoded together; parts begin at multiples (100)")
         ->group("Format");
-    command
-        .add_flag("--constant-rate", film.constantRate,
-                  "Store each frame, also one that shows the same, for programs\nthat encode the "
-                  "film again (not webp)")
+    AddFlag(command, "--constant-rate", film.constantRate,
+            "Store each frame, also one that shows the same, for programs\nthat encode the "
+            "film again (not webp)")
         ->group("Format");
     AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
              "Of the encoder; H.264's bytes depend on it (2)")
@@ -118,9 +117,8 @@ void AddTime(CLI::App& command, RecordOptions& record)
     AddValue(command, "--speed", "FACTOR", record.speed, RatioBetween(0.001, 1000.0),
              "Simulated seconds a second; 0.25 is slow motion (1)")
         ->group("Time");
-    command
-        .add_flag("--interpolate", record.interpolate,
-                  "Show moments between two steps, not the step before")
+    AddFlag(command, "--interpolate", record.interpolate,
+            "Show moments between two steps, not the step before")
         ->group("Time");
 }
 
@@ -151,10 +149,10 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
             "The film: .mp4 .mkv .webm .gif .apng .webp, frames-####.png,\nor - with --format",
             FilmEnds());
     AddForce(*command, record.film.overwrite);
-    command->add_flag("--resume", record.film.resume,
-                      "Go on with a film that was stopped, or begin it");
-    command->add_flag("--skip-done", record.skipDone,
-                      "With --frame-range: nothing is to do if this very part is there");
+    AddFlag(*command, "--resume", record.film.resume,
+            "Go on with a film that was stopped, or begin it");
+    AddFlag(*command, "--skip-done", record.skipDone,
+            "With --frame-range: nothing is to do if this very part is there");
     AddStats(*command, record.stats);
     AddValue(*command, "--progress", "KIND", record.progress,
              OneOf<ProgressMode>({{"auto", ProgressMode::Auto},
@@ -204,8 +202,8 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed)
     MergeOptions& merge = parsed.merge;
     CLI::App* command =
         program.add_subcommand("merge", "Join parts of a film, without encoding them again");
-    CLI::Option* parts = command->add_option_function<std::vector<std::string>>(
-        "PARTS",
+    CLI::Option* parts = AddTexts(
+        *command, "PARTS",
         [&merge](const std::vector<std::string>& names) {
             merge.parts.assign(names.begin(), names.end());
         },
@@ -214,8 +212,8 @@ void DeclareMerge(CLI::App& program, ParsedOptions& parsed)
     AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind",
             FilmEnds());
     AddForce(*command, merge.force);
-    command->add_flag("--partial", merge.partial,
-                      "A piece of the film will do: its first or last frames may be missing");
+    AddFlag(*command, "--partial", merge.partial,
+            "A piece of the film will do: its first or last frames may be missing");
     command->footer(
         "The parts must be of the same command, unaltered since they were made, and follow each "
         "other\nwithout a gap from the film's first frame to its last; the world must be in the "

@@ -9,31 +9,28 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
     UiOptions& ui = parsed.ui;
     CLI::App* command = program.add_subcommand("ui", "Work at a scene in a window");
     AddScene(*command, ui.scene);
-    command
-        ->add_option_function<std::string>(
-            "--size",
-            [&ui](const std::string& text) {
-                const Result<PixelSize> size = ParseSize("--size", text);
-                if (!size)
-                {
-                    throw CLI::ValidationError(size.GetError().message);
-                }
-                ui.size = *size;
-            },
-            "Of the window in pixels (as it was; 1280x720)")
+    AddText(
+        *command, "--size",
+        [&ui](const std::string& text) {
+            const Result<PixelSize> size = ParseSize("--size", text);
+            if (!size)
+            {
+                Refuse(size.GetError().message);
+            }
+            ui.size = *size;
+        },
+        "Of the window in pixels (as it was; 1280x720)")
         ->type_name("WxH");
-    command
-        ->add_option_function<std::string>(
-            "--theme",
-            [&ui](const std::string& text) {
-                if (!FindTheme(text))
-                {
-                    throw CLI::ValidationError("--theme '" + text +
-                                               "': give one of classic, okabe-ito, print, dark.");
-                }
-                ui.theme = text;
-            },
-            "classic, okabe-ito, print, dark (as it was; classic)")
+    AddText(
+        *command, "--theme",
+        [&ui](const std::string& text) {
+            if (!FindTheme(text))
+            {
+                Refuse("--theme '" + text + "': give one of classic, okabe-ito, print, dark.");
+            }
+            ui.theme = text;
+        },
+        "classic, okabe-ito, print, dark (as it was; classic)")
         ->type_name("NAME");
     AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Of the scene's random numbers (1)");
@@ -41,8 +38,8 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
              "Simulation steps a second (as the scene prefers; 60)");
     AddPath(*command, "--into", "DIR", ui.into,
             "Folder for films, figures and scripts (the current one)");
-    command->add_flag("--paused", ui.isPaused, "Begin paused; O makes a step, P goes on");
-    command->add_flag("--fresh", ui.fresh, "As if for the first time; nothing is kept, either");
+    AddFlag(*command, "--paused", ui.isPaused, "Begin paused; O makes a step, P goes on");
+    AddFlag(*command, "--fresh", ui.fresh, "As if for the first time; nothing is kept, either");
     AddBackend(*command, ui.backend);
     command->footer(
         "Keys:\n"

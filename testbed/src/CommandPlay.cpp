@@ -156,12 +156,13 @@ Result<void> Planner::AddExpectation(const ScriptProduct& product)
     if (product.name.starts_with("state "))
     {
         const std::string hash = product.name.substr(6);
-        const bool isHash = hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") ==
-                                                     std::string::npos;
+        const bool isHash =
+            hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
         if (!isHash)
         {
-            return Unusable("'" + hash + "' is no state; give the 16 digits and letters a to f "
-                                         "that the window and verdicts say.");
+            return Unusable("'" + hash +
+                            "' is no state; give the 16 digits and letters a to f "
+                            "that the window and verdicts say.");
         }
         m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});
         return {};
@@ -279,9 +280,8 @@ Result<void> CheckBody(const Play& play, const Expectation& expectation,
                        const SceneSession& session)
 {
     const std::string missing =
-        expectation.condition
-            ? expectation.condition->MissingBody(session.World(), session.Names())
-            : "";
+        expectation.condition ? expectation.condition->MissingBody(session.World(), session.Names())
+                              : "";
     return missing.empty() || session.MakesBodiesLater()
                ? Result<void>()
                : play.script.At(expectation.line, Unusable(missing));

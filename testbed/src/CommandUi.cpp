@@ -57,7 +57,7 @@ private:
     std::optional<Renderer> m_renderer; // before the window it goes
     int m_width = 0;                    // of its picture [px]
     int m_height = 0;
-    std::string m_theme; // that it draws in
+    std::string m_theme;  // that it draws in
     bool m_isLost = true; // what the window shows
     std::string m_title;
 };

@@ -109,15 +109,15 @@ struct PlayOptions
 /// A scene in a window.
 struct UiOptions
 {
-    std::string scene;                ///< a name or a file; empty: the last one
-    std::optional<PixelSize> size;    ///< of the window; none: as it was
-    std::string theme;                ///< its name; empty: as it was
+    std::string scene;             ///< a name or a file; empty: the last one
+    std::optional<PixelSize> size; ///< of the window; none: as it was
+    std::string theme;             ///< its name; empty: as it was
     std::uint32_t seed = 1;
     std::optional<Rational> stepsPerSecond;
-    std::filesystem::path into;       ///< a folder for what buttons write; empty: the current one
-    bool isPaused = false;            ///< to begin with
-    bool fresh = false;               ///< as if it were the first time; nothing is kept
-    Backend backend = Backend::Auto;  ///< of films and figures
+    std::filesystem::path into;      ///< a folder for what buttons write; empty: the current one
+    bool isPaused = false;           ///< to begin with
+    bool fresh = false;              ///< as if it were the first time; nothing is kept
+    Backend backend = Backend::Auto; ///< of films and figures
 };
 
 /// What works on this machine.

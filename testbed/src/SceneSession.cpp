@@ -309,8 +309,8 @@ Camera SceneSession::Placed(const Camera& view) const
     const int uncovered = UncoveredWidth();
     if (!m_ownView)
     {
-        placed.pixelsPerMeter *= std::min(double(uncovered) / view.width,
-                                          double(m_look.height) / view.height);
+        placed.pixelsPerMeter *=
+            std::min(double(uncovered) / view.width, double(m_look.height) / view.height);
     }
     placed.width = m_look.width;
     placed.height = m_look.height;

@@ -83,8 +83,11 @@ public:
     /// them. Expects an empty list.
     void Fill(FrameContent& content, const DrawList& notes = {});
 
-    std::int64_t Step() const { return m_step; } ///< the last that was simulated, or passed by
-                                                 ///< while it was paused
+    std::int64_t Step() const
+    {
+        return m_step;
+    } ///< the last that was simulated, or passed by
+      ///< while it was paused
     std::int64_t SceneStep() const { return m_sceneStep; } ///< the scene's own count
     const Rational& StepsPerSecond() const { return m_stepsPerSecond; }
     const std::string& Title() const { return m_title; }
@@ -95,7 +98,7 @@ public:
     Scene& CurrentScene() { return *m_scene; }
     const StepSettings& Steps() const { return m_stepSettings; }
     StepSettings& Steps() { return m_stepSettings; } ///< but for the time step
-    Camera CurrentCamera() const; ///< at scale 1
+    Camera CurrentCamera() const;                    ///< at scale 1
     double Time() const; ///< that is shown, simulated since the scene began [s]
     /// Bodies may come that are not there yet.
     bool MakesBodiesLater() const;

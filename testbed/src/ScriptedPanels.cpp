@@ -31,9 +31,10 @@ std::optional<Hit> ParseHit(std::string text)
         text = text.substr(5);
     }
     static const std::vector<std::pair<std::string, Key>> kNamed{
-        {"tab", Key::Tab},   {"enter", Key::Enter}, {"escape", Key::Escape}, {"space", Key::Space},
-        {"left", Key::Left}, {"right", Key::Right}, {"up", Key::Up},         {"down", Key::Down},
-        {"home", Key::Home}, {"end", Key::End},     {"backspace", Key::Backspace}};
+        {"tab", Key::Tab},     {"enter", Key::Enter},        {"escape", Key::Escape},
+        {"space", Key::Space}, {"left", Key::Left},          {"right", Key::Right},
+        {"up", Key::Up},       {"down", Key::Down},          {"home", Key::Home},
+        {"end", Key::End},     {"backspace", Key::Backspace}};
     for (const auto& [name, key] : kNamed)
     {
         hit.key = text == name ? key : hit.key;

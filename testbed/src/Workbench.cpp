@@ -65,18 +65,17 @@ void Workbench::BeginScene()
     m_preferred = SolverOf(*m_session);
     m_choices.solver.hertz = m_preferred.hertz;
     const Camera view = Uncovered();
-    std::vector<std::string> options{
-        "--size", std::to_string(view.width) + "x" + std::to_string(view.height)};
+    std::vector<std::string> options{"--size", std::to_string(view.width) + "x" +
+                                                   std::to_string(view.height)};
     if (m_settings.look.seed != 1)
     {
         options.insert(options.end(), {"--seed", std::to_string(m_settings.look.seed)});
     }
     if (const std::optional<Rational>& rate = m_session->Look().stepsPerSecond)
     {
-        options.insert(options.end(), {"--hz", std::to_string(rate->num) +
-                                                   (rate->den == 1
-                                                        ? ""
-                                                        : "/" + std::to_string(rate->den))});
+        options.insert(options.end(),
+                       {"--hz", std::to_string(rate->num) +
+                                    (rate->den == 1 ? "" : "/" + std::to_string(rate->den))});
     }
     m_log.Begin(m_session->Asked(), std::move(options), m_session->StepsPerSecond());
     for (const auto& [name, value] : Differences(m_preferred, m_choices.solver))

@@ -38,8 +38,8 @@ std::filesystem::path Workbench::FreeName(const std::string& extension) const
     for (int number = 1;; ++number)
     {
         const std::filesystem::path path =
-            m_settings.into / ((name.empty() ? "scene" : name) + "-" + std::to_string(number) +
-                               extension);
+            m_settings.into /
+            ((name.empty() ? "scene" : name) + "-" + std::to_string(number) + extension);
         std::error_code error;
         if (!std::filesystem::exists(path, error) &&
             !std::filesystem::exists(PartPath(path), error))
@@ -89,11 +89,10 @@ void Workbench::Film()
     film.height = m_filmHeight;
     film.framesPerSecond = {rate.num, rate.den * m_filmEvery};
     m_filmPath = FreeName(".mp4");
-    Result<Recording> recording =
-        Recording::Open(m_filmPath, film,
-                        {.theme = m_settings.look.theme,
-                         .backend = m_settings.backend,
-                         .scale = m_settings.look.scale});
+    Result<Recording> recording = Recording::Open(m_filmPath, film,
+                                                  {.theme = m_settings.look.theme,
+                                                   .backend = m_settings.backend,
+                                                   .scale = m_settings.look.scale});
     if (!recording)
     {
         Say(recording.GetError().message);
@@ -114,10 +113,10 @@ void Workbench::FilmFrame()
     content.camera = m_filmHasPanels ? View() : Scaled(Uncovered(), m_settings.look.scale);
     // Rows and columns are left off at the right and below, so that the middle moves by half of
     // them.
-    content.camera.centerX -= 0.5 * (content.camera.width - m_filmWidth) /
-                              content.camera.pixelsPerMeter;
-    content.camera.centerY += 0.5 * (content.camera.height - m_filmHeight) /
-                              content.camera.pixelsPerMeter;
+    content.camera.centerX -=
+        0.5 * (content.camera.width - m_filmWidth) / content.camera.pixelsPerMeter;
+    content.camera.centerY +=
+        0.5 * (content.camera.height - m_filmHeight) / content.camera.pixelsPerMeter;
     content.camera.width = m_filmWidth;
     content.camera.height = m_filmHeight;
     const Overlay* const panels = m_filmHasPanels ? &m_panels->Picture() : nullptr;
@@ -181,8 +180,7 @@ void Workbench::Picture(const std::string& extension)
         shot.kind = ScriptProduct::Kind::Shot;
         shot.name = path.filename().string();
         shot.options = PictureOptions();
-        shot.options.insert(shot.options.end(),
-                            {"--step", std::to_string(m_session->SceneStep())});
+        shot.options.insert(shot.options.end(), {"--step", std::to_string(m_session->SceneStep())});
         m_log.Add(std::move(shot));
     }
 }

@@ -16,7 +16,7 @@ using Kind = WindowEvent::Kind;
 
 constexpr double kZoomByKey = 1.1;
 constexpr double kZoomByNotch = 1.15;
-constexpr double kPanByKey = 0.05;  // of the view's height
+constexpr double kPanByKey = 0.05;    // of the view's height
 constexpr float32 kShiftByKey = 2.0f; // of the origin [m]
 constexpr float32 kSlingSpeed = 6.0f; // of a bomb, for each metre it was pulled [1/s]
 constexpr double kLeastHeight = 1e-3; // of a view [m] …
@@ -227,9 +227,9 @@ void Workbench::KeyDown(const WindowEvent& event)
     if (!Steer(event) && event.kind == Kind::KeyDown && !Shortcut(event) && !event.control)
     {
         const auto keys = m_session->CurrentScene().Keys();
-        const bool isKnown =
-            std::any_of(keys.begin(), keys.end(),
-                        [&](const KeyBinding& binding) { return KeyOf(binding.key) == event.key; });
+        const bool isKnown = std::any_of(keys.begin(), keys.end(), [&](const KeyBinding& binding) {
+            return KeyOf(binding.key) == event.key;
+        });
         if (isKnown && m_sceneKeys.insert(event.key).second)
         {
             ScriptAction action = Action(ScriptAction::Kind::Press);

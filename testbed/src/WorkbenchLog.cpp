@@ -84,8 +84,8 @@ void WorkbenchLog::See(const Camera& view, std::int64_t step, bool isChosen)
 /// Where the view began and ended to move, and every so often between.
 std::vector<WorkbenchLog::Seen> WorkbenchLog::Keys() const
 {
-    const std::int64_t apart = std::max<std::int64_t>(
-        1, std::llround(kSecondsBetweenKeys * m_stepsPerSecond.ToDouble()));
+    const std::int64_t apart =
+        std::max<std::int64_t>(1, std::llround(kSecondsBetweenKeys * m_stepsPerSecond.ToDouble()));
     std::vector<Seen> keys;
     for (std::size_t i = 0; i < m_seen.size(); ++i)
     {

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int kLetter = 4;
-constexpr int kInARow = 6;    // more, for a letter that follows the one before
+constexpr int kInARow = 6;     // more, for a letter that follows the one before
 constexpr int kBeginsWord = 8; // more
 constexpr int kNone = std::numeric_limits<int>::min() / 2;
 

@@ -34,8 +34,8 @@ struct PanelFacts
     int treeHeight = 0;
     int treeBalance = 0;
     double treeQuality = 0.0;
-    std::vector<KeyBinding> keys;                             ///< that the scene answers to
-    std::vector<std::pair<std::string, std::string>> remarks; ///< the scene's own
+    std::vector<KeyBinding> keys;                               ///< that the scene answers to
+    std::vector<std::pair<std::string, std::string>> remarks;   ///< the scene's own
     std::optional<std::array<float, kStageNames.size()>> times; ///< of the last step [ms]; none:
                                                                 ///< they are nobody's business
     bool isWindow = true;              ///< not in a film or a picture, which cannot write files

@@ -89,7 +89,8 @@ void Panels::Resize(int width, int height)
 
 double Panels::Width(const PanelChoices& choices) const
 {
-    return choices.showsPanels ? std::min(double(m_widgets.Px(kColumnWidth)), double(m_width)) : 0.0;
+    return choices.showsPanels ? std::min(double(m_widgets.Px(kColumnWidth)), double(m_width))
+                               : 0.0;
 }
 
 /// Another scene's steps are forgotten.
@@ -145,9 +146,9 @@ void Panels::Column(const PanelFacts& facts, PanelChoices& choices)
     {
         ImGui::TextUnformatted(facts.scene.c_str());
         ImGui::SameLine();
-        ImGui::TextDisabled("%s", Text("%.2f s, step %lld", facts.seconds,
-                                       static_cast<long long>(facts.step))
-                                      .c_str());
+        ImGui::TextDisabled(
+            "%s",
+            Text("%.2f s, step %lld", facts.seconds, static_cast<long long>(facts.step)).c_str());
         Buttons(facts, choices);
         SceneSection(facts);
         ScenesSection(facts);

@@ -101,9 +101,9 @@ std::string ScenePicker::Choose(bool& isOpen, Widgets& widgets)
     }
     ImGui::SetNextItemWidth(-1.0f);
     // The arrows are the list's; Dear ImGui would let a line of text move its cursor.
-    const bool isEntered = ImGui::InputTextWithHint("##query", "Find a scene by a few letters",
-                                                    m_query, sizeof m_query,
-                                                    ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool isEntered =
+        ImGui::InputTextWithHint("##query", "Find a scene by a few letters", m_query,
+                                 sizeof m_query, ImGuiInputTextFlags_EnterReturnsTrue);
     const bool isEdited = ImGui::IsItemEdited();
     widgets.Note("Query");
     const std::vector<const SceneEntry*> found = Matching(m_query);

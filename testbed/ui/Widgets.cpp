@@ -23,8 +23,8 @@ void Widgets::Note(const std::string& name)
     const Vec2 middle{0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
     // An item that is scrolled out of its window is not there for the mouse.
     const float top = ImGui::GetWindowPos().y;
-    const bool isSeen = ImGui::IsItemVisible() && middle.y >= top &&
-                        middle.y < top + ImGui::GetWindowSize().y;
+    const bool isSeen =
+        ImGui::IsItemVisible() && middle.y >= top && middle.y < top + ImGui::GetWindowSize().y;
     m_places[full] = isSeen ? std::optional(middle) : std::nullopt;
     if (IsRevealed(full) && !isSeen)
     {
@@ -57,8 +57,8 @@ bool Widgets::Section(const char* name, bool opensFirst)
     {
         ImGui::SetNextItemOpen(isRevealed || m_opening->contains(name));
     }
-    const bool isOpen = ImGui::CollapsingHeader(
-        name, opensFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    const bool isOpen = ImGui::CollapsingHeader(name, opensFirst ? ImGuiTreeNodeFlags_DefaultOpen
+                                                                 : ImGuiTreeNodeFlags_None);
     m_panel = "Panels";
     Note(name);
     m_panel = name;

@@ -22,7 +22,7 @@ namespace
 {
 
 // The debug drawing's outline colours, the colour-blind-safe theme's, and the corners of the cube.
-const std::vector<Color>& Palette()
+const std::vector<Color>& Colors()
 {
     static const std::vector<Color> colors{
         {230, 179, 179}, {128, 230, 128}, {128, 128, 230}, {153, 153, 153}, {128, 128, 77},
@@ -162,8 +162,8 @@ TEST(CompareSameMachine, FailsASingleDotThatMovedByOnePixel)
 
 TEST(CompareSameMachine, FailsAPatchOffByFourInOneOrAllChannelsOnAnyGround)
 {
-    std::vector<Color> colors = Palette();
-    for (const Color color : Palette())
+    std::vector<Color> colors = Colors();
+    for (const Color color : Colors())
     {
         for (const Color ground : {kDark, kLight, Color{0, 0, 0}, Color{255, 255, 255}})
         {
@@ -209,7 +209,7 @@ TEST(CompareSameMachine, ToleranceLiesBelowAnyChannelOffByFour)
 TEST(CompareSameMachine, PassesASingleStrayPixelOfAnyColour)
 {
     const Frame expected = Paint(SmallScene());
-    for (const Color color : Palette())
+    for (const Color color : Colors())
     {
         for (const auto& [x, y] : {std::pair{0, 0}, {319, 179}, {160, 60}})
         {

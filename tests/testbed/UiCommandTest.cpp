@@ -220,8 +220,7 @@ TEST_F(UiCommand, PullsABodyFilmsItAndWritesTheScriptThatDoesItAgain)
     }
     EXPECT_EQ(frames, 31); // the first before any step
 
-    const Outcome played =
-        RunBoxreel({"play", "newtons-cradle-1.play", "--test"}, folder.Path());
+    const Outcome played = RunBoxreel({"play", "newtons-cradle-1.play", "--test"}, folder.Path());
     EXPECT_EQ(played.code, 0) << played.errors << played.output;
     const std::string state = outcome.output.substr(outcome.output.find("state "), 22);
     EXPECT_THAT(played.output, HasSubstr(state));

@@ -34,11 +34,11 @@ struct WindowEvent
     };
     Kind kind = Kind::Pointer;
     Key key = Key::None;
-    std::string text;      ///< of Text, UTF-8
-    int button = 0;        ///< 0 left, 1 right, 2 middle
+    std::string text;       ///< of Text, UTF-8
+    int button = 0;         ///< 0 left, 1 right, 2 middle
     Vec2 point{0.0f, 0.0f}; ///< where the mouse is, at every event [px], y down
-    float wheel = 0.0f;    ///< notches, up and away is above zero
-    bool shift = false;    ///< at keys and buttons, likewise the other two
+    float wheel = 0.0f;     ///< notches, up and away is above zero
+    bool shift = false;     ///< at keys and buttons, likewise the other two
     bool control = false;
     bool alt = false;
 };
