@@ -10,10 +10,10 @@ namespace
 {
 
 constexpr int32 kLinkCount = 16;
-constexpr float32 kLinkLength = 1.0f;     ///< from hinge to hinge [m]
+constexpr float32 kLinkLength = 1.0f;      ///< from hinge to hinge [m]
 constexpr float32 kLinkHalfHeight = 0.15f; ///< [m]
-constexpr float32 kBallRadius = 1.8f;     ///< [m]
-constexpr float32 kAnchorHeight = 20.0f;  ///< [m]
+constexpr float32 kBallRadius = 1.8f;      ///< [m]
+constexpr float32 kAnchorHeight = 20.0f;   ///< [m]
 
 // Links overlap at their hinges, as those of a real chain do.
 constexpr float32 kLinkHalfLength = 0.5f * kLinkLength + 0.05f; ///< [m]

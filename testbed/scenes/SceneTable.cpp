@@ -172,6 +172,12 @@ std::span<const SceneEntry> AllScenes()
         {"Ragdoll", "Joints", "Jointed bodies fall down a flight of steps and lie.", MakeRagdoll},
         {"Skier", "Vehicles", "A jointed figure on a ski goes down a piste over bumps and a jump.",
          MakeSkier},
+        {"Pinball", "Examples",
+         "A ball is shot up a table, falls through bumpers and is hit back by two flippers.",
+         MakePinball},
+        {"Dump Shell", "Examples",
+         "A shell full of stones goes on from the moment that b2World::Dump wrote down.",
+         MakeDumpShell},
     };
     return kScenes;
 }

@@ -82,5 +82,7 @@ std::unique_ptr<Scene> MakeRopeBending(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeScissorLift(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeRagdoll(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeSkier(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePinball(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeDumpShell(const SceneSettings& settings);
 
 } // namespace boxreel

@@ -329,5 +329,50 @@ TEST(SkierScene, GoesDownOverTheJumpOnItsSkiAndStopsUpright)
     EXPECT_LT(ski.GetLinearVelocity().Length(), 0.1f);
 }
 
+TEST(PinballScene, FlippersHitTheBallBackUp)
+{
+    for (const float32 side : {-1.0f, 1.0f})
+    {
+        const auto scene = Make("Pinball");
+        b2Body& ball = Named(*scene, "ball");
+        const char key = side < 0.0f ? 'a' : 'd';
+        scene->KeyDown(key);
+        scene->KeyUp(key);
+        Play(*scene, 0.5f);
+        ball.SetTransform(b2Vec2(1.7f * side, 4.0f), 0.0f);
+        ball.SetLinearVelocity(b2Vec2(0.0f, 0.0f));
+        Play(*scene, 0.1f);
+        EXPECT_LT(ball.GetLinearVelocity().y, 0.1f) << "lies on the flipper";
+        scene->KeyDown(key);
+        Play(*scene, 0.2f);
+        EXPECT_GT(ball.GetLinearVelocity().y, 8.0f);
+        scene->KeyUp(key);
+        float32 highest = 0.0f;
+        Play(*scene, 1.0f, [&] { highest = std::max(highest, ball.GetPosition().y); });
+        EXPECT_GT(highest, 9.0f);
+    }
+}
+
+TEST(PinballScene, PlaysByItselfAndKeepsTheBallOnTheTable)
+{
+    const auto scene = Make("Pinball");
+    const b2Body& ball = Named(*scene, "ball");
+    int32 hits = 0;
+    int32 shots = 0;
+    float32 before = 0.0f;
+    Play(*scene, 30.0f, [&] {
+        const b2Vec2 place = ball.GetPosition();
+        const float32 up = ball.GetLinearVelocity().y;
+        ASSERT_TRUE(place.x > -8.7f && place.x < 9.5f && place.y > 0.9f && place.y < 23.7f)
+            << place.x << ", " << place.y;
+        const bool isTurned = before < 4.0f && up > 8.0f;
+        hits += isTurned && b2Abs(place.x) < 3.5f && place.y < 7.0f ? 1 : 0;
+        shots += isTurned && place.x > 8.5f ? 1 : 0;
+        before = up;
+    });
+    EXPECT_GE(hits, 3) << "the flippers play";
+    EXPECT_GE(shots, 2) << "what they miss is shot again";
+}
+
 } // namespace
 } // namespace boxreel
