@@ -73,5 +73,16 @@ std::unique_ptr<Scene> MakeAddPairStressTest(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeWeb(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeBodyTypes(const SceneSettings& settings);
 std::unique_ptr<Scene> MakeBreakable(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeCantilever(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeMobile(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeMobileBalanced(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeBallAndChain(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeWreckingBall(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRopeBending(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeScissorLift(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeRagdoll(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeSkier(const SceneSettings& settings);
+std::unique_ptr<Scene> MakePinball(const SceneSettings& settings);
+std::unique_ptr<Scene> MakeDumpShell(const SceneSettings& settings);
 
 } // namespace boxreel

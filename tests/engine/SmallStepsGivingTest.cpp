@@ -146,6 +146,29 @@ TEST(SmallStepsMotor, LiftsASliderWithTheForceItHas)
     EXPECT_NEAR(joint->GetMotorForce(), 10.0f * load->GetMass(), 0.05f);
 }
 
+TEST(SmallStepsMotor, GetsALoadGoingThatLiesOnAPlatformOfLevers)
+{
+    // A foot is drawn in, and two bars push up a platform 15 times as fast: much more than the
+    // motor has in a small step goes into their speed, and then contacts have to follow.
+    SmallScene s;
+    b2Body* post = s.Post();
+    b2Body* platform = s.Load(0.0f, 0.0f, 2.0f, 0.1f);
+    s.Slider(post, platform, 0.0f, 0.0f, b2Vec2(0.0f, 1.0f));
+    b2Body* foot = s.Part(3.0f, -0.2f, 0.1f, 0.1f);
+    b2PrismaticJoint* motor = s.Slider(post, foot, 3.0f, -0.2f, b2Vec2(1.0f, 0.0f));
+    s.Rod(foot, platform, b2Vec2(3.0f, -0.2f), b2Vec2(0.0f, 0.0f));
+    for (const float32 x : {-1.5f, 0.0f, 1.5f})
+    {
+        s.Load(x, 0.61f, 0.5f, 0.5f);
+    }
+    motor->EnableMotor(true);
+    motor->SetMotorSpeed(-0.1f);
+    motor->SetMaxMotorForce(5000.0f);
+    s.Step(60);
+    EXPECT_NEAR(motor->GetJointSpeed(), -0.1f, 1e-3f);
+    EXPECT_GT(platform->GetPosition().y, 0.5f);
+}
+
 TEST(SmallStepsMotor, TurnsAWheelOnItsSpring)
 {
     SmallScene s;

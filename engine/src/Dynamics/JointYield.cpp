@@ -220,7 +220,8 @@ double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, d
     case Yield::Least:
         break;
     }
-    return 0.0;
+    // What gives all it can wants no less for it: contacts that take up its work may let it hold.
+    return double(WantedOf(law));
 }
 
 double JointSystem::MostWork(std::size_t joint, const SolverContext& before,

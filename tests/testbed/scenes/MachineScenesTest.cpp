@@ -238,5 +238,141 @@ TEST(RopeJointScene, KeepsTheChainWholeUntilTheRopeIsCut)
     EXPECT_EQ(JointsOf<b2RopeJoint>(*cut).size(), 1u);
 }
 
+TEST(ScissorLiftScene, RisesLevelWithItsLoadAndHoldsItUp)
+{
+    const auto scene = Make("Scissor Lift");
+    const b2Body& platform = Named(*scene, "platform");
+    const float32 start = platform.GetPosition().y;
+    scene->KeyDown('w');
+    Play(*scene, 2.0f, [&] { EXPECT_NEAR(platform.GetAngle(), 0.0f, 0.01f); });
+    scene->KeyUp('w');
+    Play(*scene, 1.0f);
+    const float32 held = platform.GetPosition().y;
+    EXPECT_GT(held, start + 2.0f);
+    Play(*scene, 3.0f, [&] { EXPECT_NEAR(platform.GetPosition().y, held, 0.01f); });
+    const std::vector<b2Body*> movers = Movers(*scene);
+    for (std::size_t i = movers.size() - 4; i < movers.size(); ++i)
+    {
+        EXPECT_GT(movers[i]->GetPosition().y, held + 0.6f) << "a crate fell off";
+    }
+    EXPECT_LT(WidestHingeGap(*scene), 0.01f);
+
+    scene->KeyDown('s');
+    Play(*scene, 4.0f);
+    EXPECT_NEAR(platform.GetPosition().y, start, 0.02f) << "down again, at the stop";
+}
+
+TEST(ScissorLiftScene, RisesEvenlyThoughItsFeetDoNot)
+{
+    const auto scene = Make("Scissor Lift");
+    const b2PrismaticJoint* motor = JointsOf<b2PrismaticJoint>(*scene)[0];
+    const b2Body& platform = Named(*scene, "platform");
+    Play(*scene, 1.0f);
+    const float32 first = motor->GetJointSpeed();
+    Play(*scene, 4.0f, [&] { EXPECT_NEAR(platform.GetLinearVelocity().y, 1.5f, 0.05f); });
+    EXPECT_LT(motor->GetJointSpeed(), 2.0f * first) << "both are negative";
+}
+
+TEST(RagdollScene, FallsDownTheStepsAndLiesWithinTheLimitsOfItsJoints)
+{
+    const auto scene = Make("Ragdoll");
+    const auto joints = JointsOf<b2RevoluteJoint>(*scene);
+    ASSERT_EQ(joints.size(), 2u * 10u);
+    float32 beyond = 0.0f;
+    float32 widest = 0.0f;
+    Play(*scene, 12.0f, [&] {
+        for (const b2RevoluteJoint* joint : joints)
+        {
+            beyond = std::max({beyond, joint->GetJointAngle() - joint->GetUpperLimit(),
+                               joint->GetLowerLimit() - joint->GetJointAngle()});
+        }
+        widest = std::max(widest, WidestHingeGap(*scene));
+    });
+    EXPECT_LT(beyond, 0.1f);
+    EXPECT_LT(widest, 0.05f);
+    for (const b2Body* part : Movers(*scene))
+    {
+        EXPECT_LT(part->GetLinearVelocity().Length(), 0.05f);
+    }
+    for (const char* name : {"first", "second"})
+    {
+        EXPECT_LT(Named(*scene, name).GetPosition().y, 6.0f) << name;
+    }
+}
+
+TEST(SkierScene, GoesDownOverTheJumpOnItsSkiAndStopsUpright)
+{
+    const auto scene = Make("Skier");
+    const b2Body& ski = Named(*scene, "ski");
+    const b2Body& head = Named(*scene, "head");
+    const float32 start = ski.GetPosition().y;
+    float32 inTheAir = 0.0f;
+    float32 longest = 0.0f;
+    float32 lowestHead = 10.0f;
+    float32 fastest = 0.0f;
+    Play(*scene, 11.0f, [&] {
+        bool touches = false;
+        for (const b2ContactEdge* edge = ski.GetContactList(); edge; edge = edge->next)
+        {
+            touches = touches || edge->contact->IsTouching();
+        }
+        inTheAir = touches ? 0.0f : inTheAir + 1.0f / 60.0f;
+        longest = std::max(longest, inTheAir);
+        lowestHead = std::min(lowestHead, b2MulT(ski.GetTransform(), head.GetPosition()).y);
+        fastest = std::max(fastest, ski.GetLinearVelocity().Length());
+    });
+    EXPECT_GT(longest, 0.8f) << "a jump";
+    EXPECT_GT(lowestHead, 0.8f) << "it falls over";
+    EXPECT_GT(fastest, 14.0f);
+    EXPECT_GT(ski.GetPosition().x, 35.0f);
+    EXPECT_LT(ski.GetPosition().y, start - 15.0f);
+    EXPECT_LT(ski.GetLinearVelocity().Length(), 0.1f);
+}
+
+TEST(PinballScene, FlippersHitTheBallBackUp)
+{
+    for (const float32 side : {-1.0f, 1.0f})
+    {
+        const auto scene = Make("Pinball");
+        b2Body& ball = Named(*scene, "ball");
+        const char key = side < 0.0f ? 'a' : 'd';
+        scene->KeyDown(key);
+        scene->KeyUp(key);
+        Play(*scene, 0.5f);
+        ball.SetTransform(b2Vec2(1.7f * side, 4.0f), 0.0f);
+        ball.SetLinearVelocity(b2Vec2(0.0f, 0.0f));
+        Play(*scene, 0.1f);
+        EXPECT_LT(ball.GetLinearVelocity().y, 0.1f) << "lies on the flipper";
+        scene->KeyDown(key);
+        Play(*scene, 0.2f);
+        EXPECT_GT(ball.GetLinearVelocity().y, 8.0f);
+        scene->KeyUp(key);
+        float32 highest = 0.0f;
+        Play(*scene, 1.0f, [&] { highest = std::max(highest, ball.GetPosition().y); });
+        EXPECT_GT(highest, 9.0f);
+    }
+}
+
+TEST(PinballScene, PlaysByItselfAndKeepsTheBallOnTheTable)
+{
+    const auto scene = Make("Pinball");
+    const b2Body& ball = Named(*scene, "ball");
+    int32 hits = 0;
+    int32 shots = 0;
+    float32 before = 0.0f;
+    Play(*scene, 30.0f, [&] {
+        const b2Vec2 place = ball.GetPosition();
+        const float32 up = ball.GetLinearVelocity().y;
+        ASSERT_TRUE(place.x > -8.7f && place.x < 9.5f && place.y > 0.9f && place.y < 23.7f)
+            << place.x << ", " << place.y;
+        const bool isTurned = before < 4.0f && up > 8.0f;
+        hits += isTurned && b2Abs(place.x) < 3.5f && place.y < 7.0f ? 1 : 0;
+        shots += isTurned && place.x > 8.5f ? 1 : 0;
+        before = up;
+    });
+    EXPECT_GE(hits, 3) << "the flippers play";
+    EXPECT_GE(shots, 2) << "what they miss is shot again";
+}
+
 } // namespace
 } // namespace boxreel

@@ -43,6 +43,21 @@ inline std::vector<b2Body*> Movers(Scene& scene)
     return movers;
 }
 
+/// The body that the scene calls so.
+inline b2Body& Named(Scene& scene, const std::string& name)
+{
+    for (b2Body* body = scene.World().GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        const auto found = scene.Names().find(static_cast<std::uint32_t>(body->GetNumber()));
+        if (found != scene.Names().end() && found->second == name)
+        {
+            return *body;
+        }
+    }
+    ADD_FAILURE() << "no body is called " << name;
+    std::abort();
+}
+
 /// Joints of a class in the order in which the scene made them.
 template <class Joint>
 std::vector<Joint*> JointsOf(Scene& scene)
