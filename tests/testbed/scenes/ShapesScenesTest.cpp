@@ -30,6 +30,24 @@ TEST(EdgeTestScene, WhoKnowsItsNeighboursIsSmooth)
     EXPECT_GT(rightmost, 10.0f);
 }
 
+TEST(EdgeTestScene, TheSeamsOfEdgesThatAreAloneTakeSpeed)
+{
+    const auto scene = Make("Edge Test");
+    float32 alone = 8.0f;
+    float32 neighbours = 8.0f;
+    Play(*scene, 1.0f, [&] {
+        // The discs, of the upper and of the lower lane.
+        alone = std::min(alone, Movers(*scene)[1]->GetLinearVelocity().x);
+        neighbours = std::min(neighbours, Movers(*scene)[3]->GetLinearVelocity().x);
+    });
+    EXPECT_LT(alone, 7.9f);
+    EXPECT_GT(neighbours, 7.99f);
+    const auto rows = scene->Describe();
+    EXPECT_EQ(rows[0].first, "lost on edges alone (orange)");
+    EXPECT_GT(std::stof(rows[0].second), 0.1f);
+    EXPECT_EQ(rows[1].second, "0.00 m/s");
+}
+
 TEST(EdgeShapesScene, TheHillsCarryWhatFalls)
 {
     const auto scene = Make("Edge Shapes");
