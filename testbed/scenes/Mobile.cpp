@@ -20,7 +20,7 @@ public:
 
     std::optional<SceneArea> PreferredView() const override
     {
-        return SceneArea{.center = b2Vec2(0.0f, 9.5f), .halfSize = b2Vec2(10.0f, 7.5f)};
+        return SceneArea{.center = b2Vec2(0.0f, 8.0f), .halfSize = b2Vec2(12.0f, 10.0f)};
     }
 };
 
