@@ -192,7 +192,7 @@ void DeclareRecord(CLI::App& program, ParsedOptions& parsed)
         "  boxreel record dominos -o ball.mp4 --camera follow:13:8\n"
         "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
         "  boxreel record bridge -o bridge.mp4 --theme okabe-ito\n"
-        "  boxreel record dominos -o short.webp --from 1s --until-sleep --thumbnail short.png\n"
+        "  boxreel record double-domino -o d.webp --from 1s --until-sleep --thumbnail d.png\n"
         "  boxreel record tumbler -o part-2.mkv --frame-range 200-399 --snapshots states\n"
         "  boxreel record bridge -o - --format y4m | ffplay -");
 }

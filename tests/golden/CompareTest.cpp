@@ -392,5 +392,5 @@ TEST(ComparePreset, ThatIsUnknownIsAnErrorThatListsTheOthers)
     ASSERT_FALSE(result);
     EXPECT_EQ(result.GetError().kind, ErrorKind::Unusable);
     EXPECT_THAT(result.GetError().message, HasSubstr("fuzzy"));
-    EXPECT_THAT(result.GetError().message, HasSubstr("exact or same-machine"));
+    EXPECT_THAT(result.GetError().message, HasSubstr("give one of exact, same-machine"));
 }
