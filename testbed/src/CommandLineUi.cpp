@@ -21,17 +21,17 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
         },
         "Of the window in pixels (as it was; 1280x720)")
         ->type_name("WxH");
-    AddText(
-        *command, "--theme",
-        [&ui](const std::string& text) {
-            if (!FindTheme(text))
-            {
-                Refuse("--theme '" + text + "': give one of classic, okabe-ito, print, dark.");
-            }
-            ui.theme = text;
-        },
-        "classic, okabe-ito, print, dark (as it was; classic)")
-        ->type_name("NAME");
+    const std::vector<std::string> themes(ThemeNames().begin(), ThemeNames().end());
+    const auto readTheme = [&ui, themes](const std::string& text) {
+        if (!FindTheme(text))
+        {
+            Refuse(NotOneOf("--theme", text, themes).message);
+        }
+        ui.theme = text;
+    };
+    CLI::Option* theme = AddText(*command, "--theme", readTheme,
+                                 "classic, okabe-ito, print, dark (as it was; classic)");
+    Completes(theme->type_name("NAME"), {Completion::Kind::Words, themes});
     AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Of the scene's random numbers (1)");
     AddValue(*command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),

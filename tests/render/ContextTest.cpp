@@ -245,13 +245,18 @@ TEST(Backend, IsReadFromItsName)
     EXPECT_EQ(*ParseBackend("--backend", "osmesa"), Backend::OSMesa);
     EXPECT_EQ(*ParseBackend("--backend", "egl"), Backend::Egl);
     EXPECT_EQ(*ParseBackend("--backend", "egl-gpu"), Backend::EglGpu);
-    for (const char* const bad : {"", "EGL", "gpu", "egl ", "glx"})
+    const std::pair<std::string, std::string> refusals[] = {
+        {"", "give"},       {"EGL", "did you mean 'egl'? Give"},
+        {"gpu", "give"},    {"egl ", "did you mean 'egl'? Give"},
+        {"vulkan", "give"},
+    };
+    for (const auto& [bad, remedy] : refusals)
     {
         const Result<Backend> backend = ParseBackend("--backend", bad);
         ASSERT_FALSE(backend) << bad;
         EXPECT_EQ(backend.GetError().kind, ErrorKind::Unusable);
         EXPECT_EQ(backend.GetError().message,
-                  "--backend '" + std::string(bad) + "': give one of auto, osmesa, egl, egl-gpu.");
+                  "--backend '" + bad + "': " + remedy + " one of auto, osmesa, egl, egl-gpu.");
     }
 }
 

@@ -4,7 +4,9 @@
 #include "SmallStepsScene.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
+#include <vector>
 
 /// What every test of the stability suite shares: a world that is watched while it runs, and the
 /// verdict, a number with its bound that is printed, recorded and checked. The tests below this
@@ -218,19 +220,22 @@ private:
     std::vector<b2Vec2> m_places;
 };
 
-/// Every test runs with the default scheme, the recommended number, and coarser and finer ones. The
-/// finest, which takes the most time, is left to the long program.
+/// Every test runs with the default scheme, the recommended number, and coarser and finer ones; or
+/// with the one count that the variable BOXREEL_SUB_STEPS holds: the finest, which takes the most
+/// time, is a run of its own.
 class EverySubStepCount : public testing::TestWithParam<int32>
 {};
 
-#if !defined(BOXREEL_STABILITY_COUNTS)
-#define BOXREEL_STABILITY_COUNTS 1, 2, 4, 8
-#endif
+inline std::vector<int32> SubStepCounts()
+{
+    const char* const one = std::getenv("BOXREEL_SUB_STEPS");
+    return one != nullptr ? std::vector<int32>{std::atoi(one)} : std::vector<int32>{1, 2, 4, 8};
+}
 
 #define STABILITY_SUITE(name)                                                                      \
     class name : public stability::EverySubStepCount                                               \
     {};                                                                                            \
-    INSTANTIATE_TEST_SUITE_P(SubSteps, name, testing::Values(BOXREEL_STABILITY_COUNTS),            \
+    INSTANTIATE_TEST_SUITE_P(SubSteps, name, testing::ValuesIn(stability::SubStepCounts()),        \
                              testing::PrintToStringParamName())
 
 } // namespace stability
