@@ -3,6 +3,7 @@
 
 #include "RubeJoints.h"
 #include "RubeNames.h"
+#include "RubePolygons.h"
 
 namespace boxreel
 {
@@ -33,19 +34,6 @@ std::vector<b2Vec2> WithoutRepeats(const std::vector<b2Vec2>& vertices)
         }
     }
     return kept;
-}
-
-/// Whether these are the corners that SetAsBox makes, in its order: then it is what comes back
-/// from a file bit by bit.
-bool IsBox(const std::vector<b2Vec2>& vertices)
-{
-    if (vertices.size() != 4)
-    {
-        return false;
-    }
-    const b2Vec2& half = vertices[2];
-    return half.x > 0.0f && half.y > 0.0f && vertices[0] == -half &&
-           vertices[1] == b2Vec2(half.x, -half.y) && vertices[3] == b2Vec2(-half.x, half.y);
 }
 
 class Builder
@@ -287,14 +275,7 @@ private:
             return std::string("the engine says of its vertices: ") + why;
         }
         b2PolygonShape shape;
-        if (IsBox(polygon.vertices))
-        {
-            shape.SetAsBox(polygon.vertices[2].x, polygon.vertices[2].y);
-        }
-        else
-        {
-            shape.Set(polygon.vertices.data(), asInt);
-        }
+        SetPolygon(polygon, shape);
         attach(shape);
         return "";
     }

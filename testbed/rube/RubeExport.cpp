@@ -4,6 +4,7 @@
 #include "RubeBuilder.h"
 #include "RubeFile.h"
 #include "RubeNames.h"
+#include "RubePolygons.h"
 
 #include <algorithm>
 #include <map>
@@ -74,7 +75,7 @@ decltype(RubeFixture::shape) ShapeOf(const b2Shape& shape)
         return ChainOf(static_cast<const b2ChainShape&>(shape));
     default: {
         const auto& polygon = static_cast<const b2PolygonShape&>(shape);
-        return RubePolygon{{polygon.m_vertices, polygon.m_vertices + polygon.m_count}};
+        return PolygonOf(polygon);
     }
     }
 }

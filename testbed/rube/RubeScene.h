@@ -41,6 +41,9 @@ struct RubeChain
 struct RubePolygon
 {
     std::vector<b2Vec2> vertices; ///< two of them mean an edge
+    /// Of the edges, an addition of ours to the format: where they are not, to the last bit, those
+    /// that the vertices give. Empty: they are.
+    std::vector<b2Vec2> normals = {};
 };
 
 struct RubeFixture

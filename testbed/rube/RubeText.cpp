@@ -117,7 +117,12 @@ RubeFixture ReadFixture(const JsonValue& value)
     }
     else if (const JsonValue polygon = value.Member("polygon"); polygon.Exists())
     {
-        fixture.shape = RubePolygon{ReadVertices(polygon.Required("vertices"))};
+        RubePolygon said{ReadVertices(polygon.Required("vertices"))};
+        if (const JsonValue normals = polygon.Member("normals"); normals.Exists())
+        {
+            said.normals = ReadVertices(normals);
+        }
+        fixture.shape = std::move(said);
     }
     fixture.properties = value.Member("customProperties").Raw();
     return fixture;

@@ -118,6 +118,10 @@ void AddShape(Json& fixture, const RubeChain& chain)
 void AddShape(Json& fixture, const RubePolygon& polygon)
 {
     fixture["polygon"] = {{"vertices", Vertices(polygon.vertices)}};
+    if (!polygon.normals.empty())
+    {
+        fixture["polygon"]["normals"] = Vertices(polygon.normals);
+    }
 }
 
 Json Fixture(const RubeFixture& fixture)

@@ -546,9 +546,11 @@ Result<Script> ReadScript(const std::filesystem::path& file)
     std::ifstream stream(file, std::ios::binary);
     if (!isFile || !stream)
     {
-        return Error{ErrorKind::Failed,
-                     "Cannot read " + file.string() +
-                         (isFile ? "; it may not be read." : ": there is no such file.")};
+        const bool isThere = std::filesystem::exists(file, error);
+        return Unusable("Cannot read " + file.string() +
+                        (isFile    ? "; it may not be read."
+                         : isThere ? ": it is no file; name a script."
+                                   : ": there is no such file; name a script, such as car.play."));
     }
     const std::string text{std::istreambuf_iterator<char>(stream),
                            std::istreambuf_iterator<char>()};

@@ -367,6 +367,11 @@ Result<Request> CheckExport(ExportOptions options, const CLI::App& command)
         return Unusable("Say where the scene file goes, such as -o scene.json, or - for the "
                         "standard output.");
     }
+    if (options.output != "-" && options.output.extension() != ".json")
+    {
+        return Unusable("-o " + options.output.string() +
+                        ": a scene file is found by its end; give a name with .json, or -.");
+    }
     if (options.at && command.count("--step") > 0)
     {
         return Unusable("--at and --step both say when; give one of them.");

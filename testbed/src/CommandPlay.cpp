@@ -344,6 +344,14 @@ Result<int> Expect(const Play& play, SceneSession& session)
             return written.GetError();
         }
     }
+    // A click on what is not there is to be known before anything is made.
+    for (const ScriptAction& action : play.script.actions)
+    {
+        if (action.IsForPanels())
+        {
+            session.AdvanceTo(action.at.Step(session.StepsPerSecond()) + 1);
+        }
+    }
     if (const Result<void> played = session.CheckCompanion(); !played)
     {
         return played.GetError();

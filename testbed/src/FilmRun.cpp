@@ -410,7 +410,8 @@ Result<int> FilmRun::Finished()
                      std::to_string(m_filmed) + " frames.");
     }
     // A film in which what the camera waits for has never come is a film all the same.
-    if (const Result<void> met = m_session->CheckView(); !met)
+    const Result<void> played = m_session->CheckCompanion();
+    if (const Result<void> met = m_session->CheckView(); played && !met)
     {
         WriteMessage("boxreel: " + met.GetError().message);
     }
@@ -420,7 +421,7 @@ Result<int> FilmRun::Finished()
                      DescribeSimulation(Simulated()));
         WriteMessage(StageText());
     }
-    return 0;
+    return played ? Result<int>(0) : played.GetError(); // the film is there, not what was asked
 }
 
 /// A failure leaves nothing behind but what another run had left: another machine may go on.

@@ -4,6 +4,7 @@
 #include <golden/StateHash.h>
 #include <script/ScriptWriter.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -23,6 +24,13 @@ std::string TimeOf(std::int64_t step, const Rational& stepsPerSecond)
     std::snprintf(text, sizeof text, "%.9fs",
                   double(step) * double(stepsPerSecond.den) / double(stepsPerSecond.num));
     return text;
+}
+
+/// The shortest text that reads back to the same number: a film of the script has the same frames.
+std::string Exact(double value)
+{
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 } // namespace
@@ -107,9 +115,8 @@ std::string WorkbenchLog::Text(std::int64_t step, const b2World& world) const
     {
         for (const Seen& key : Keys())
         {
-            char view[120];
-            std::snprintf(view, sizeof view, "%.6g,%.6g,%.6g", key.x, key.y, key.height);
-            script.camera.emplace_back(TimeOf(key.step, m_stepsPerSecond), view);
+            script.camera.emplace_back(TimeOf(key.step, m_stepsPerSecond),
+                                       Exact(key.x) + "," + Exact(key.y) + "," + Exact(key.height));
         }
     }
     ScriptProduct end;

@@ -27,6 +27,29 @@ RubeScene Said(Scene& scene)
     return ExportScene(scene, StepSettings(), 60.0f, leftOut);
 }
 
+/// Of all polygons the corners, and the normals of the edges, in their order.
+std::vector<float> CornersOf(const b2World& world)
+{
+    std::vector<float> numbers;
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        for (const b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr;
+             fixture = fixture->GetNext())
+        {
+            if (fixture->GetType() == b2Shape::e_polygon)
+            {
+                const auto& polygon = static_cast<const b2PolygonShape&>(*fixture->GetShape());
+                for (int i = 0; i < polygon.m_count; ++i)
+                {
+                    numbers.insert(numbers.end(), {polygon.m_vertices[i].x, polygon.m_vertices[i].y,
+                                                   polygon.m_normals[i].x, polygon.m_normals[i].y});
+                }
+            }
+        }
+    }
+    return numbers;
+}
+
 RubeScene Read(const std::string& text)
 {
     const Result<RubeScene> scene = ParseRubeScene(text, "scene");
@@ -60,17 +83,20 @@ TEST_P(SceneFileOf, EverySceneComesBackAsItWas)
         EXPECT_EQ(StateHash(world), StateHash(scene->World())) << steps;
         EXPECT_EQ(world.GetJointCount(), scene->World().GetJointCount());
         EXPECT_EQ(WriteRubeText(Read(text)), text);
+        EXPECT_TRUE(CornersOf(world) == CornersOf(scene->World()));
         if (steps == 0)
         {
             world.SetSubStepCount(scene->World().GetSubStepCount());
             const std::unique_ptr<Scene> other = GetParam()->create(SceneSettings());
             other->World().SetContactListener(nullptr); // of scenes, which no file holds
-            for (int i = 0; i < 60; ++i)
+            // What was made of corners in another order parts late, when it lies on them.
+            const int more = world.GetBodyCount() < 200 ? 360 : 60;
+            for (int i = 0; i < more; ++i)
             {
                 world.Step(1.0f / 60.0f, 8, 3);
                 other->World().Step(1.0f / 60.0f, 8, 3);
             }
-            EXPECT_EQ(StateHash(world), StateHash(other->World())) << "a second later";
+            EXPECT_EQ(StateHash(world), StateHash(other->World())) << "seconds later";
         }
     }
 }
