@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <utility>
 
 namespace boxreel
@@ -47,6 +48,8 @@ constexpr const char* kPackages = "libglfw3";
     F(SetCursorPosCallback)                                                                        \
     F(SetScrollCallback)                                                                           \
     F(SetFramebufferSizeCallback)                                                                  \
+    F(GetPrimaryMonitor)                                                                           \
+    F(GetMonitorWorkarea)                                                                          \
     F(SetWindowRefreshCallback)                                                                    \
     F(SetWindowFocusCallback)                                                                      \
     F(SetWindowCloseCallback)
@@ -123,6 +126,26 @@ Key KeyOfName(const Glfw& glfw, int key, int scancode)
                          static_cast<unsigned char>(name[0]) < 128;
     return isAscii ? KeyOf(static_cast<char>(std::tolower(static_cast<unsigned char>(name[0]))))
                    : Key::None;
+}
+
+struct Room
+{
+    int width, height;
+};
+
+/// Of the display, without docks and the like. A larger window has panels where nobody gets at
+/// them.
+Room RoomOn(const Glfw& glfw)
+{
+    Room room{0, 0};
+    if (GLFWmonitor* const monitor = glfw.GetPrimaryMonitor())
+    {
+        int x = 0;
+        int y = 0;
+        glfw.GetMonitorWorkarea(monitor, &x, &y, &room.width, &room.height);
+    }
+    const int any = std::numeric_limits<int>::max();
+    return {room.width > 0 ? room.width : any, room.height > 0 ? room.height : any};
 }
 
 std::string Utf8(unsigned int letter)
@@ -312,7 +335,10 @@ Result<Window> Window::Create(const std::string& title, int width, int height)
     impl->glfw.WindowHint(GLFW_DEPTH_BITS, 0);
     impl->glfw.WindowHint(GLFW_STENCIL_BITS, 0);
     impl->glfw.WindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    impl->window = impl->glfw.CreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    const Room room = RoomOn(impl->glfw);
+    impl->window =
+        impl->glfw.CreateWindow(std::min(width, room.width), std::min(height, room.height),
+                                title.c_str(), nullptr, nullptr);
     if (impl->window == nullptr)
     {
         const char* reason = nullptr;

@@ -106,8 +106,8 @@ private:
             const std::string why = BuildFixture(source.fixtures[i], *body);
             if (!why.empty())
             {
-                Report("fixture " + std::to_string(i) + " " + Quoted(source.fixtures[i].name) +
-                       " of " + NameOfBody(m_scene, m_bodies.size() - 1) + " is left out: " + why);
+                Report(WithName("fixture", i, source.fixtures[i].name) + " of " +
+                       NameOfBody(m_scene, m_bodies.size() - 1) + " is left out: " + why);
             }
         }
         if (m_weighsTogether)

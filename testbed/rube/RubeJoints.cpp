@@ -52,9 +52,9 @@ private:
     {
         const RubeJoint& source = m_scene.joints[index];
         m_index = index;
-        m_who = "joint " + std::to_string(index) + " " + Quoted(source.name) + " (" +
-                Shown(source.type) + ", between " + NameOfBody(m_scene, source.bodyA) + " and " +
-                NameOfBody(m_scene, source.bodyB) + ")";
+        m_who = WithName("joint", index, source.name) + " (" + Shown(source.type) + ", between " +
+                NameOfBody(m_scene, source.bodyA) + " and " + NameOfBody(m_scene, source.bodyB) +
+                ")";
         const std::string why =
             source.bodyA == source.bodyB
                 ? "it connects a body with itself"

@@ -53,7 +53,13 @@ std::string Quoted(const std::string& name)
 
 std::string NameOfBody(const RubeScene& scene, std::size_t index)
 {
-    return "body " + std::to_string(index) + " " + Quoted(scene.bodies[index].name);
+    return WithName("body", index, scene.bodies[index].name);
+}
+
+std::string WithName(const char* what, std::size_t index, const std::string& name)
+{
+    const std::string text = what + (" " + std::to_string(index));
+    return name.empty() ? text : text + " " + Quoted(name);
 }
 
 } // namespace boxreel

@@ -17,8 +17,7 @@ constexpr const char* kShapeKinds[] = {"circle", "edge", "chain", "loop", "polyg
 
 std::string Part(const char* kind, std::size_t index, const JsonValue& value)
 {
-    return std::string(kind) + " " + std::to_string(index) + " " +
-           Quoted(value.Member("name").Text());
+    return WithName(kind, index, value.Member("name").Text());
 }
 
 class Finder

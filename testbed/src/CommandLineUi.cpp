@@ -19,7 +19,7 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
             }
             ui.size = *size;
         },
-        "Of the window in pixels (as it was; 1280x720)")
+        "Of the window in pixels, as far as the display has room\n(as it was; 1280x720)")
         ->type_name("WxH");
     const std::vector<std::string> themes(ThemeNames().begin(), ThemeNames().end());
     const auto readTheme = [&ui, themes](const std::string& text) {

@@ -28,6 +28,9 @@ public:
 
     const Camera& View() const { return m_view; }
 
+    /// It goes with bodies, wherever they are.
+    bool Follows() const { return std::holds_alternative<FollowCamera>(m_mover); }
+
     /// Unusable while a body that the view names has never been there.
     Result<void> CheckBodiesCame() const { return CheckBodies("--camera", m_made, m_bodies); }
 

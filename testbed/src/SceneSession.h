@@ -122,6 +122,8 @@ public:
     void LookAt(const b2Vec2& center, double pixelsPerMeter);
     /// As its look says, again.
     void LookAsBefore() { m_ownView.reset(); }
+    /// The view goes with bodies by itself.
+    bool Follows() const { return !m_ownView && m_camera.Follows(); }
     bool HasOwnView() const { return m_ownView.has_value(); }
     /// What panels leave of the picture's width [px].
     int UncoveredWidth() const;

@@ -203,11 +203,16 @@ void Workbench::Zoom(double factor, Vec2 about)
                       view.height / newHeight);
 }
 
-/// The point (x, y) becomes the origin [m]; what is seen stays where it is.
+/// The point (x, y) becomes the origin [m]; what is seen stays where it is, unless the view goes
+/// with what it follows.
 void Workbench::Shift(float32 x, float32 y)
 {
     const Camera view = Uncovered();
     Do(Action(ScriptAction::Kind::Shift, b2Vec2(x, y)));
+    if (m_session->Follows())
+    {
+        return;
+    }
     m_session->LookAt(b2Vec2(float32(view.centerX - double(x)), float32(view.centerY - double(y))),
                       view.pixelsPerMeter);
 }

@@ -247,7 +247,7 @@ void Panels::FileButtons(const PanelFacts& facts, PanelChoices& choices)
     }
     m_widgets.Check("Panels in films", choices.filmsPanels);
     // Room for it in any case, so that what is below stays where it is.
-    ImGui::BeginChild("message", {0.0f, 2.0f * ImGui::GetTextLineHeight()}, false,
+    ImGui::BeginChild("message", {0.0f, 3.0f * ImGui::GetTextLineHeight()}, false,
                       ImGuiWindowFlags_NoScrollbar);
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextDisabled("%s", facts.message.c_str());
@@ -374,7 +374,7 @@ void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
     m_widgets.Note("Theme");
 }
 
-/// As long as there are steps, up to the whole width.
+/// Its line is as long as there are steps, up to the whole width.
 void Panels::Plot(const char* name, const History& history)
 {
     const auto& values = history.Values();
@@ -382,10 +382,16 @@ void Panels::Plot(const char* name, const History& history)
     const bool isWhole = history.Count() == History::kLength;
     const float top = std::max(1e-3f, *std::max_element(values.begin(), values.end()));
     const float room = ImGui::GetContentRegionAvail().x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        corner, {corner.x + room, corner.y + m_widgets.Px(44.0)},
+        ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4{0.0f, 0.0f, 0.0f, 0.0f});
     ImGui::PlotLines(name, values.data(), count, isWhole ? int(history.Oldest()) : 0, nullptr, 0.0f,
                      1.15f * top,
                      {std::max(m_widgets.Px(16.0), room * float(count) / float(History::kLength)),
                       m_widgets.Px(44.0)});
+    ImGui::PopStyleColor();
     m_widgets.Note(name + 2); // without the two signs that hide it
 }
 

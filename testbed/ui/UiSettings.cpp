@@ -146,6 +146,12 @@ Result<void> WriteUiSettings(const std::filesystem::path& file, const UiSettings
     VisitAll(settings, [&](const char* name, const auto& value) { object[name] = value; });
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
+    if (error)
+    {
+        return Error{ErrorKind::Unusable, "the folder " + file.parent_path().string() +
+                                              " cannot be made (" + error.message() +
+                                              "); set XDG_CONFIG_HOME to one that can."};
+    }
     // Scene files have names of any bytes; what is no UTF-8 would not be JSON.
     return WriteWhole(file, object.dump(1, ' ', false, json::error_handler_t::replace) + "\n",
                       true);

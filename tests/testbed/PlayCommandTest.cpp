@@ -197,6 +197,10 @@ TEST_F(PlayCommand, SaysInOneSentenceWhatIsWrongAndMakesNothing)
         {"scene car\nat 1s expect wheel.x > 3\n", "a.play:2: No body is called 'wheel'"},
         {"scene car\nat 1s golden ../out\n", "a.play:2: "},
         {"scene other.json\n", "a.play:1: "},
+        {"scene car\nat 1s click Solver/Slep\nrecord a.mp4 --seconds 2\n",
+         "a.play:2: no control is called 'Solver/Slep' at that moment; did you mean "
+         "'Solver/Sleep'?"},
+        {"scene car\nat 3s click Solver/Slep\nat 1s expect bodies > 3\n", "a.play:2: no control"},
     };
     for (const auto& [lines, message] : cases)
     {
@@ -209,7 +213,16 @@ TEST_F(PlayCommand, SaysInOneSentenceWhatIsWrongAndMakesNothing)
         EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play")) << lines;
     }
     EXPECT_EQ(RunBoxreel({"play"}, folder.Path()).code, 1);
-    EXPECT_EQ(RunBoxreel({"play", "none.play"}, folder.Path()).code, 4);
+    const std::pair<const char*, const char*> unreadable[] = {
+        {"none.play", "there is no such file"},
+        {".", "it is no file"},
+        {"/dev/zero", "it is no file"}};
+    for (const auto& [name, reason] : unreadable)
+    {
+        const Outcome outcome = RunBoxreel({"play", name}, folder.Path());
+        EXPECT_EQ(outcome.code, 1) << name;
+        EXPECT_THAT(outcome.errors, AllOf(HasSubstr(reason), HasSubstr("name a script")));
+    }
     EXPECT_EQ(RunBoxreel({"play", "a.play", "--check", "--accept"}, folder.Path()).code, 1);
 }
 

@@ -111,6 +111,7 @@ TEST_F(SceneFile, ThatIsNoneIsRefusedInOneSentence)
         {{"export", "brigde", "-o", "b.json"}, "did you mean 'bridge'?"},
         {{"export", "bridge", "-o", "b.json", "--at", "1s", "--step", "3"}, "both say when"},
         {{"export", "bridge", "-o", "none/b.json"}, "none"},
+        {{"export", "bridge", "-o", "b.txt"}, "a name with .json"},
     };
     Write("no json");
     for (const auto& [arguments, message] : cases)

@@ -246,6 +246,22 @@ TEST_F(UiCommand, GoesOnInRealTimeUntilItIsPaused)
     EXPECT_THAT(written, HasSubstr("at step " + step + " expect " + state));
 }
 
+TEST_F(UiCommand, IsNoLargerThanTheDisplayHasRoomFor)
+{
+    RunBoxreel({"ui", "--paused", "--fresh", "--size", "8000x8000"}, folder.Path(), [&](int) {
+        Act("search --sync --onlyvisible --name boxreel");
+        const std::string file = (folder / "size").string();
+        EXPECT_EQ(std::system(("xdotool search --onlyvisible --name boxreel getwindowgeometry "
+                               "--shell > '" +
+                               file + "'")
+                                  .c_str()),
+                  0);
+        Act("key Escape");
+    });
+    EXPECT_THAT(ReadFile(folder / "size"),
+                testing::AllOf(HasSubstr("WIDTH=1000\n"), HasSubstr("HEIGHT=640\n")));
+}
+
 TEST_F(UiCommand, KeepsWhatWasChosenForTheNextTime)
 {
     setenv("XDG_CONFIG_HOME", folder.Path().c_str(), 1);

@@ -47,6 +47,7 @@ class Window
 {
 public:
     /// `width`, `height`: as the display's other windows measure; the picture may have more pixels.
+    /// No larger than the display has room for.
     /// An Error (Absent) when there is no display, no GL 3.3 or no GLFW.
     static Result<Window> Create(const std::string& title, int width, int height);
     Window(Window&&) noexcept;

@@ -94,7 +94,11 @@ TEST_F(UiSettingsTest, AreRefusedFromWhatIsNoJson)
 TEST_F(UiSettingsTest, SayWhenTheyCannotBeKept)
 {
     Write("");
-    EXPECT_FALSE(WriteUiSettings(File() / "ui.json", UiSettings()));
+    const Result<void> written = WriteUiSettings(File() / "ui.json", UiSettings());
+    ASSERT_FALSE(written);
+    EXPECT_THAT(written.GetError().message,
+                testing::AllOf(testing::HasSubstr("cannot be made"),
+                               testing::HasSubstr("set XDG_CONFIG_HOME")));
 }
 
 TEST(UiSettingsPath, IsBelowTheFolderForSettings)

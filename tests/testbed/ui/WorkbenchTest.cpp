@@ -240,6 +240,18 @@ TEST_F(WorkbenchTest, ShiftsTheOriginUnderAPictureThatStays)
     EXPECT_NEAR(after.y, before.y, 0.01f);
 }
 
+TEST_F(WorkbenchTest, GoesOnFollowingWhatItFollowsWhenTheOriginIsShifted)
+{
+    Open("car");
+    Hit(Key::Right, true);
+    EXPECT_FALSE(bench->Session().HasOwnView());
+    Steps(60); // until the camera is where the car is
+    const double before = bench->Session().CurrentCamera().centerX;
+    bench->Session().World().ShiftOrigin(b2Vec2(30.0f, 0.0f)); // as if it had driven so far
+    Steps(120);
+    EXPECT_NEAR(bench->Session().CurrentCamera().centerX, before - 30.0, 5.0);
+}
+
 TEST_F(WorkbenchTest, ThrowsAndSlingsBombs)
 {
     Open("bridge");
