@@ -46,8 +46,8 @@ TEST(WorldStateText, ReadsBackToTheSameBits)
 
 TEST(WorldStateText, OfAnotherKindIsRefusedWithTheLine)
 {
-    for (const char* bad : {"x 1 2 3\n", "0 1 2\n", "0 1 2 3 4\n", "0 1 2 3 4 5 6 7\n", "-1 0 0 0\n",
-                            "0 1 2 3x\n", "1 0 0 0\n1 0 0 0\n", "0  1 2 3\n"})
+    for (const char* bad : {"x 1 2 3\n", "0 1 2\n", "0 1 2 3 4\n", "0 1 2 3 4 5 6 7\n",
+                            "-1 0 0 0\n", "0 1 2 3x\n", "1 0 0 0\n1 0 0 0\n", "0  1 2 3\n"})
     {
         const Result<WorldState> state = ParseWorldState(bad);
         ASSERT_FALSE(state) << bad;
@@ -97,7 +97,8 @@ TEST(WorldStateDifference, SaysWhichBodiesCameOrWent)
 
 TEST(StateTraceText, IsALineAStepAndReadsBack)
 {
-    const StateTrace trace = Trace({{1, "0123abcd", "0.f"}, {2, "00000000", "12/34"}, {9, "ffffffff", ""}});
+    const StateTrace trace =
+        Trace({{1, "0123abcd", "0.f"}, {2, "00000000", "12/34"}, {9, "ffffffff", ""}});
     const std::string text = ToText(trace);
     EXPECT_EQ(text, "1 0123abcd 0.f\n2 00000000 12/34\n9 ffffffff \n");
     const Result<StateTrace> back = ParseStateTrace(text);
@@ -107,8 +108,8 @@ TEST(StateTraceText, IsALineAStepAndReadsBack)
 
 TEST(StateTraceText, OfAnotherKindIsRefusedWithTheLine)
 {
-    for (const char* bad : {"1\n", "1 0123abc 0\n", "1 0123abcg 0\n", "1 0123abcd xyz\n", "1 0123abcd\n",
-                            "-1 0123abcd 0\n", "2 0123abcd 0\n1 0123abcd 0\n"})
+    for (const char* bad : {"1\n", "1 0123abc 0\n", "1 0123abcg 0\n", "1 0123abcd xyz\n",
+                            "1 0123abcd\n", "-1 0123abcd 0\n", "2 0123abcd 0\n1 0123abcd 0\n"})
     {
         const Result<StateTrace> trace = ParseStateTrace(bad);
         ASSERT_FALSE(trace) << bad;
@@ -143,8 +144,8 @@ TEST(StateTraceDifference, TakesABodyThatOnlyOneOfThemHasForDifferent)
 
 TEST(StateTraceDifference, FindsABodyOfManyWhereItsRowAndItsColumnCross)
 {
-    const auto difference =
-        FirstDifference(Trace({{7, "00000000", "0000/0000"}}), Trace({{7, "00000001", "0010/0500"}}));
+    const auto difference = FirstDifference(Trace({{7, "00000000", "0000/0000"}}),
+                                            Trace({{7, "00000001", "0010/0500"}}));
     ASSERT_TRUE(difference);
     EXPECT_THAT(difference->bodies, ElementsAre(2 * 4 + 1));
 }
