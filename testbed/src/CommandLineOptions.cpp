@@ -243,7 +243,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                    "  boxreel golden accept pyramid bridge\n"
                    "  boxreel golden accept --only missing");
     accept->callback([&golden] { golden.accept = true; });
-    AddPath(*verify, "--against", "PROGRAM", golden.against,
+    AddPath(*verify, "--against", "FILE", golden.against,
             "Another build of boxreel: compare each step's state with what it does,\n"
             "instead of with what was approved");
     AddValue(*accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
