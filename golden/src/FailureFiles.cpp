@@ -20,8 +20,11 @@ constexpr const char* kSideBySidePng = ".side-by-side.png";
 constexpr const char* kExpectedTxt = ".expected.txt";
 constexpr const char* kActualTxt = ".actual.txt";
 
-constexpr const char* kAll[] = {kExpectedPng,   kActualPng,   kDifferencePng,
-                                kSideBySidePng, kExpectedTxt, kActualTxt};
+constexpr const char* kExpectedState = ".expected.state.txt";
+constexpr const char* kActualState = ".actual.state.txt";
+
+constexpr const char* kAll[] = {kExpectedPng, kActualPng, kDifferencePng, kSideBySidePng,
+                                kExpectedTxt, kActualTxt, kExpectedState, kActualState};
 
 } // namespace
 
@@ -111,6 +114,14 @@ Result<void> FailureFiles::Write(const Moment& expected, const Moment& actual,
     if (actual.list)
     {
         files.push_back({m_base + kActualTxt, *actual.list});
+    }
+    for (const auto& [suffix, moment] :
+         {std::pair(kExpectedState, &expected), {kActualState, &actual}})
+    {
+        if (moment->state && !moment->bodies.bodies.empty())
+        {
+            files.push_back({m_base + suffix, *moment->state + "\n" + ToText(moment->bodies)});
+        }
     }
     return WriteAll(files);
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace boxreel
 {
@@ -20,6 +21,7 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr const char* kState = "state";
+constexpr const char* kTrace = "trace";
 constexpr const char* kDrawList = "drawlist";
 constexpr const char* kFrames = "frames";
 // Written once and kept for years: as small as it gets.
@@ -30,37 +32,82 @@ fs::path Relative(const char* depth, const std::string& name, const char* extens
     return fs::path(depth) / (name + extension);
 }
 
-Result<std::optional<std::string>> ReadState(const fs::path& root, const std::string& name)
+/// The text kept for a depth, and where from; none when there is none.
+struct Kept
 {
-    const Result<fs::path> path = PathInside(root, Relative(kState, name, ".txt"));
-    if (!path)
+    std::optional<std::string> text;
+    std::string path;
+};
+
+Result<Kept> Read(const fs::path& root, const fs::path& relative)
+{
+    Result<std::optional<std::string>> text = ReadStoredText(root, relative);
+    return text ? Result<Kept>(Kept{*std::move(text), (root / relative).string()})
+                : Result<Kept>(text.GetError());
+}
+
+Error Damaged(const Kept& kept, const std::string& what)
+{
+    return Error{ErrorKind::Unusable, kept.path + what + "; restore it or accept it again."};
+}
+
+/// Fills what is known of the state: a line with its hash, then a line a body.
+Result<void> ReadState(const fs::path& root, const std::string& name, Moment& moment)
+{
+    const Result<Kept> kept = Read(root, Relative(kState, name, ".txt"));
+    if (!kept || !kept->text)
     {
-        return path.GetError();
-    }
-    const Result<bool> isThere = IsFile(*path);
-    if (!isThere)
-    {
-        return isThere.GetError();
-    }
-    if (!*isThere)
-    {
-        return std::optional<std::string>();
-    }
-    Result<std::string> text = ReadBytes(*path);
-    if (!text)
-    {
-        return text.GetError();
+        return kept ? Result<void>() : Result<void>(kept.GetError());
     }
     const auto isDigit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-    if (text->size() != 17 || text->back() != '\n' ||
-        !std::all_of(text->begin(), text->end() - 1, isDigit))
+    const std::string& text = *kept->text;
+    if (text.size() < 17 || text[16] != '\n' ||
+        !std::all_of(text.begin(), text.begin() + 16, isDigit))
     {
-        return Error{ErrorKind::Unusable, path->string() +
-                                              " does not hold a state of 16 hex digits; "
-                                              "restore it or accept it again."};
+        return Damaged(*kept, " does not begin with a state of 16 hex digits");
     }
-    text->pop_back();
-    return std::optional<std::string>(*std::move(text));
+    Result<WorldState> bodies = ParseWorldState(std::string_view(text).substr(17));
+    if (!bodies)
+    {
+        return Damaged(*kept, ": " + bodies.GetError().message);
+    }
+    moment.state = text.substr(0, 16);
+    moment.bodies = *std::move(bodies);
+    return {};
+}
+
+Result<void> ReadTrace(const fs::path& root, const std::string& name, Moment& moment)
+{
+    const Result<Kept> kept = Read(root, Relative(kTrace, name, ".txt"));
+    if (!kept || !kept->text)
+    {
+        return kept ? Result<void>() : Result<void>(kept.GetError());
+    }
+    Result<StateTrace> trace = ParseStateTrace(*kept->text);
+    if (!trace)
+    {
+        return Damaged(*kept, ": " + trace.GetError().message);
+    }
+    moment.trace = *std::move(trace);
+    return {};
+}
+
+/// "pyramid/2s@osmesa-llvmpipe-llvm-15.0.6-256-bits": a renderer's description as a part of a name.
+/// '@' cannot be in a name.
+std::string KeyedName(const std::string& name, const std::string& renderer)
+{
+    std::string key;
+    for (const char c : renderer)
+    {
+        const bool isUpper = c >= 'A' && c <= 'Z';
+        const char lower = isUpper ? char(c - 'A' + 'a') : c;
+        const bool isKept = (lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9') || c == '.';
+        if (isKept || (!key.empty() && key.back() != '-'))
+        {
+            key += isKept ? lower : '-';
+        }
+    }
+    return renderer.empty() ? name : name + "@" + key;
 }
 
 Result<std::optional<Frame>> ReadFrame(const fs::path& root, const std::string& name)
@@ -120,8 +167,10 @@ Result<std::vector<fs::path>> Places(const fs::path& references, const std::stri
 {
     std::vector<fs::path> places;
     for (const fs::path& relative :
-         {Relative(kState, name, ".txt"), Relative(kDrawList, name, ".txt"),
-          Relative(kDrawList, name, ".txt.gz"), Relative(kFrames, name, ".png")})
+         {Relative(kState, name, ".txt"), Relative(kState, name, ".txt.gz"),
+          Relative(kTrace, name, ".txt"), Relative(kTrace, name, ".txt.gz"),
+          Relative(kDrawList, name, ".txt"), Relative(kDrawList, name, ".txt.gz"),
+          Relative(kFrames, name, ".png")})
     {
         Result<fs::path> place = PathInside(references, relative);
         if (!place)
@@ -134,17 +183,26 @@ Result<std::vector<fs::path>> Places(const fs::path& references, const std::stri
 }
 
 Result<std::vector<FileToWrite>> Encode(const fs::path& references, const std::string& name,
-                                        const Moment& moment)
+                                        const Moment& moment, const std::string& renderer)
 {
     std::vector<FileToWrite> files;
+    std::vector<std::pair<const char*, std::string>> texts;
     if (moment.state)
     {
-        files.push_back({references / Relative(kState, name, ".txt"), *moment.state + "\n"});
+        texts.emplace_back(kState, *moment.state + "\n" + ToText(moment.bodies));
+    }
+    if (moment.trace)
+    {
+        texts.emplace_back(kTrace, ToText(*moment.trace));
     }
     if (moment.list)
     {
+        texts.emplace_back(kDrawList, *moment.list);
+    }
+    for (auto& [depth, text] : texts)
+    {
         Result<FileToWrite> file =
-            StoredText(references / Relative(kDrawList, name, ".txt"), *moment.list);
+            StoredText(references / Relative(depth, name, ".txt"), std::move(text));
         if (!file)
         {
             return file.GetError();
@@ -153,8 +211,9 @@ Result<std::vector<FileToWrite>> Encode(const fs::path& references, const std::s
     }
     if (moment.frame)
     {
-        Result<FileToWrite> file = Picture(references / Relative(kFrames, name, ".png"),
-                                           *moment.frame, kReferenceCompression);
+        Result<FileToWrite> file =
+            Picture(references / Relative(kFrames, KeyedName(name, renderer), ".png"),
+                    *moment.frame, kReferenceCompression);
         if (!file)
         {
             return file.GetError();
@@ -166,12 +225,16 @@ Result<std::vector<FileToWrite>> Encode(const fs::path& references, const std::s
 
 } // namespace
 
-Result<Moment> ReadReference(const fs::path& root, const std::string& name)
+Result<Moment> ReadReference(const fs::path& root, const std::string& name,
+                             const std::string& renderer)
 {
-    Result<std::optional<std::string>> state = ReadState(root, name);
-    if (!state)
+    Moment moment;
+    for (const auto read : {ReadState, ReadTrace})
     {
-        return state.GetError();
+        if (const Result<void> done = read(root, name, moment); !done)
+        {
+            return done.GetError();
+        }
     }
     Result<std::optional<std::string>> list =
         ReadStoredText(root, Relative(kDrawList, name, ".txt"));
@@ -179,12 +242,21 @@ Result<Moment> ReadReference(const fs::path& root, const std::string& name)
     {
         return list.GetError();
     }
-    Result<std::optional<Frame>> frame = ReadFrame(root, name);
-    if (!frame)
+    moment.list = *std::move(list);
+    for (const std::string& picture : {KeyedName(name, renderer), name})
     {
-        return frame.GetError();
+        Result<std::optional<Frame>> frame = ReadFrame(root, picture);
+        if (!frame)
+        {
+            return frame.GetError();
+        }
+        if (*frame)
+        {
+            moment.frame = *std::move(frame);
+            break;
+        }
     }
-    return Moment{*std::move(state), *std::move(list), *std::move(frame)};
+    return moment;
 }
 
 Moment Take(const GoldenCandidate& candidate, const Moment& expected)
@@ -193,6 +265,11 @@ Moment Take(const GoldenCandidate& candidate, const Moment& expected)
     if (!candidate.stateHash.empty())
     {
         moment.state = candidate.stateHash;
+        moment.bodies = candidate.state;
+    }
+    if (!candidate.trace.steps.empty())
+    {
+        moment.trace = candidate.trace;
     }
     if (!candidate.list.items.empty() || expected.list)
     {
@@ -212,6 +289,10 @@ std::vector<std::string> MissingFiles(const std::string& name, const Moment& exp
     if (actual.state && !expected.state)
     {
         files.push_back(Relative(kState, name, ".txt").string());
+    }
+    if (actual.trace && !expected.trace)
+    {
+        files.push_back(Relative(kTrace, name, ".txt").string());
     }
     if (actual.list && !expected.list)
     {
@@ -238,14 +319,15 @@ Result<FileToWrite> Picture(const fs::path& path, const Frame& frame, int compre
     return FileToWrite{path, std::string(png->begin(), png->end())};
 }
 
-Result<void> Store(const fs::path& references, const std::string& name, const Moment& moment)
+Result<void> Store(const fs::path& references, const std::string& name, const Moment& moment,
+                   const std::string& renderer)
 {
     const Result<std::vector<fs::path>> places = Places(references, name);
     if (!places)
     {
         return places.GetError();
     }
-    const Result<std::vector<FileToWrite>> files = Encode(references, name, moment);
+    const Result<std::vector<FileToWrite>> files = Encode(references, name, moment, renderer);
     if (!files)
     {
         return files.GetError();
@@ -262,9 +344,11 @@ Result<void> Store(const fs::path& references, const std::string& name, const Mo
     // What the candidate does not have was approved for another one.
     for (const fs::path& place : *places)
     {
-        const bool isWritten = std::any_of(files->begin(), files->end(),
-                                           [&](const FileToWrite& f) { return f.path == place; });
-        if (const Result<void> removed = isWritten ? Result<void>() : RemoveFile(place); !removed)
+        const bool isKept =
+            std::any_of(files->begin(), files->end(),
+                        [&](const FileToWrite& f) { return f.path == place; }) ||
+            (!renderer.empty() && place.extension() == ".png"); // the other renderers' one
+        if (const Result<void> removed = isKept ? Result<void>() : RemoveFile(place); !removed)
         {
             return removed;
         }
@@ -275,7 +359,7 @@ Result<void> Store(const fs::path& references, const std::string& name, const Mo
 std::vector<std::string> ReferenceNames(const fs::path& references)
 {
     std::set<std::string> names;
-    CollectNames(references / kState, {".txt"}, names);
+    CollectNames(references / kState, {".txt.gz", ".txt"}, names);
     CollectNames(references / kDrawList, {".txt.gz", ".txt"}, names);
     CollectNames(references / kFrames, {".png"}, names);
     return {names.begin(), names.end()};

@@ -21,12 +21,16 @@ namespace boxreel
 struct Moment
 {
     std::optional<std::string> state; ///< 16 hex digits
+    WorldState bodies;                ///< none: only the hash is kept
+    std::optional<StateTrace> trace;
     std::optional<std::string> list;  ///< as text
     std::optional<Frame> frame;
 };
 
 /// What was approved under a name; everything absent when nothing was.
-Result<Moment> ReadReference(const std::filesystem::path& references, const std::string& name);
+/// The picture is that of this renderer (a Description(), or empty) where it has its own.
+Result<Moment> ReadReference(const std::filesystem::path& references, const std::string& name,
+                             const std::string& renderer);
 
 /// A candidate without a state does not ask for that depth. An empty list or frame does not either,
 /// unless something was approved: then it is a scene that stopped drawing.
@@ -37,9 +41,10 @@ Moment Take(const GoldenCandidate& candidate, const Moment& expected);
 std::vector<std::string> MissingFiles(const std::string& name, const Moment& expected,
                                       const Moment& actual);
 
-/// Makes the moment the reference, and removes the depths it does not have.
+/// Makes the moment the reference, and removes the depths it does not have. With a renderer, the
+/// picture becomes that of this one only.
 Result<void> Store(const std::filesystem::path& references, const std::string& name,
-                   const Moment& moment);
+                   const Moment& moment, const std::string& renderer);
 
 /// Names that have a reference at any depth, sorted.
 std::vector<std::string> ReferenceNames(const std::filesystem::path& references);

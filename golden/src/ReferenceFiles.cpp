@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 // Leaves room for a suffix and ".part" in the 255 bytes that file systems allow.
 constexpr std::size_t kLongestName = 200;
-constexpr std::size_t kPlainTextLimit = 64 * 1024;
+constexpr std::size_t kPlainTextLimit = 4 * 1024;
 constexpr std::size_t kLargestText = 64 * 1024 * 1024;
 
 bool IsNameCharacter(char c)

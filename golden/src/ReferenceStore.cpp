@@ -24,7 +24,8 @@ Error Unusable(const std::string& name, const std::string& why)
 
 struct Differences
 {
-    bool state = false;
+    bool state = false; // at this moment, or on the way
+    std::optional<TraceDifference> onTheWay;
     std::optional<LineDifference> list;
     bool pixels = false;
 };
@@ -52,6 +53,28 @@ GoldenStatus StatusOf(const Differences& differences)
     return differences.pixels ? GoldenStatus::Pixels : GoldenStatus::Same;
 }
 
+// Since when the worlds differ, and by how much at this moment.
+std::string ExplainState(const Moment& expected, const Moment& actual,
+                         const Differences& differences)
+{
+    if (*actual.state == *expected.state)
+    {
+        return "the worlds differ on the way, " + Describe(*differences.onTheWay) +
+               ", and come to the same state";
+    }
+    std::string text = "the worlds differ";
+    if (differences.onTheWay)
+    {
+        text.append(" ").append(Describe(*differences.onTheWay));
+    }
+    text.append(" (state " + *actual.state + " instead of " + *expected.state);
+    if (!expected.bodies.bodies.empty() && !actual.bodies.bodies.empty())
+    {
+        text += "; now " + DescribeDifference(expected.bodies, actual.bodies);
+    }
+    return text + ")";
+}
+
 // What differs first, then what became of the depths below it.
 std::string Explain(const Moment& expected, const Moment& actual, const Differences& differences,
                     const Comparison& pixels)
@@ -64,7 +87,7 @@ std::string Explain(const Moment& expected, const Moment& actual, const Differen
     switch (StatusOf(differences))
     {
     case GoldenStatus::State:
-        text = "the worlds differ (state " + *actual.state + " instead of " + *expected.state + ")";
+        text = ExplainState(expected, actual, differences);
         text += actual.list ? "; " + list : "";
         break;
     case GoldenStatus::DrawList:
@@ -85,14 +108,18 @@ Error With(const GoldenVerdict& verdict, const Error& error)
     return Error{error.kind, verdict.message + " " + error.message};
 }
 
-Result<GoldenVerdict> ReportMissing(GoldenVerdict verdict, const FailureFiles& files,
-                                    const Moment& expected, const Moment& actual,
-                                    const fs::path& references)
+void SayMissing(GoldenVerdict& verdict, const Moment& expected, const Moment& actual,
+                const fs::path& references)
 {
     verdict.status = GoldenStatus::Missing;
     verdict.message = verdict.name + ": there is no reference (" +
                       Join(MissingFiles(verdict.name, expected, actual)) + " missing in " +
                       references.string() + ").";
+}
+
+Result<GoldenVerdict> ReportMissing(GoldenVerdict verdict, const FailureFiles& files,
+                                    const Moment& actual)
+{
     if (const Result<void> written = files.Write(Moment{}, actual, Frame{}); !written)
     {
         return With(verdict, written.GetError());
@@ -133,25 +160,77 @@ Result<GoldenVerdict> ReportDifferent(GoldenVerdict verdict, const FailureFiles&
     return verdict;
 }
 
+struct Judged
+{
+    GoldenVerdict verdict;
+    Moment expected, actual;
+};
+
+Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& candidate,
+                           const CompareSettings& settings)
+{
+    if (const std::string why = WhyNotUsable(candidate.name); !why.empty())
+    {
+        return Unusable(candidate.name, why);
+    }
+    Result<Moment> expected = ReadReference(references, candidate.name, candidate.renderer);
+    if (!expected)
+    {
+        return expected.GetError();
+    }
+    Judged judged{{}, *std::move(expected), {}};
+    judged.actual = Take(candidate, judged.expected);
+    const Moment& actual = judged.actual;
+    GoldenVerdict& verdict = judged.verdict;
+    verdict.name = candidate.name;
+    if (!MissingFiles(candidate.name, judged.expected, actual).empty())
+    {
+        SayMissing(verdict, judged.expected, actual, references);
+        return judged;
+    }
+    Differences differences;
+    if (actual.trace)
+    {
+        differences.onTheWay = FirstDifference(*judged.expected.trace, *actual.trace);
+    }
+    differences.state =
+        actual.state && (*actual.state != *judged.expected.state || differences.onTheWay);
+    if (actual.list)
+    {
+        differences.list = FirstDifference(*judged.expected.list, *actual.list);
+    }
+    if (actual.frame)
+    {
+        verdict.pixels = Compare(*judged.expected.frame, *actual.frame, settings);
+        differences.pixels = !verdict.pixels.equal;
+    }
+    verdict.status = StatusOf(differences);
+    verdict.message =
+        candidate.name + ": " + Explain(judged.expected, actual, differences, verdict.pixels) + ".";
+    return judged;
+}
+
 } // namespace
 
 ReferenceStore::ReferenceStore(std::filesystem::path references, std::filesystem::path output)
     : m_references(std::move(references)), m_output(std::move(output))
 {}
 
+Result<GoldenVerdict> ReferenceStore::Judge(const GoldenCandidate& candidate,
+                                            const CompareSettings& settings) const
+{
+    Result<Judged> judged = JudgeMoment(m_references, candidate, settings);
+    return judged ? Result<GoldenVerdict>(std::move(judged->verdict))
+                  : Result<GoldenVerdict>(judged.GetError());
+}
+
 Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
                                              const CompareSettings& settings) const
 {
-    GoldenVerdict verdict;
-    verdict.name = candidate.name;
-    if (const std::string why = WhyNotUsable(candidate.name); !why.empty())
+    Result<Judged> judged = JudgeMoment(m_references, candidate, settings);
+    if (!judged)
     {
-        return Unusable(candidate.name, why);
-    }
-    const Result<Moment> expected = ReadReference(m_references, candidate.name);
-    if (!expected)
-    {
-        return expected.GetError();
+        return judged.GetError();
     }
     const Result<FailureFiles> files = FailureFiles::At(m_output, candidate.name);
     if (!files)
@@ -162,40 +241,24 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     {
         return removed.GetError();
     }
-    const Moment actual = Take(candidate, *expected);
-    if (!MissingFiles(candidate.name, *expected, actual).empty())
-    {
-        return ReportMissing(std::move(verdict), *files, *expected, actual, m_references);
-    }
-
-    Differences differences;
-    differences.state = actual.state && *actual.state != *expected->state;
-    if (actual.list)
-    {
-        differences.list = FirstDifference(*expected->list, *actual.list);
-    }
-    if (actual.frame)
-    {
-        verdict.pixels = Compare(*expected->frame, *actual.frame, settings);
-        differences.pixels = !verdict.pixels.equal;
-    }
-    verdict.status = StatusOf(differences);
-    verdict.message =
-        candidate.name + ": " + Explain(*expected, actual, differences, verdict.pixels) + ".";
+    GoldenVerdict& verdict = judged->verdict;
     if (verdict.status == GoldenStatus::Same)
     {
-        return verdict;
+        return std::move(verdict);
     }
-    return ReportDifferent(std::move(verdict), *files, *expected, actual);
+    return verdict.status == GoldenStatus::Missing
+               ? ReportMissing(std::move(verdict), *files, judged->actual)
+               : ReportDifferent(std::move(verdict), *files, judged->expected, judged->actual);
 }
 
-Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate) const
+Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs as) const
 {
     if (const std::string why = WhyNotUsable(candidate.name); !why.empty())
     {
         return Unusable(candidate.name, why);
     }
-    return Store(m_references, candidate.name, Take(candidate, Moment{}));
+    return Store(m_references, candidate.name, Take(candidate, Moment{}),
+                 as == AcceptAs::ForThisRenderer ? candidate.renderer : "");
 }
 
 std::vector<std::string> ReferenceStore::Names() const

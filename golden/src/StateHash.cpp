@@ -3,7 +3,9 @@
 
 #include <Box2D/Box2D.h>
 
+#include <algorithm>
 #include <bit>
+#include <string>
 #include <vector>
 
 namespace boxreel
@@ -37,33 +39,118 @@ void Mix(std::uint64_t& hash, const b2Body& body)
     Mix(hash, body.GetAngularVelocity());
 }
 
+std::vector<const b2Body*> OldestFirst(const b2World& world)
+{
+    std::vector<const b2Body*> bodies;
+    for (const b2Body* body = world.GetBodyList(); body; body = body->GetNext())
+    {
+        bodies.push_back(body); // the world lists its newest body first
+    }
+    std::reverse(bodies.begin(), bodies.end());
+    return bodies;
+}
+
+constexpr const char* kHex = "0123456789abcdef";
+
+std::string Digits(std::uint64_t value, int count)
+{
+    std::string text;
+    for (int shift = 4 * (count - 1); shift >= 0; shift -= 4)
+    {
+        text += kHex[value >> shift & 15u];
+    }
+    return text;
+}
+
+// FNV's low bits hang on the low bits of what went in alone; its middle on all of them.
+char Digit(std::uint64_t hash)
+{
+    return kHex[(hash ^ hash >> 32) >> 24 & 15u];
+}
+
+std::uint64_t HashOf(const b2Body& body)
+{
+    std::uint64_t hash = kOffsetBasis;
+    Mix(hash, body);
+    return hash;
+}
+
+std::string DigitsOfEach(const std::vector<const b2Body*>& bodies, int made)
+{
+    std::string digits(std::size_t(made), '.');
+    for (const b2Body* body : bodies)
+    {
+        digits[std::size_t(body->GetNumber())] = Digit(HashOf(*body));
+    }
+    return digits;
+}
+
+std::string DigitsOfRowsAndColumns(const std::vector<const b2Body*>& bodies, int made)
+{
+    std::size_t side = 1;
+    while (side * side < std::size_t(made))
+    {
+        ++side;
+    }
+    std::vector<std::uint64_t> rows(side), columns(side);
+    for (const b2Body* body : bodies)
+    {
+        const std::size_t number = std::size_t(body->GetNumber());
+        const std::uint64_t hash = HashOf(*body);
+        rows[number / side] += hash;
+        columns[number % side] += hash;
+    }
+    std::string digits;
+    for (const std::uint64_t row : rows)
+    {
+        digits += Digit(row);
+    }
+    digits += '/';
+    for (const std::uint64_t column : columns)
+    {
+        digits += Digit(column);
+    }
+    return digits;
+}
+
 } // namespace
 
 std::uint64_t StateHash(const b2World& world)
 {
-    // The world lists its newest body first.
-    std::vector<const b2Body*> bodies;
-    for (const b2Body* body = world.GetBodyList(); body; body = body->GetNext())
-    {
-        bodies.push_back(body);
-    }
     std::uint64_t hash = kOffsetBasis;
-    for (auto body = bodies.rbegin(); body != bodies.rend(); ++body)
+    for (const b2Body* body : OldestFirst(world))
     {
-        Mix(hash, **body);
+        Mix(hash, *body);
     }
     return hash;
 }
 
 std::string StateHashText(const b2World& world)
 {
-    const std::uint64_t hash = StateHash(world);
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4)
+    return Digits(StateHash(world), 16);
+}
+
+WorldState ReadWorldState(const b2World& world)
+{
+    WorldState state;
+    for (const b2Body* body : OldestFirst(world))
     {
-        text += "0123456789abcdef"[hash >> shift & 15u];
+        const b2Vec2 velocity = body->GetLinearVelocity();
+        state.bodies.push_back({body->GetNumber(), body->GetPosition().x, body->GetPosition().y,
+                                body->GetAngle(), velocity.x, velocity.y,
+                                body->GetAngularVelocity()});
     }
-    return text;
+    return state;
+}
+
+TraceStep ReadTraceStep(const b2World& world, std::int64_t step)
+{
+    const std::vector<const b2Body*> bodies = OldestFirst(world);
+    const int made = bodies.empty() ? 0 : bodies.back()->GetNumber() + 1;
+    const std::uint64_t hash = StateHash(world);
+    return {step, Digits(hash ^ hash >> 32, 8),
+            made <= kLongestTrace ? DigitsOfEach(bodies, made)
+                                  : DigitsOfRowsAndColumns(bodies, made)};
 }
 
 } // namespace boxreel

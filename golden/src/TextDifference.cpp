@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "TextDifference.h"
 
-#include <algorithm>
+#include "TextLines.h"
 
 namespace boxreel
 {
 
 namespace
 {
-
-// Cuts the first line off `rest`; none when nothing is left.
-std::optional<std::string_view> TakeLine(std::string_view& rest)
-{
-    if (rest.empty())
-    {
-        return std::nullopt;
-    }
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    return line;
-}
 
 std::optional<std::string> Copy(const std::optional<std::string_view>& line)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "CommandGoldenState.h"
 #include "Commands.h"
 #include "GoldenScenes.h"
 #include "Terminal.h"
@@ -124,18 +125,29 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
 }
 
 Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders& folders,
-                   Renderer& renderer)
+                   const GoldenAcceptance& acceptance, Renderer& renderer)
 {
     const ReferenceStore store(folders.references, folders.output);
     std::size_t moments = 0;
     for (const GoldenSelection& selection : selections)
     {
-        const Result<int> accepted = AcceptGolden(selection, store, renderer);
+        const Result<std::vector<GoldenVerdict>> accepted =
+            AcceptGolden(selection, store, renderer, acceptance);
         if (!accepted)
         {
             return accepted.GetError();
         }
-        moments += static_cast<std::size_t>(*accepted);
+        moments += accepted->size();
+        for (const GoldenVerdict& verdict : *accepted)
+        {
+            const bool isSame = verdict.status == GoldenStatus::Same;
+            const Result<void> written = WriteOutput(
+                isSame ? "same  " + verdict.name + "\n" : "accepted  " + verdict.message + "\n");
+            if (!written)
+            {
+                return written.GetError();
+            }
+        }
     }
     const Result<void> written = WriteOutput(Count(moments, "moment") + " accepted in '" +
                                              folders.references.string() + "'\n");
@@ -144,6 +156,38 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
         return written.GetError();
     }
     return 0;
+}
+
+Result<int> VerifyAgainst(const std::filesystem::path& program,
+                          const std::vector<GoldenSelection>& selections)
+{
+    std::size_t failures = 0;
+    for (const GoldenSelection& selection : selections)
+    {
+        const Result<std::string> difference = CompareWith(program, selection);
+        if (!difference)
+        {
+            return difference.GetError();
+        }
+        failures += difference->empty() ? 0 : 1;
+        const Result<void> written =
+            WriteOutput(difference->empty() ? "same  " + SceneSlug(selection.scene->name) + "\n"
+                                            : Red("FAIL", stdout) + "  " + *difference + "\n");
+        if (!written)
+        {
+            return written.GetError();
+        }
+    }
+    const std::string what = Count(selections.size(), "scene");
+    const Result<void> written =
+        WriteOutput(what + (failures == 0 ? ": each step as " + program.string() + " does it\n"
+                                          : ": " + std::to_string(failures) + " not as " +
+                                                program.string() + " does them\n"));
+    if (!written)
+    {
+        return written.GetError();
+    }
+    return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
 }
 
 } // namespace
@@ -155,6 +199,10 @@ Result<int> RunGolden(const GoldenOptions& options)
     {
         return selections.GetError();
     }
+    if (!options.against.empty())
+    {
+        return VerifyAgainst(options.against, *selections);
+    }
     const Result<Folders> folders = ChooseFolders(options);
     if (!folders)
     {
@@ -165,7 +213,7 @@ Result<int> RunGolden(const GoldenOptions& options)
     {
         return renderer.GetError();
     }
-    return options.accept ? Accept(*selections, *folders, *renderer)
+    return options.accept ? Accept(*selections, *folders, options.acceptance, *renderer)
                           : Verify(*selections, *folders, *renderer);
 }
 

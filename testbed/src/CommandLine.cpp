@@ -496,6 +496,10 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return CheckDiff(std::move(parsed.diff));
     }
+    if (name == "golden" && program.get_subcommands().front()->got_subcommand("state"))
+    {
+        return Request(std::move(parsed.goldenState));
+    }
     if (name == "golden")
     {
         return Request(std::move(parsed.golden));

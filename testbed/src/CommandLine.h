@@ -20,8 +20,8 @@ struct TextRequest
 };
 
 using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions,
-                             DiffOptions, GoldenOptions, PlayOptions, CheckOptions, ExportOptions,
-                             DoctorOptions, UiOptions, BenchOptions>;
+                             DiffOptions, GoldenOptions, GoldenStateOptions, PlayOptions,
+                             CheckOptions, ExportOptions, DoctorOptions, UiOptions, BenchOptions>;
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);

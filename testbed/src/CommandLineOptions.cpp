@@ -172,6 +172,41 @@ void DeclareDiff(CLI::App& program, ParsedOptions& parsed)
                     "  boxreel diff before.png after.png --preset exact -o diff.png");
 }
 
+namespace
+{
+
+/// The words of --only.
+struct GoldenFilterChoice
+{
+    std::vector<std::string> Words() const { return {"all", "changed", "missing"}; }
+    Result<GoldenFilter> operator()(const std::string& option, const std::string& text) const
+    {
+        const std::vector<std::string> words = Words();
+        const auto found = std::find(words.begin(), words.end(), text);
+        return found == words.end() ? Result<GoldenFilter>(NotOneOf(option, text, words))
+                                    : Result<GoldenFilter>(GoldenFilter(found - words.begin()));
+    }
+};
+
+void DeclareGoldenState(CLI::App& golden, GoldenStateOptions& options)
+{
+    CLI::App* command =
+        golden.add_subcommand("state", "Print a scene's state at a step, body by body");
+    CLI::Option* scene = command->add_option("SCENE", options.scene, "Such as pyramid")->required();
+    Completes(scene->type_name(""), {Completion::Kind::Scenes, {}});
+    AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
+             "Simulation steps since the start (300)");
+    AddFlag(*command, "--trace", options.trace, "Hashes of every step up to it instead");
+    command->footer("The hash of all, then a line a body: number, x, y, angle and, where it moves, "
+                    "velocity x, y, angular.\n"
+                    "With --trace a line a step: number, hash, and a digit for each body.\n\n"
+                    "Examples:\n"
+                    "  boxreel golden state pyramid --step 120\n"
+                    "  boxreel golden state car --trace --step 60");
+}
+
+} // namespace
+
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
 {
     GoldenOptions& golden = parsed.golden;
@@ -199,13 +234,23 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
     verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
                    "Examples:\n"
                    "  boxreel golden verify\n"
-                   "  boxreel golden verify pyramid --output /tmp/failures");
+                   "  boxreel golden verify pyramid --output /tmp/failures\n"
+                   "  boxreel golden verify pyramid --against ../before/build/boxreel");
     accept->footer("Look at the pictures before they are committed, and say in the commit why they "
                    "changed.\n\n"
                    "Examples:\n"
                    "  boxreel golden accept\n"
-                   "  boxreel golden accept pyramid bridge");
+                   "  boxreel golden accept pyramid bridge\n"
+                   "  boxreel golden accept --only missing");
     accept->callback([&golden] { golden.accept = true; });
+    AddPath(*verify, "--against", "FILE", golden.against,
+            "Another build of boxreel: compare each step's state with what it does,\n"
+            "instead of with what was approved");
+    AddValue(*accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
+             "all, changed, missing (all)");
+    AddFlag(*accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
+            "Only pictures drawn by the same renderer are compared with these");
+    DeclareGoldenState(*command, parsed.goldenState);
 }
 
 void DeclarePlay(CLI::App& program, ParsedOptions& parsed)

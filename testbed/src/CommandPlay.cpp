@@ -378,7 +378,10 @@ Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golde
                            : golden.shot.steps.front());
     FrameContent content;
     session->Fill(content);
-    GoldenCandidate candidate{golden.name, StateHashText(session->World()), {}, {}};
+    GoldenCandidate candidate;
+    candidate.name = golden.name;
+    candidate.stateHash = StateHashText(session->World());
+    candidate.state = ReadWorldState(session->World());
     const Overlay* const panel = look.hud || look.panels ? &content.overlay : nullptr;
     if (const Result<void> drawn =
             renderer->Draw(content.list, content.camera, candidate.frame, panel);

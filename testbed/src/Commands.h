@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Condition.h"
+#include "GoldenScenes.h"
 #include "MotionChoice.h"
 #include "Progress.h"
 #include "SceneSession.h"
@@ -85,12 +86,22 @@ struct DiffOptions
 
 struct GoldenOptions
 {
-    bool accept = false;            ///< else verify
+    bool accept = false; ///< else verify
+    GoldenAcceptance acceptance;
+    std::filesystem::path against;  ///< verify with the states of this program; empty: references
     std::vector<std::string> names; ///< "pyramid" or "pyramid/2s"; empty: all
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
     Backend backend = Backend::Auto;
+};
+
+/// A scene's state at a step as text, or each step's hashes up to it.
+struct GoldenStateOptions
+{
+    std::string scene;
+    std::int64_t step = 300;
+    bool trace = false;
 };
 
 /// A script's expectations are checked, and what it makes is made.
@@ -165,6 +176,7 @@ Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunGoldenState(const GoldenStateOptions& options);
 Result<int> RunUi(const UiOptions& options);
 Result<int> RunDoctor(const DoctorOptions& options);
 Result<int> RunCheck(const CheckOptions& options);

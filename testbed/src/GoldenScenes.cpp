@@ -6,6 +6,8 @@
 
 #include <golden/StateHash.h>
 
+#include <iterator>
+
 namespace boxreel
 {
 namespace
@@ -24,14 +26,42 @@ constexpr Moment kMoments[] = {
     {"5s", Duration{5'000'000'000}},
 };
 
+Result<SceneSession> OpenGolden(const GoldenSelection& selection)
+{
+    SceneLook look;
+    look.width = kGoldenWidth;
+    look.height = kGoldenHeight;
+    look.collectEverything = true;
+    SceneSource source;
+    source.entry = selection.scene;
+    source.title = selection.scene->name;
+    return SceneSession::Open(std::move(source), look);
+}
+
+// Simulates up to `step`, one step at a time.
+StateTrace Advance(SceneSession& session, std::int64_t step)
+{
+    StateTrace trace;
+    while (session.Step() < step)
+    {
+        session.AdvanceTo(session.Step() + 1);
+        trace.steps.push_back(ReadTraceStep(session.World(), session.Step()));
+    }
+    return trace;
+}
+
+// `trace`: what it did since the moment before.
 Result<GoldenCandidate> CandidateOf(const std::string& name, SceneSession& session,
-                                    Renderer& renderer)
+                                    StateTrace trace, Renderer& renderer)
 {
     FrameContent content;
     session.Fill(content);
     GoldenCandidate candidate;
     candidate.name = name;
     candidate.stateHash = StateHashText(session.World());
+    candidate.state = ReadWorldState(session.World());
+    candidate.trace = std::move(trace);
+    candidate.renderer = renderer.Description();
     const Result<void> drawn = renderer.Draw(content.list, content.camera, candidate.frame);
     if (!drawn)
     {
@@ -79,27 +109,21 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
 Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,
                                 const std::function<Result<void>(const GoldenCandidate&)>& visit)
 {
-    SceneLook look;
-    look.width = kGoldenWidth;
-    look.height = kGoldenHeight;
-    look.collectEverything = true;
-    SceneSource source;
-    source.entry = selection.scene;
-    source.title = selection.scene->name;
-    Result<SceneSession> session = SceneSession::Open(std::move(source), look);
+    Result<SceneSession> session = OpenGolden(selection);
     if (!session)
     {
         return session.GetError();
     }
     for (const Moment& moment : kMoments)
     {
+        StateTrace trace = Advance(*session, StepAt(moment.time, session->StepsPerSecond()));
         if (!selection.moment.empty() && selection.moment != moment.name)
         {
             continue;
         }
-        session->AdvanceTo(StepAt(moment.time, session->StepsPerSecond()));
         const Result<GoldenCandidate> candidate =
-            CandidateOf(SceneSlug(selection.scene->name) + "/" + moment.name, *session, renderer);
+            CandidateOf(SceneSlug(selection.scene->name) + "/" + moment.name, *session,
+                        std::move(trace), renderer);
         if (!candidate)
         {
             return candidate.GetError();
@@ -134,13 +158,28 @@ Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection
     return verdicts;
 }
 
-Result<int> AcceptGolden(const GoldenSelection& selection, const ReferenceStore& store,
-                         Renderer& renderer)
+Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection,
+                                                const ReferenceStore& store, Renderer& renderer,
+                                                const GoldenAcceptance& acceptance)
 {
-    int accepted = 0;
+    std::vector<GoldenVerdict> accepted;
     const auto accept = [&](const GoldenCandidate& candidate) -> Result<void> {
-        ++accepted;
-        return store.Accept(candidate);
+        Result<GoldenVerdict> verdict = store.Judge(candidate);
+        if (!verdict)
+        {
+            return verdict.GetError();
+        }
+        const bool isMissing = verdict->status == GoldenStatus::Missing;
+        const bool isSame = verdict->status == GoldenStatus::Same;
+        const GoldenFilter only = acceptance.only;
+        if ((only == GoldenFilter::Missing && !isMissing) ||
+            (only == GoldenFilter::Changed && (isMissing || isSame)))
+        {
+            return {};
+        }
+        accepted.push_back(*std::move(verdict));
+        return store.Accept(candidate, acceptance.forThisRenderer ? AcceptAs::ForThisRenderer
+                                                                  : AcceptAs::ForAll);
     };
     const Result<void> visited = VisitGoldenMoments(selection, renderer, accept);
     if (!visited)
@@ -148,6 +187,28 @@ Result<int> AcceptGolden(const GoldenSelection& selection, const ReferenceStore&
         return visited.GetError();
     }
     return accepted;
+}
+
+Result<GoldenRun> SimulateGolden(const GoldenSelection& selection,
+                                 std::optional<std::int64_t> lastStep)
+{
+    Result<SceneSession> session = OpenGolden(selection);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    for (const Moment& moment : kMoments)
+    {
+        if (!lastStep && (selection.moment == moment.name || &moment == std::end(kMoments) - 1))
+        {
+            lastStep = StepAt(moment.time, session->StepsPerSecond());
+        }
+    }
+    GoldenRun run;
+    run.trace = Advance(*session, *lastStep);
+    run.stateHash = StateHashText(session->World());
+    run.state = ReadWorldState(session->World());
+    return run;
 }
 
 } // namespace boxreel

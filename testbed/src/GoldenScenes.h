@@ -7,7 +7,10 @@
 #include <golden/ReferenceStore.h>
 #include <render/Renderer.h>
 
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 /// The scenes as golden candidates: each at three moments, small. Used by `boxreel golden` and by
@@ -41,8 +44,36 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
 Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection,
                                                 const ReferenceStore& store, Renderer& renderer);
 
-/// Makes what the scene shows the reference; returns at how many moments.
-Result<int> AcceptGolden(const GoldenSelection& selection, const ReferenceStore& store,
-                         Renderer& renderer);
+/// Which moments are accepted: all, or those alone that differ, or that were never approved.
+enum class GoldenFilter
+{
+    All,
+    Changed,
+    Missing,
+};
+
+struct GoldenAcceptance
+{
+    GoldenFilter only = GoldenFilter::All;
+    bool forThisRenderer = false; ///< the pictures; else for all
+};
+
+/// Makes what the scene shows the reference; returns what was accepted, with the verdict it had
+/// before.
+Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection,
+                                                const ReferenceStore& store, Renderer& renderer,
+                                                const GoldenAcceptance& acceptance = {});
+
+/// The steps that a selection goes through and the state at its end.
+struct GoldenRun
+{
+    StateTrace trace;
+    std::string stateHash;
+    WorldState state;
+};
+
+/// As the references are made; to `lastStep`, or to the selection's last moment.
+Result<GoldenRun> SimulateGolden(const GoldenSelection& selection,
+                                 std::optional<std::int64_t> lastStep = {});
 
 } // namespace boxreel

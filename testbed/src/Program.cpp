@@ -27,6 +27,10 @@ struct Runner
     Result<int> operator()(const ShotOptions& options) const { return RunShot(options); }
     Result<int> operator()(const DiffOptions& options) const { return RunDiff(options); }
     Result<int> operator()(const GoldenOptions& options) const { return RunGolden(options); }
+    Result<int> operator()(const GoldenStateOptions& options) const
+    {
+        return RunGoldenState(options);
+    }
     Result<int> operator()(const DoctorOptions& options) const { return RunDoctor(options); }
     Result<int> operator()(const CheckOptions& options) const { return RunCheck(options); }
     Result<int> operator()(const ExportOptions& options) const { return RunExport(options); }

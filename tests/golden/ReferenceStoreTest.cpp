@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 using namespace boxreel;
 using namespace boxreel::test;
@@ -148,6 +149,82 @@ TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestIsTheSame)
         HasSubstr("the worlds differ (state 0123456789abcdee instead of 0123456789abcdef)"));
     EXPECT_THAT(verdict.message,
                 AllOf(HasSubstr("the draw list is the same"), HasSubstr("pixels equal")));
+}
+
+TEST_F(ReferenceStoreTest, SaysFromWhichStepOnWithWhichBodyAndByHowMuchTheWorldsDiffer)
+{
+    GoldenCandidate candidate = m_candidate;
+    candidate.state = {{{0, 0, 0, 0, 0, 0, 0}, {1, 1, 1.051f, 0, 0, 0, 0}}};
+    candidate.trace = {{{41, "00000000", "00"}, {42, "00000001", "01"}, {43, "00000002", "02"}}};
+    Accept(candidate);
+    EXPECT_EQ(Verify(candidate).status, GoldenStatus::Same);
+    GoldenCandidate changed = candidate;
+    changed.stateHash = "ffffffffffffffff";
+    changed.state.bodies[1].y = 1.02f;
+    changed.trace.steps[1] = {42, "00000009", "07"};
+    const GoldenVerdict verdict = Verify(changed);
+    EXPECT_EQ(verdict.status, GoldenStatus::State);
+    EXPECT_THAT(verdict.message,
+                HasSubstr("the worlds differ from step 42 on, body 1 first (state ffffffffffffffff "
+                          "instead of 0123456789abcdef; now 1 of 2 bodies differs, body 1: 0.031 m "
+                          "lower (y 1.02 instead of 1.051)); the draw list is the same"));
+    EXPECT_EQ(ReadBytes(m_output / "pyramid/3s.actual.state.txt"),
+              "ffffffffffffffff\n0 0 0 0\n1 1 1.02 0\n");
+    EXPECT_EQ(ReadBytes(m_output / "pyramid/3s.expected.state.txt"),
+              "0123456789abcdef\n0 0 0 0\n1 1 1.051 0\n");
+}
+
+TEST_F(ReferenceStoreTest, SeesAWorldThatWentAnotherWayToTheSameState)
+{
+    GoldenCandidate candidate = m_candidate;
+    candidate.trace = {{{41, "00000000", "00"}}};
+    Accept(candidate);
+    candidate.trace.steps[0].world = "00000001";
+    const GoldenVerdict verdict = Verify(candidate);
+    EXPECT_EQ(verdict.status, GoldenStatus::State);
+    EXPECT_THAT(verdict.message, HasSubstr("differ on the way, from step 41 on, and come to"));
+}
+
+TEST_F(ReferenceStoreTest, ADamagedStateOrTraceIsAnErrorThatNamesTheFile)
+{
+    GoldenCandidate candidate = m_candidate;
+    candidate.state = {{{0, 0, 0, 0, 0, 0, 0}}};
+    candidate.trace = {{{41, "00000000", "00"}}};
+    for (const char* file : {"state/pyramid/3s.txt", "trace/pyramid/3s.txt"})
+    {
+        Accept(candidate);
+        std::ofstream(m_references / file, std::ios::app) << "and more\n";
+        const Error error = VerifyError(candidate);
+        EXPECT_EQ(error.kind, ErrorKind::Unusable);
+        EXPECT_THAT(error.message, AllOf(HasSubstr(file), HasSubstr("\"and more\"")));
+    }
+}
+
+TEST_F(ReferenceStoreTest, ComparesARendererWithAPictureOfItsOwnWhereThereIsOne)
+{
+    GoldenCandidate here = m_candidate;
+    here.renderer = "OSMesa, llvmpipe (LLVM 15.0.6)";
+    GoldenCandidate there = m_candidate;
+    there.renderer = "EGL, some GPU";
+    FillRect(there.frame, 0, 0, 40, 40, kLight);
+    Accept(here);
+    EXPECT_EQ(Verify(there).status, GoldenStatus::Pixels);
+    ASSERT_TRUE(m_store.Accept(there, AcceptAs::ForThisRenderer));
+    EXPECT_TRUE(fs::exists(m_references / "frames/pyramid/3s@egl-some-gpu.png"));
+    EXPECT_EQ(Verify(there).status, GoldenStatus::Same);
+    EXPECT_EQ(Verify(here).status, GoldenStatus::Same) << "the others' picture stays";
+    there.frame = here.frame;
+    EXPECT_EQ(Verify(there).status, GoldenStatus::Pixels);
+    EXPECT_THAT(m_store.Names(), ElementsAre("pyramid/3s"));
+}
+
+TEST_F(ReferenceStoreTest, JudgesWithoutLeavingAnything)
+{
+    EXPECT_EQ(m_store.Judge(m_candidate)->status, GoldenStatus::Missing);
+    Accept(m_candidate);
+    const Result<GoldenVerdict> verdict = m_store.Judge(Moved());
+    EXPECT_EQ(verdict->status, GoldenStatus::DrawList);
+    EXPECT_FALSE(fs::exists(m_output));
 }
 
 TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestDiffersToo)

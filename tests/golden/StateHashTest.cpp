@@ -116,3 +116,73 @@ TEST(StateHashText, HasSixteenLowerCaseHexDigitsWithLeadingZeros)
     }
     EXPECT_TRUE(sawLeadingZero);
 }
+
+TEST(ReadWorldState, HasTheNumbersOfEachBodyAndLeavesNoGapOut)
+{
+    b2World world(b2Vec2(0.0f, 0.0f));
+    AddBody(world, b2Vec2(1, 2), 0.5f, b2Vec2(3, 4), 5);
+    b2Body* const gone = AddBody(world, b2Vec2(0, 0));
+    AddBody(world, b2Vec2(7, 8));
+    world.DestroyBody(gone);
+    const std::vector<BodyState> expected = {{0, 1, 2, 0.5f, 3, 4, 5}, {2, 7, 8, 0, 0, 0, 0}};
+    EXPECT_EQ(ReadWorldState(world).bodies, expected);
+}
+
+TEST(ReadTraceStep, HasADigitForEachBodyAndADotForOneThatIsGone)
+{
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2Body* bodies[3];
+    for (b2Body*& body : bodies)
+    {
+        body = AddBody(world, b2Vec2(1, 2));
+    }
+    const TraceStep all = ReadTraceStep(world, 7);
+    EXPECT_EQ(all.step, 7);
+    ASSERT_EQ(all.bodies.size(), 3u);
+    EXPECT_EQ(all.bodies, std::string(3, all.bodies[0])) << "bodies alike have the same digit";
+    world.DestroyBody(bodies[1]);
+    const TraceStep fewer = ReadTraceStep(world, 8);
+    EXPECT_EQ(fewer.bodies[1], '.');
+    EXPECT_NE(fewer.world, all.world);
+}
+
+TEST(ReadTraceStep, TellsAPlaceFromTheNextOneInAboutFifteenOfSixteen)
+{
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2Body* const body = AddBody(world, b2Vec2(1, 2));
+    int different = 0;
+    constexpr int kTrials = 400;
+    for (int i = 0; i < kTrials; ++i)
+    {
+        const TraceStep before = ReadTraceStep(world, i);
+        body->SetTransform(b2Vec2(NextUp(body->GetPosition().x), 2), 0);
+        const TraceStep after = ReadTraceStep(world, i);
+        EXPECT_NE(before.world, after.world);
+        different += before.bodies != after.bodies;
+    }
+    EXPECT_NEAR(different, kTrials * 15 / 16, kTrials / 16);
+}
+
+TEST(ReadTraceStep, OfManyBodiesFindsTheOneThatMoved)
+{
+    b2World world(b2Vec2(0.0f, 0.0f));
+    std::vector<b2Body*> bodies;
+    for (int i = 0; i < 1000; ++i)
+    {
+        bodies.push_back(AddBody(world, b2Vec2(float(i), 2)));
+    }
+    int found = 0;
+    for (const int moved : {0, 31, 32, 555, 999})
+    {
+        const StateTrace before{{ReadTraceStep(world, 1)}};
+        bodies[std::size_t(moved)]->SetTransform(b2Vec2(-1, 0.5f), 0);
+        const auto difference = FirstDifference(before, {{ReadTraceStep(world, 1)}});
+        ASSERT_TRUE(difference);
+        if (!difference->bodies.empty()) // by chance a row or a column has the same digit
+        {
+            EXPECT_EQ(difference->bodies, std::vector<int>{moved});
+            ++found;
+        }
+    }
+    EXPECT_GE(found, 4);
+}

@@ -338,39 +338,5 @@ TEST_F(Command, StandardOutputThatIsFullIsAnError)
     EXPECT_THAT(ReadFile(folder / "errors"), HasSubstr("standard output"));
 }
 
-TEST_F(Command, GoldenNeedsAFolderOfReferences)
-{
-    ExpectRefusal({"golden", "verify"}, 1, "--references");
-    ExpectRefusal({"golden", "verify", "--references", "none"}, 1, "none");
-    ExpectRefusal({"golden", "verify", "pyramid/3s", "--references", "."}, 1, "0.5s, 2s, 5s");
-    ExpectRefusal({"golden", "verify", "pyrmid/2s", "--references", "."}, 1,
-                  "did you mean 'pyramid'?");
-}
-
-TEST_F(Command, GoldenAcceptsThenVerifiesThenFindsAChange)
-{
-    const std::vector<std::string> verify{"golden", "verify",   "pyramid", "--references",
-                                          "r",      "--output", "o"};
-    EXPECT_EQ(Run({"golden", "accept", "pyramid", "--references", "r"}).code, 0);
-    const Outcome same = Run(verify);
-    EXPECT_EQ(same.code, 0) << same.output << same.errors;
-
-    Picture("black.png", 480, 270, 0);
-    std::filesystem::copy_file(folder / "black.png", folder / "r/frames/pyramid/2s.png",
-                               std::filesystem::copy_options::overwrite_existing);
-    const Outcome changed = Run(verify);
-    EXPECT_EQ(changed.code, 2);
-    EXPECT_THAT(changed.output, HasSubstr("FAIL  pyramid/2s"));
-    EXPECT_THAT(changed.output, HasSubstr("same  pyramid/0.5s"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "o"));
-
-    std::filesystem::remove(folder / "r/frames/pyramid/2s.png");
-    EXPECT_EQ(Run(verify).code, 2) << "a missing reference fails";
-
-    const Outcome moment = Run({"golden", "accept", "pyramid/2s", "--references", "r"});
-    EXPECT_THAT(moment.output, testing::StartsWith("1 moment accepted"));
-    EXPECT_EQ(Run(verify).code, 0) << "one moment was accepted";
-}
-
 } // namespace
 } // namespace boxreel

@@ -4,15 +4,18 @@
 #include <debugdraw/DrawList.h>
 #include <debugdraw/Result.h>
 #include <golden/Compare.h>
+#include <golden/WorldState.h>
 #include <render/Frame.h>
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-/// The folder of what was approved, at three depths: references/state/NAME.txt (hash),
-/// references/drawlist/NAME.txt, references/frames/NAME.png. Verify compares in that order, so that
-/// a failure says whether the motion, the geometry or only the pixels changed.
+/// The folder of what was approved, at three depths: the state (state/NAME.txt, and the steps on
+/// the way to it, trace/NAME.txt), what was drawn (drawlist/NAME.txt) and the picture
+/// (frames/NAME.png, or frames/NAME@RENDERER.png where a renderer has one of its own). Long texts
+/// are packed (.txt.gz). Verify compares in that order, so that a failure says whether the motion,
+/// the geometry or only the pixels changed.
 namespace boxreel
 {
 
@@ -24,6 +27,16 @@ struct GoldenCandidate
     std::string stateHash; ///< 16 hex digits; empty: depth not used
     DrawList list;
     Frame frame;
+    WorldState state = {}; ///< with a hash only: what differs, and by how much; no bodies: not kept
+    StateTrace trace = {}; ///< the steps since the moment before; none: not kept
+    std::string renderer = {}; ///< Renderer::Description(); empty: one picture for all
+};
+
+/// Which picture becomes the reference.
+enum class AcceptAs
+{
+    ForAll,          ///< the one that every renderer is compared with
+    ForThisRenderer, ///< one that only candidates of the same `renderer` are compared with
 };
 
 enum class GoldenStatus
@@ -47,7 +60,7 @@ class ReferenceStore
 {
 public:
     /// `references`: the approved folder; `output`: where failures leave NAME.expected.png,
-    /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png and the two draw lists.
+    /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png, the two draw lists and states.
     ReferenceStore(std::filesystem::path references, std::filesystem::path output);
 
     /// An Error only when a file cannot be read or written, or the name is not usable; a difference
@@ -55,8 +68,12 @@ public:
     Result<GoldenVerdict> Verify(const GoldenCandidate& candidate,
                                  const CompareSettings& settings = {}) const;
 
+    /// The same verdict, and no file is left.
+    Result<GoldenVerdict> Judge(const GoldenCandidate& candidate,
+                                const CompareSettings& settings = {}) const;
+
     /// Makes the candidate the reference. Files are written whole or not at all.
-    Result<void> Accept(const GoldenCandidate& candidate) const;
+    Result<void> Accept(const GoldenCandidate& candidate, AcceptAs as = AcceptAs::ForAll) const;
 
     /// Names that have a reference, sorted.
     std::vector<std::string> Names() const;

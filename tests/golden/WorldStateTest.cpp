@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <golden/WorldState.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace boxreel;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace
+{
+
+WorldState State()
+{
+    return {{{0, 0, 0, 0, 0, 0, 0},
+             {1, 0.1f, 1.051f, 0.5f, 1, 2, 3},
+             {4, -3, 1e-30f, 0, 0, -9.81f, 0}}};
+}
+
+StateTrace Trace(std::initializer_list<TraceStep> steps)
+{
+    return {steps};
+}
+
+} // namespace
+
+TEST(WorldStateText, IsALineABodyAndLeavesOutVelocitiesOfWhatRests)
+{
+    EXPECT_EQ(ToText(State()), "0 0 0 0\n1 0.1 1.051 0.5 1 2 3\n4 -3 1e-30 0 0 -9.81 0\n");
+}
+
+TEST(WorldStateText, ReadsBackToTheSameBits)
+{
+    WorldState state = State();
+    state.bodies[0].x = std::numeric_limits<float>::denorm_min();
+    state.bodies[0].y = std::numeric_limits<float>::max();
+    state.bodies[0].angle = std::nextafterf(0.1f, 1.0f);
+    const Result<WorldState> back = ParseWorldState(ToText(state));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->bodies, state.bodies);
+    EXPECT_TRUE(ParseWorldState("")->bodies.empty());
+}
+
+TEST(WorldStateText, OfAnotherKindIsRefusedWithTheLine)
+{
+    for (const char* bad : {"x 1 2 3\n", "0 1 2\n", "0 1 2 3 4\n", "0 1 2 3 4 5 6 7\n",
+                            "-1 0 0 0\n", "0 1 2 3x\n", "1 0 0 0\n1 0 0 0\n", "0  1 2 3\n"})
+    {
+        const Result<WorldState> state = ParseWorldState(bad);
+        ASSERT_FALSE(state) << bad;
+        EXPECT_THAT(state.GetError().message, HasSubstr("is no body's number"));
+    }
+}
+
+TEST(WorldStateDifference, NamesTheBodyThatIsFurthestOffAndByHowMuch)
+{
+    WorldState moved = State();
+    moved.bodies[1].y -= 0.031f;
+    moved.bodies[2].velocityY = 0;
+    EXPECT_EQ(DescribeDifference(State(), moved),
+              "2 of 3 bodies differ, most of all body 1: 0.031 m lower (y 1.02 instead of 1.051)");
+    moved = State();
+    moved.bodies[2].x = -2;
+    EXPECT_EQ(DescribeDifference(State(), moved),
+              "1 of 3 bodies differs, body 4: 1 m further to the right (x -2 instead of -3)");
+}
+
+TEST(WorldStateDifference, SaysWhichQuantityDiffersWhereNothingMoved)
+{
+    WorldState other = State();
+    other.bodies[1].angle = 0.75f;
+    EXPECT_THAT(DescribeDifference(State(), other),
+                HasSubstr("body 1: turned by 0.25 rad more (angle 0.75 instead of 0.5)"));
+    other = State();
+    other.bodies[1].velocityX = 5;
+    EXPECT_THAT(DescribeDifference(State(), other), HasSubstr("velocity (x 5 instead of 1)"));
+    other = State();
+    other.bodies[1].velocityY = 5;
+    EXPECT_THAT(DescribeDifference(State(), other), HasSubstr("velocity (y 5 instead of 2)"));
+    other = State();
+    other.bodies[1].angularVelocity = 5;
+    EXPECT_THAT(DescribeDifference(State(), other), HasSubstr("(rad/s 5 instead of 3)"));
+    EXPECT_EQ(DescribeDifference(State(), State()), "");
+}
+
+TEST(WorldStateDifference, SaysWhichBodiesCameOrWent)
+{
+    WorldState fewer = State();
+    fewer.bodies.erase(fewer.bodies.begin() + 1);
+    EXPECT_EQ(DescribeDifference(State(), fewer), "body 1 is missing");
+    EXPECT_EQ(DescribeDifference(fewer, State()), "body 1 is one too many");
+    EXPECT_EQ(DescribeDifference(State(), WorldState{}), "3 bodies are missing (number 0 first)");
+}
+
+TEST(StateTraceText, IsALineAStepAndReadsBack)
+{
+    const StateTrace trace =
+        Trace({{1, "0123abcd", "0.f"}, {2, "00000000", "12/34"}, {9, "ffffffff", ""}});
+    const std::string text = ToText(trace);
+    EXPECT_EQ(text, "1 0123abcd 0.f\n2 00000000 12/34\n9 ffffffff \n");
+    const Result<StateTrace> back = ParseStateTrace(text);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->steps, trace.steps);
+}
+
+TEST(StateTraceText, OfAnotherKindIsRefusedWithTheLine)
+{
+    for (const char* bad : {"1\n", "1 0123abc 0\n", "1 0123abcg 0\n", "1 0123abcd xyz\n",
+                            "1 0123abcd\n", "-1 0123abcd 0\n", "2 0123abcd 0\n1 0123abcd 0\n"})
+    {
+        const Result<StateTrace> trace = ParseStateTrace(bad);
+        ASSERT_FALSE(trace) << bad;
+        EXPECT_THAT(trace.GetError().message, HasSubstr("is no step's number"));
+    }
+}
+
+TEST(StateTraceDifference, IsAtTheFirstStepThatBothHaveAndOfTheBodiesWhoseDigitsDiffer)
+{
+    const StateTrace expected =
+        Trace({{1, "00000000", "000"}, {2, "00000001", "123"}, {3, "00000002", "456"}});
+    StateTrace actual = expected;
+    EXPECT_FALSE(FirstDifference(expected, actual));
+    actual.steps[1] = {2, "00000009", "153"};
+    actual.steps[2] = {3, "00000008", "777"};
+    const auto difference = FirstDifference(expected, actual);
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(difference->step, 2);
+    EXPECT_THAT(difference->bodies, ElementsAre(1));
+    EXPECT_EQ(Describe(*difference), "from step 2 on, body 1 first");
+    actual.steps.erase(actual.steps.begin() + 1); // and what only one of them has is passed over
+    EXPECT_EQ(FirstDifference(expected, actual)->step, 3);
+}
+
+TEST(StateTraceDifference, TakesABodyThatOnlyOneOfThemHasForDifferent)
+{
+    const auto difference =
+        FirstDifference(Trace({{1, "00000000", "00"}}), Trace({{1, "00000001", "0012345"}}));
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(Describe(*difference), "from step 1 on, bodies 2, 3, 4, 5 and 1 more first");
+}
+
+TEST(StateTraceDifference, FindsABodyOfManyWhereItsRowAndItsColumnCross)
+{
+    const auto difference = FirstDifference(Trace({{7, "00000000", "0000/0000"}}),
+                                            Trace({{7, "00000001", "0010/0500"}}));
+    ASSERT_TRUE(difference);
+    EXPECT_THAT(difference->bodies, ElementsAre(2 * 4 + 1));
+}
+
+TEST(StateTraceDifference, KnowsTheStepWhereNoDigitTells)
+{
+    for (const char* digits : {"00", "0/0"})
+    {
+        const auto difference =
+            FirstDifference(Trace({{7, "00000000", "00"}}), Trace({{7, "00000001", digits}}));
+        ASSERT_TRUE(difference);
+        EXPECT_EQ(Describe(*difference), "from step 7 on");
+    }
+}

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// `boxreel golden`: the real program, as a shell runs it.
+#include "Subprocess.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <render/Png.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class GoldenCommand : public testing::Test
+{
+protected:
+    Outcome Run(std::vector<std::string> arguments) const
+    {
+        arguments.insert(arguments.begin(), "golden");
+        return RunBoxreel(arguments, folder.Path());
+    }
+
+    /// With the references r and the output o.
+    Outcome RunIn(std::vector<std::string> arguments) const
+    {
+        for (const char* more : {"--references", "r", "--output", "o"})
+        {
+            arguments.emplace_back(more);
+        }
+        return Run(std::move(arguments));
+    }
+
+    void ExpectRefusal(const std::vector<std::string>& arguments, const std::string& remedy) const
+    {
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_THAT(outcome.errors, HasSubstr(remedy));
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
+            << outcome.errors;
+    }
+
+    void Blacken(const std::string& picture) const
+    {
+        Frame frame;
+        frame.width = 480;
+        frame.height = 270;
+        frame.rgba.assign(480 * 270 * 4, 0);
+        ASSERT_TRUE(WritePng(folder / picture, frame, {.overwrite = true}));
+    }
+
+    /// A program that does as ours does but for body 17 of what it is asked, 3 cm lower from step
+    /// 43 on.
+    fs::path OtherProgram() const
+    {
+        const fs::path script = folder / "other";
+        std::ofstream(script) << "#!/bin/sh\n"
+                              << "'" << BOXREEL_PROGRAM << "' \"$@\" | awk -v asked=\"$*\" '"
+                              << R"(
+            asked ~ /trace/ && $1 >= 43 {
+                digit = substr($3, 18, 1) == "0" ? "1" : "0"
+                print $1, "ffffffff", substr($3, 1, 17) digit substr($3, 19); next }
+            asked !~ /trace/ && $1 == 17 { $3 += 0.03 }
+            { print })"
+                              << "'\n";
+        fs::permissions(script, fs::perms::owner_all);
+        return script;
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(GoldenCommand, NeedsAFolderOfReferences)
+{
+    ExpectRefusal({"verify"}, "--references");
+    ExpectRefusal({"verify", "--references", "none"}, "none");
+    ExpectRefusal({"verify", "pyramid/3s", "--references", "."}, "0.5s, 2s, 5s");
+    ExpectRefusal({"verify", "pyrmid/2s", "--references", "."}, "did you mean 'pyramid'?");
+}
+
+TEST_F(GoldenCommand, AcceptsThenVerifiesThenFindsAChange)
+{
+    const std::vector<std::string> verify{"verify", "pyramid"};
+    EXPECT_EQ(RunIn({"accept", "pyramid"}).code, 0);
+    const Outcome same = RunIn(verify);
+    EXPECT_EQ(same.code, 0) << same.output << same.errors;
+
+    Blacken("r/frames/pyramid/2s.png");
+    const Outcome changed = RunIn(verify);
+    EXPECT_EQ(changed.code, 2);
+    EXPECT_THAT(changed.output, HasSubstr("FAIL  pyramid/2s"));
+    EXPECT_THAT(changed.output, HasSubstr("same  pyramid/0.5s"));
+    EXPECT_TRUE(fs::exists(folder / "o"));
+
+    fs::remove(folder / "r/frames/pyramid/2s.png");
+    EXPECT_EQ(RunIn(verify).code, 2) << "a missing reference fails";
+
+    const Outcome moment = RunIn({"accept", "pyramid/2s"});
+    EXPECT_THAT(moment.output, HasSubstr("1 moment accepted"));
+    EXPECT_EQ(RunIn(verify).code, 0) << "one moment was accepted";
+}
+
+TEST_F(GoldenCommand, AcceptsOnlyWhatIsMissingOrOnlyWhatChanged)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge"}).code, 0);
+    Blacken("r/frames/bridge/2s.png");
+    fs::remove(folder / "r/frames/bridge/5s.png");
+    const Outcome missing = RunIn({"accept", "bridge", "--only", "missing"});
+    EXPECT_THAT(missing.output, AllOf(StartsWith("accepted  bridge/5s: there is no reference"),
+                                      HasSubstr("1 moment accepted"), Not(HasSubstr("bridge/2s"))));
+    const Outcome changed = RunIn({"accept", "bridge", "--only", "changed"});
+    EXPECT_THAT(changed.output,
+                AllOf(StartsWith("accepted  bridge/2s: same geometry, other pixels"),
+                      HasSubstr("1 moment accepted")));
+    EXPECT_THAT(RunIn({"accept", "bridge", "--only", "changed"}).output,
+                StartsWith("0 moments accepted"));
+    EXPECT_EQ(RunIn({"verify", "bridge"}).code, 0);
+    EXPECT_FALSE(fs::exists(folder / "o")) << "accepting leaves nothing to look at";
+    ExpectRefusal({"accept", "--only", "mising"}, "did you mean 'missing'?");
+}
+
+TEST_F(GoldenCommand, AcceptsAPictureForOneRendererAlone)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge/2s"}).code, 0);
+    ASSERT_EQ(RunIn({"accept", "bridge/2s", "--for-this-renderer"}).code, 0);
+    std::vector<std::string> pictures;
+    for (const auto& entry : fs::directory_iterator(folder / "r/frames/bridge"))
+    {
+        pictures.push_back(entry.path().filename().string());
+    }
+    EXPECT_THAT(pictures, testing::UnorderedElementsAre(
+                              "2s.png", AllOf(StartsWith("2s@osmesa"), EndsWith(".png"))));
+    Blacken("r/frames/bridge/2s.png");
+    EXPECT_EQ(RunIn({"verify", "bridge/2s"}).code, 0) << "compared with its own";
+}
+
+TEST_F(GoldenCommand, SaysWhereAChangedWorldParted)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge/0.5s"}).code, 0);
+    // As if step 12 had been approved with another state of body 17, and the moment with it lower.
+    const fs::path trace = folder / "r/trace/bridge/0.5s.txt";
+    const fs::path state = folder / "r/state/bridge/0.5s.txt";
+    const Outcome planted =
+        RunTool({"sh", "-c",
+                 "sed -E -i '12s/^12 ......../12 00000000/; 12s/^(12 00000000 .{17})./\\1./' '" +
+                     trace.string() +
+                     "'; awk 'NR == 1 {print \"0123456789abcdef\"; next} $1 == 17 {$3 += 0.5} "
+                     "{print}' '" +
+                     state.string() + "' > s; mv s '" + state.string() + "'"},
+                folder.Path());
+    ASSERT_EQ(planted.code, 0) << planted.errors;
+    const Outcome outcome = RunIn({"verify", "bridge/0.5s"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.output, AllOf(HasSubstr("the worlds differ from step 12 on, body 17 first"),
+                                      HasSubstr("1 of 39 bodies differs, body 17: 0.5 m lower")))
+        << outcome.errors;
+}
+
+TEST_F(GoldenCommand, PrintsAStateAndTheStepsToIt)
+{
+    const Outcome state = Run({"state", "bridge", "--step", "60"});
+    EXPECT_EQ(state.code, 0) << state.errors;
+    EXPECT_THAT(state.output, testing::MatchesRegex("[0-9a-f]{16}\n0 [^\n]*\n(.|\n)*38 [^\n]*\n"));
+    EXPECT_EQ(state.output, Run({"state", "bridge", "--step", "60"}).output);
+    const Outcome trace = Run({"state", "bridge", "--trace", "--step", "3"});
+    EXPECT_THAT(trace.output,
+                testing::MatchesRegex("1 [0-9a-f]{8} [0-9a-f]{39}\n2 [0-9a-f]{8} [0-9a-f]{39}\n3 "
+                                      "[0-9a-f]{8} [0-9a-f]{39}\n"));
+    ExpectRefusal({"state", "bride"}, "did you mean 'bridge'?");
+    ExpectRefusal({"state", "bridge", "--step", "-1"}, "--step");
+}
+
+TEST_F(GoldenCommand, FindsTheStepTheBodyAndTheDistanceByAnotherBuildsRun)
+{
+    const Outcome same = Run({"verify", "bridge", "car", "--against", BOXREEL_PROGRAM});
+    EXPECT_EQ(same.code, 0) << same.errors;
+    EXPECT_THAT(same.output, StartsWith("same  bridge\nsame  car\n2 scenes: each step as "));
+    const fs::path other = OtherProgram();
+    const Outcome differs = Run({"verify", "bridge", "--against", other.string()});
+    EXPECT_EQ(differs.code, 2) << differs.errors;
+    EXPECT_THAT(differs.output, AllOf(HasSubstr("from step 43 on, body 17 first"),
+                                      HasSubstr("body 17: 0.03 m lower")));
+    EXPECT_EQ(Run({"verify", "bridge/0.5s", "--against", other.string()}).code, 0)
+        << "until half a second it is the same";
+    ExpectRefusal({"verify", "bridge", "--against", "nothing"}, "there is no such program");
+    ExpectRefusal({"verify", "bridge", "--against", "/bin/true"}, "knows `golden state`");
+}
+
+} // namespace
+} // namespace boxreel
