@@ -2,7 +2,7 @@
 #include <golden/Compare.h>
 
 #include "DifferencePicture.h"
-#include "OkLab.h"
+#include "EdgeRule.h"
 
 #include <debugdraw/Nearest.h>
 
@@ -45,67 +45,50 @@ std::string Pixels(std::int64_t count)
     return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
 }
 
-// Debug drawings have few colours, so the same pair of pixels comes again and again: distances are
-// kept in a small table, each pair at one fixed place. A hit has the bits that computing would
-// give.
-class DistanceTable
-{
-public:
-    double Get(const std::uint8_t* p, const std::uint8_t* q)
-    {
-        std::uint32_t a, b;
-        std::memcpy(&a, p, 4);
-        std::memcpy(&b, q, 4);
-        const std::uint64_t key = std::uint64_t(a) << 32 | b;
-        // Multiplied by 2^64 over the golden ratio, the top bits mix all the others.
-        Entry& entry = m_entries[key * 0x9e3779b97f4a7c15u >> (64 - kBits)];
-        if (entry.key != key)
-        {
-            entry = {key, PixelDistance(p, q)};
-        }
-        return entry.distance;
-    }
-
-private:
-    static constexpr int kBits = 10;
-    struct Entry
-    {
-        std::uint64_t key = 0; // of two equal pixels, at distance 0
-        double distance = 0.0;
-    };
-    std::vector<Entry> m_entries = std::vector<Entry>(std::size_t(1) << kBits);
-};
-
 // One run over both pictures: counts into the comparison, one mark for every pixel.
 class Marker
 {
 public:
-    Marker(int width, int height, double tolerance, Comparison& result)
-        : m_tolerance(tolerance), m_result(result)
+    Marker(const Frame& expected, const Frame& actual, const CompareSettings& settings,
+           Comparison& result)
+        : m_expected(expected), m_actual(actual), m_settings(settings), m_result(result)
     {
-        m_marks.width = width;
-        m_marks.height = height;
+        m_marks.width = std::max(expected.width, actual.width);
+        m_marks.height = std::max(expected.height, actual.height);
+        for (const PixelBounds& bounds : settings.ignored)
+        {
+            m_marks.Ignore(bounds);
+        }
+        // They may overlap, so the pixels are counted, not the areas.
+        m_result.compared = std::int64_t(m_marks.width) * m_marks.height -
+                            std::count(m_marks.marks.begin(), m_marks.marks.end(), Mark::Ignored);
     }
 
-    void MarkRow(const Frame& expected, const Frame& actual, int y)
+    void MarkRow(int y)
     {
-        const int common = y < std::min(expected.height, actual.height)
-                               ? std::min(expected.width, actual.width)
+        m_row = nullptr;
+        m_y = y;
+        const int common = y < std::min(m_expected.height, m_actual.height)
+                               ? std::min(m_expected.width, m_actual.width)
                                : 0;
         if (common > 0)
         {
-            MarkCommon(expected.Pixel(0, y), actual.Pixel(0, y), common, y);
+            MarkCommon(m_expected.Pixel(0, y), m_actual.Pixel(0, y), common);
         }
         for (int x = common; x < m_marks.width; ++x)
         {
-            Set(x, y, Mark::Over);
+            Set(x, Mark::Over);
+        }
+        if (m_row)
+        {
+            IncludeRow();
         }
     }
 
     const Marks& GetMarks() const { return m_marks; }
 
 private:
-    void MarkCommon(const std::uint8_t* p, const std::uint8_t* q, int count, int y)
+    void MarkCommon(const std::uint8_t* p, const std::uint8_t* q, int count)
     {
         // Eight pixels at once, since most of a row that differs is still equal.
         constexpr int kBlock = 8;
@@ -120,34 +103,103 @@ private:
             {
                 if (std::memcmp(p + 4 * x, q + 4 * x, 4) != 0)
                 {
-                    MarkDifferent(p + 4 * x, q + 4 * x, x, y);
+                    MarkDifferent(p + 4 * x, q + 4 * x, x);
                 }
             }
         }
     }
 
-    void MarkDifferent(const std::uint8_t* p, const std::uint8_t* q, int x, int y)
+    void MarkDifferent(const std::uint8_t* p, const std::uint8_t* q, int x)
     {
-        const double distance = m_table.Get(p, q);
-        m_result.largestDistance = std::max(m_result.largestDistance, distance);
-        Set(x, y, m_tolerance > 0.0 && distance <= m_tolerance ? Mark::Within : Mark::Over);
-    }
-
-    void Set(int x, int y, Mark mark)
-    {
-        m_marks.Set(x, y, mark);
-        ++m_result.differentPixels;
-        if (mark == Mark::Over && m_result.overTolerance++ == 0)
+        std::uint32_t a, b;
+        std::memcpy(&a, p, 4);
+        std::memcpy(&b, q, 4);
+        if (a != m_lastExpected || b != m_lastActual) // fills make long runs of one pair
         {
-            m_result.firstX = x;
-            m_result.firstY = y;
+            m_lastExpected = a;
+            m_lastActual = b;
+            m_distance = m_table.Get(p, q);
+        }
+        if (m_row ? m_row[x] == Mark::Ignored
+                  : !m_marks.marks.empty() && m_marks.At(x, m_y) == Mark::Ignored)
+        {
+            return;
+        }
+        m_result.largestDistance = std::max(m_result.largestDistance, m_distance);
+        const double tolerance = m_settings.tolerance;
+        if (tolerance > 0.0 && m_distance <= tolerance)
+        {
+            Set(x, Mark::Within);
+        }
+        else if (m_settings.edgeShift > 0.0 &&
+                 EdgeExplains(m_expected, x, m_y, q, m_distance, tolerance, m_settings.edgeShift,
+                              m_table))
+        {
+            ++m_result.excusedAtEdges;
+            Set(x, Mark::Within);
+        }
+        else
+        {
+            Set(x, Mark::Over);
         }
     }
 
-    double m_tolerance;
+    void Set(int x, Mark mark)
+    {
+        if (!m_row)
+        {
+            m_row = m_marks.Row(m_y);
+            m_first = x;
+            m_firstOver = m_marks.width;
+            m_lastOver = -1;
+        }
+        if (m_row[x] == Mark::Ignored)
+        {
+            return;
+        }
+        m_row[x] = mark;
+        m_last = x;
+        ++m_result.differentPixels;
+        if (mark == Mark::Over)
+        {
+            ++m_result.overTolerance;
+            m_firstOver = std::min(m_firstOver, x);
+            m_lastOver = x;
+        }
+    }
+
+    void IncludeRow()
+    {
+        m_marks.different.Include(m_first, m_y);
+        m_marks.different.Include(m_last, m_y);
+        if (m_lastOver < 0)
+        {
+            return;
+        }
+        m_marks.over.Include(m_firstOver, m_y);
+        m_marks.over.Include(m_lastOver, m_y);
+        if (m_result.firstX < 0)
+        {
+            m_result.firstX = m_firstOver;
+            m_result.firstY = m_y;
+        }
+    }
+
+    const Frame& m_expected;
+    const Frame& m_actual;
+    const CompareSettings& m_settings;
     Comparison& m_result;
     DistanceTable m_table;
     Marks m_marks;
+    // The last pair of pixels, and how far it is apart; two equal ones at first.
+    std::uint32_t m_lastExpected = 0;
+    std::uint32_t m_lastActual = 0;
+    double m_distance = 0.0;
+    // The row at hand, and where in it marks lie.
+    Mark* m_row = nullptr; // null while it has none
+    int m_y = 0;
+    int m_first = 0, m_last = 0;
+    int m_firstOver = 0, m_lastOver = -1;
 };
 
 // One row's marks over the tolerance, times `sign`, onto the columns of their box.
@@ -195,9 +247,22 @@ std::string Size(const Frame& frame)
 std::string Limits(const CompareSettings& settings)
 {
     const std::string side = std::to_string(settings.densityWindow);
-    return settings.preset + " allows " + Pixels(settings.maxPixels) + " over a distance of " +
-           Number(settings.tolerance) + ", " + std::to_string(settings.maxInWindow) + " in any " +
-           side + "x" + side;
+    std::string text = settings.preset + " allows ";
+    if (settings.maxPixels != kAnyNumberOfPixels)
+    {
+        text += Pixels(settings.maxPixels);
+    }
+    if (settings.maxRatio < 1.0 || settings.maxPixels == kAnyNumberOfPixels)
+    {
+        text += (settings.maxPixels == kAnyNumberOfPixels ? "" : ", ") +
+                Rounded(100.0 * settings.maxRatio) + " %";
+    }
+    text += " over a distance of " + Number(settings.tolerance);
+    if (settings.edgeShift > 0.0)
+    {
+        text += " and edges " + Number(settings.edgeShift) + " px elsewhere";
+    }
+    return text + ", " + std::to_string(settings.maxInWindow) + " in any " + side + "x" + side;
 }
 
 std::string Verdict(const Comparison& result, const CompareSettings& settings)
@@ -209,7 +274,8 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
     }
     if (result.overTolerance == 0)
     {
-        text += Pixels(result.differentPixels) + " by no more than the tolerance";
+        text += Pixels(result.differentPixels) + " by no more than " +
+                (result.excusedAtEdges > 0 ? "tolerance and edges allow" : "the tolerance");
     }
     else
     {
@@ -244,14 +310,26 @@ CompareSettings CompareSettings::SameMachine()
     return {};
 }
 
+CompareSettings CompareSettings::CrossMachine()
+{
+    CompareSettings settings;
+    settings.preset = "cross-machine";
+    settings.tolerance = 0.01;
+    settings.edgeShift = 0.2;
+    settings.maxPixels = kAnyNumberOfPixels;
+    settings.maxRatio = 0.0005;
+    settings.maxInWindow = 6;
+    return settings;
+}
+
 std::vector<std::string> CompareSettings::PresetNames()
 {
-    return {Exact().preset, SameMachine().preset};
+    return {Exact().preset, SameMachine().preset, CrossMachine().preset};
 }
 
 Result<CompareSettings> CompareSettings::Preset(const std::string& option, const std::string& name)
 {
-    for (const CompareSettings& settings : {Exact(), SameMachine()})
+    for (const CompareSettings& settings : {Exact(), SameMachine(), CrossMachine()})
     {
         if (settings.preset == name)
         {
@@ -266,29 +344,32 @@ Comparison Compare(const Frame& expected, const Frame& actual, const CompareSett
     assert(IsWhole(expected) && IsWhole(actual) && "a frame holds width * height * 4 bytes");
     assert(settings.densityWindow >= 1 && "a window is at least one pixel");
 
-    const int width = std::max(expected.width, actual.width);
-    const int height = std::max(expected.height, actual.height);
-    const std::size_t rowBytes = std::size_t(width) * 4;
     Comparison result;
     result.sameSize = expected.width == actual.width && expected.height == actual.height;
-    Marker marker(width, height, settings.tolerance, result);
-    for (int y = 0; y < height && width > 0; ++y)
+    Marker marker(expected, actual, settings, result);
+    const Marks& marks = marker.GetMarks();
+    const std::size_t rowBytes = std::size_t(marks.width) * 4;
+    for (int y = 0; y < marks.height && marks.width > 0; ++y)
     {
         if (!result.sameSize ||
             std::memcmp(expected.Pixel(0, y), actual.Pixel(0, y), rowBytes) != 0)
         {
-            marker.MarkRow(expected, actual, y);
+            marker.MarkRow(y);
         }
     }
     if (result.overTolerance > 0)
     {
-        result.worstWindow = WorstWindow(marker.GetMarks(), std::max(settings.densityWindow, 1));
+        result.worstWindow = WorstWindow(marks, std::max(settings.densityWindow, 1));
     }
     result.equal = result.sameSize && result.overTolerance <= settings.maxPixels &&
+                   double(result.overTolerance) <= settings.maxRatio * double(result.compared) &&
                    result.worstWindow <= settings.maxInWindow;
     result.verdict =
         result.sameSize ? Verdict(result, settings) : SizeVerdict(expected, actual, settings);
-    result.difference = PaintDifference(expected, marker.GetMarks());
+    if (settings.paintsDifference)
+    {
+        result.difference = PaintDifference(expected, marks);
+    }
     return result;
 }
 

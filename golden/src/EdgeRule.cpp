@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "EdgeRule.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace boxreel
+{
+
+namespace
+{
+
+// A pixel is the mean of what lies in it, so an edge that moves by d changes it by at most d times
+// the contrast of the two sides. The largest difference in 3 x 3 pixels shows that contrast, except
+// for a line of one pixel that straddles two rows: each of them is half line, half ground, and only
+// half of the contrast can be seen. Twice the difference therefore covers both. It excuses a step
+// that moves by up to 2 d, and a missing line only from d = 0.5 on.
+constexpr double kOfOnePixelLine = 2.0;
+
+using Bytes = std::array<double, 4>;
+
+Bytes Load(const std::uint8_t* p)
+{
+    return {double(p[0]), double(p[1]), double(p[2]), double(p[3])};
+}
+
+double Dot(const Bytes& a, const Bytes& b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+Bytes Minus(const Bytes& a, const Bytes& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
+}
+
+// The straight line of colours from `from` to `from + span`: what blending the two gives.
+struct Blend
+{
+    Bytes from;
+    Bytes span;
+
+    // 0 at one end, 1 at the other.
+    double Share(const Bytes& color) const
+    {
+        return Dot(Minus(color, from), span) / Dot(span, span);
+    }
+
+    // How far the colour is from any such blend [steps of a channel].
+    double Off(const Bytes& color) const
+    {
+        const Bytes d = Minus(color, from);
+        const double along = Dot(d, span);
+        return std::sqrt(std::max(0.0, Dot(d, d) - along * along / Dot(span, span)));
+    }
+};
+
+struct Neighbourhood
+{
+    std::array<const std::uint8_t*, 9> pixels; // the first is the one in the middle
+    int count = 0;
+};
+
+Neighbourhood Around(const Frame& frame, int x, int y)
+{
+    Neighbourhood around;
+    around.pixels[std::size_t(around.count++)] = frame.Pixel(x, y);
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, frame.height - 1); ++v)
+    {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, frame.width - 1); ++u)
+        {
+            if (u != x || v != y)
+            {
+                around.pixels[std::size_t(around.count++)] = frame.Pixel(u, v);
+            }
+        }
+    }
+    return around;
+}
+
+const std::uint8_t* Farthest(const Neighbourhood& around, const std::uint8_t* from,
+                             DistanceTable& table)
+{
+    const std::uint8_t* farthest = from;
+    double largest = 0.0;
+    for (int i = 0; i < around.count; ++i)
+    {
+        const double distance = table.Get(from, around.pixels[std::size_t(i)]);
+        if (distance > largest)
+        {
+            largest = distance;
+            farthest = around.pixels[std::size_t(i)];
+        }
+    }
+    return farthest;
+}
+
+} // namespace
+
+bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actual, double distance,
+                  double tolerance, double shift, DistanceTable& table)
+{
+    const Neighbourhood around = Around(expected, x, y);
+    // The farthest from the farthest: of blends of two colours, those are the two ends.
+    const std::uint8_t* one = Farthest(around, around.pixels[0], table);
+    const std::uint8_t* other = Farthest(around, one, table);
+    const double contrast = table.Get(one, other);
+    const double share = kOfOnePixelLine * shift;
+    if (contrast == 0.0 || distance > tolerance + share * contrast)
+    {
+        return false;
+    }
+    // A foreign colour is no blend of what is there. Where three colours meet, the expected pixels
+    // themselves lie off the line between two of them, and so may this one. Black to white is 1 in
+    // OKLab, and 255 sqrt(3) here.
+    const Blend blend{Load(one), Minus(Load(other), Load(one))};
+    const double steps = 255.0 * std::sqrt(3.0) * tolerance;
+    double thickness = 0.0;
+    for (int i = 0; i < around.count; ++i)
+    {
+        thickness = std::max(thickness, blend.Off(Load(around.pixels[std::size_t(i)])));
+    }
+    const Bytes color = Load(actual);
+    const double slack = share + steps / std::sqrt(Dot(blend.span, blend.span));
+    const double at = blend.Share(color);
+    return blend.Off(color) <= thickness + steps && at >= -slack && at <= 1.0 + slack;
+}
+
+} // namespace boxreel
