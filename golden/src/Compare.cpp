@@ -77,9 +77,13 @@ public:
         }
         for (int x = common; x < m_marks.width; ++x)
         {
-            Set(x, Mark::Over);
+            OpenRow(x);
+            if (m_row[x] != Mark::Ignored)
+            {
+                Set(x, Mark::Over);
+            }
         }
-        if (m_row)
+        if (m_row && m_last >= 0)
         {
             IncludeRow();
         }
@@ -101,62 +105,62 @@ private:
             }
             for (const int end = std::min(x + kBlock, count); x < end; ++x)
             {
-                if (std::memcmp(p + 4 * x, q + 4 * x, 4) != 0)
+                const std::uint32_t a = Word(p + 4 * x), b = Word(q + 4 * x);
+                if (a != b)
                 {
-                    MarkDifferent(p + 4 * x, q + 4 * x, x);
+                    MarkDifferent(a, b, q + 4 * x, x);
                 }
             }
         }
     }
 
-    void MarkDifferent(const std::uint8_t* p, const std::uint8_t* q, int x)
+    static std::uint32_t Word(const std::uint8_t* pixel)
     {
-        std::uint32_t a, b;
-        std::memcpy(&a, p, 4);
-        std::memcpy(&b, q, 4);
-        if (a != m_lastExpected || b != m_lastActual) // fills make long runs of one pair
-        {
-            m_lastExpected = a;
-            m_lastActual = b;
-            m_distance = m_table.Get(p, q);
-        }
-        if (m_row ? m_row[x] == Mark::Ignored
-                  : !m_marks.marks.empty() && m_marks.At(x, m_y) == Mark::Ignored)
+        std::uint32_t word;
+        std::memcpy(&word, pixel, 4);
+        return word;
+    }
+
+    void MarkDifferent(std::uint32_t expected, std::uint32_t actual, const std::uint8_t* q, int x)
+    {
+        OpenRow(x);
+        if (m_row[x] == Mark::Ignored)
         {
             return;
         }
-        m_result.largestDistance = std::max(m_result.largestDistance, m_distance);
-        const double tolerance = m_settings.tolerance;
-        if (tolerance > 0.0 && m_distance <= tolerance)
+        if (expected != m_lastExpected || actual != m_lastActual) // fills make long runs of a pair
         {
-            Set(x, Mark::Within);
+            m_lastExpected = expected;
+            m_lastActual = actual;
+            m_distance = m_table.Get(expected, actual);
+            m_result.largestDistance = std::max(m_result.largestDistance, m_distance);
+            const double tolerance = m_settings.tolerance;
+            m_mark = tolerance > 0.0 && m_distance <= tolerance ? Mark::Within : Mark::Over;
         }
-        else if (m_settings.edgeShift > 0.0 &&
-                 EdgeExplains(m_expected, x, m_y, q, m_distance, tolerance, m_settings.edgeShift,
-                              m_table))
+        Mark mark = m_mark;
+        if (mark == Mark::Over && m_settings.edgeShift > 0.0 &&
+            EdgeExplains(m_expected, x, m_y, q, m_distance, m_settings.tolerance,
+                         m_settings.edgeShift, m_table))
         {
             ++m_result.excusedAtEdges;
-            Set(x, Mark::Within);
+            mark = Mark::Within;
         }
-        else
-        {
-            Set(x, Mark::Over);
-        }
+        Set(x, mark);
     }
 
-    void Set(int x, Mark mark)
+    void OpenRow(int x)
     {
         if (!m_row)
         {
             m_row = m_marks.Row(m_y);
             m_first = x;
+            m_last = m_lastOver = -1;
             m_firstOver = m_marks.width;
-            m_lastOver = -1;
         }
-        if (m_row[x] == Mark::Ignored)
-        {
-            return;
-        }
+    }
+
+    void Set(int x, Mark mark)
+    {
         m_row[x] = mark;
         m_last = x;
         ++m_result.differentPixels;
@@ -191,10 +195,12 @@ private:
     Comparison& m_result;
     DistanceTable m_table;
     Marks m_marks;
-    // The last pair of pixels, and how far it is apart; two equal ones at first.
+    // The last pair of pixels, how far it is apart, and whether that is too far; two equal ones at
+    // first.
     std::uint32_t m_lastExpected = 0;
     std::uint32_t m_lastActual = 0;
     double m_distance = 0.0;
+    Mark m_mark = Mark::Same;
     // The row at hand, and where in it marks lie.
     Mark* m_row = nullptr; // null while it has none
     int m_y = 0;
@@ -222,7 +228,8 @@ std::int64_t WorstWindow(const Marks& marks, int size)
     const int width = box.x1 - box.x0 + 1;
     std::int64_t worst = 0;
     std::vector<int> inColumn(std::size_t(width), 0);
-    for (int y = box.y0; y <= box.y1; ++y)
+    const std::int64_t full = std::int64_t(size) * size; // no window holds more
+    for (int y = box.y0; y <= box.y1 && worst < full; ++y)
     {
         AddRow(marks, y, 1, inColumn);
         if (y - box.y0 >= size)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace boxreel
 {
@@ -56,41 +57,70 @@ struct Blend
     }
 };
 
+// The pixels of 3 x 3, as far as there are any; the first is the one in the middle.
 struct Neighbourhood
 {
-    std::array<const std::uint8_t*, 9> pixels; // the first is the one in the middle
-    int count = 0;
+    std::array<std::uint32_t, 9> pixels;
+    std::size_t count = 0;
+    bool isFlat = true; // all the same
 };
+
+std::uint32_t Word(const std::uint8_t* pixel)
+{
+    std::uint32_t word;
+    std::memcpy(&word, pixel, 4);
+    return word;
+}
 
 Neighbourhood Around(const Frame& frame, int x, int y)
 {
     Neighbourhood around;
-    around.pixels[std::size_t(around.count++)] = frame.Pixel(x, y);
+    const std::uint32_t middle = Word(frame.Pixel(x, y));
+    around.pixels[around.count++] = middle;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, frame.height - 1); ++v)
     {
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, frame.width - 1); ++u)
         {
-            if (u != x || v != y)
+            const std::uint32_t pixel = Word(frame.Pixel(u, v));
+            if (pixel != middle)
             {
-                around.pixels[std::size_t(around.count++)] = frame.Pixel(u, v);
+                around.pixels[around.count++] = pixel;
+                around.isFlat = false;
             }
         }
     }
     return around;
 }
 
-const std::uint8_t* Farthest(const Neighbourhood& around, const std::uint8_t* from,
-                             DistanceTable& table)
+Bytes BytesOf(std::uint32_t word)
 {
-    const std::uint8_t* farthest = from;
-    double largest = 0.0;
-    for (int i = 0; i < around.count; ++i)
+    std::uint8_t bytes[4];
+    std::memcpy(bytes, &word, 4);
+    return Load(bytes);
+}
+
+int SquaredSteps(std::uint32_t p, std::uint32_t q)
+{
+    int sum = 0;
+    for (int shift = 0; shift < 32; shift += 8)
     {
-        const double distance = table.Get(from, around.pixels[std::size_t(i)]);
-        if (distance > largest)
+        const int d = int(p >> shift & 255u) - int(q >> shift & 255u);
+        sum += d * d;
+    }
+    return sum;
+}
+
+std::uint32_t Farthest(const Neighbourhood& around, std::uint32_t from)
+{
+    std::uint32_t farthest = from;
+    int largest = 0;
+    for (std::size_t i = 0; i < around.count; ++i)
+    {
+        const int squared = SquaredSteps(from, around.pixels[i]);
+        if (squared > largest)
         {
-            largest = distance;
-            farthest = around.pixels[std::size_t(i)];
+            largest = squared;
+            farthest = around.pixels[i];
         }
     }
     return farthest;
@@ -102,24 +132,28 @@ bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actua
                   double tolerance, double shift, DistanceTable& table)
 {
     const Neighbourhood around = Around(expected, x, y);
+    if (around.isFlat)
+    {
+        return false;
+    }
     // The farthest from the farthest: of blends of two colours, those are the two ends.
-    const std::uint8_t* one = Farthest(around, around.pixels[0], table);
-    const std::uint8_t* other = Farthest(around, one, table);
-    const double contrast = table.Get(one, other);
+    const std::uint32_t one = Farthest(around, around.pixels[0]);
+    const std::uint32_t other = Farthest(around, one);
     const double share = kOfOnePixelLine * shift;
-    if (contrast == 0.0 || distance > tolerance + share * contrast)
+    if (distance > tolerance + share * table.Get(one, other))
     {
         return false;
     }
     // A foreign colour is no blend of what is there. Where three colours meet, the expected pixels
     // themselves lie off the line between two of them, and so may this one. Black to white is 1 in
     // OKLab, and 255 sqrt(3) here.
-    const Blend blend{Load(one), Minus(Load(other), Load(one))};
+    const Bytes from = BytesOf(one);
+    const Blend blend{from, Minus(BytesOf(other), from)};
     const double steps = 255.0 * std::sqrt(3.0) * tolerance;
     double thickness = 0.0;
-    for (int i = 0; i < around.count; ++i)
+    for (std::size_t i = 0; i < around.count; ++i)
     {
-        thickness = std::max(thickness, blend.Off(Load(around.pixels[std::size_t(i)])));
+        thickness = std::max(thickness, blend.Off(BytesOf(around.pixels[i])));
     }
     const Bytes color = Load(actual);
     const double slack = share + steps / std::sqrt(Dot(blend.span, blend.span));

@@ -20,17 +20,18 @@ namespace boxreel
 class DistanceTable
 {
 public:
-    double Get(const std::uint8_t* p, const std::uint8_t* q)
+    /// Of two pixels' bytes as they lie in memory.
+    double Get(std::uint32_t p, std::uint32_t q)
     {
-        std::uint32_t a, b;
-        std::memcpy(&a, p, 4);
-        std::memcpy(&b, q, 4);
-        const std::uint64_t key = std::uint64_t(a) << 32 | b;
+        const std::uint64_t key = std::uint64_t(p) << 32 | q;
         // Multiplied by 2^64 over the golden ratio, the top bits mix all the others.
         Entry& entry = m_entries[key * 0x9e3779b97f4a7c15u >> (64 - kBits)];
         if (entry.key != key)
         {
-            entry = {key, PixelDistance(p, q)};
+            std::uint8_t bytes[8];
+            std::memcpy(bytes, &p, 4);
+            std::memcpy(bytes + 4, &q, 4);
+            entry = {key, PixelDistance(bytes, bytes + 4)};
         }
         return entry.distance;
     }
