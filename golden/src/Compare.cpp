@@ -325,7 +325,7 @@ CompareSettings CompareSettings::CrossMachine()
     settings.edgeShift = 0.2;
     settings.maxPixels = kAnyNumberOfPixels;
     settings.maxRatio = 0.0005;
-    settings.maxInWindow = 6;
+    settings.maxInWindow = 8;
     return settings;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "CompareChoice.h"
 #include "Condition.h"
 #include "MotionChoice.h"
 #include "Progress.h"
 #include "SceneSession.h"
 #include "Values.h"
 
-#include <golden/Compare.h>
 #include <recorder/VideoWriter.h>
 #include <render/Backend.h>
 
@@ -79,7 +79,7 @@ struct DiffOptions
     std::filesystem::path expected;
     std::filesystem::path actual;
     std::filesystem::path output; ///< of the difference image; empty: none
-    CompareSettings settings;
+    CompareChoice compare;
     bool force = false;
 };
 
@@ -90,6 +90,7 @@ struct GoldenOptions
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
+    CompareChoice compare;        ///< of the pixels
     Backend backend = Backend::Auto;
 };
 

@@ -39,7 +39,8 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
 
 /// One verdict a moment.
 Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection,
-                                                const ReferenceStore& store, Renderer& renderer);
+                                                const ReferenceStore& store, Renderer& renderer,
+                                                const CompareSettings& settings = {});
 
 /// Makes what the scene shows the reference; returns at how many moments.
 Result<int> AcceptGolden(const GoldenSelection& selection, const ReferenceStore& store,
