@@ -93,8 +93,8 @@ public:
             m_marks.Ignore(bounds);
         }
         // They may overlap, so the pixels are counted, not the areas.
-        m_result.compared = std::int64_t(m_marks.width) * m_marks.height -
-                            std::count(m_marks.marks.begin(), m_marks.marks.end(), Mark::Ignored);
+        m_result.ignored = std::count(m_marks.marks.begin(), m_marks.marks.end(), Mark::Ignored);
+        m_result.compared = std::int64_t(m_marks.width) * m_marks.height - m_result.ignored;
     }
 
     void MarkRow(int y)
@@ -307,9 +307,11 @@ std::string Limits(const CompareSettings& settings)
 std::string Verdict(const Comparison& result, const CompareSettings& settings)
 {
     std::string text = result.equal ? "equal: " : "different: ";
+    const std::string ignored =
+        result.ignored > 0 ? ", " + Pixels(result.ignored) + " ignored" : std::string();
     if (result.differentPixels == 0)
     {
-        return text + "no bit differs (" + Limits(settings) + ")";
+        return text + "no bit differs" + ignored + " (" + Limits(settings) + ")";
     }
     if (result.overTolerance == 0)
     {
@@ -322,7 +324,7 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
                 std::to_string(result.firstX) + "," + std::to_string(result.firstY) + ", up to " +
                 std::to_string(result.worstWindow) + " in a window";
     }
-    return text + ", largest distance " + Rounded(result.largestDistance) + " (" +
+    return text + ", largest distance " + Rounded(result.largestDistance) + ignored + " (" +
            Limits(settings) + ")";
 }
 

@@ -332,6 +332,7 @@ TEST(CompareIgnored, LeavesOutWhatLiesInARectangle)
     EXPECT_TRUE(result.equal) << result.verdict;
     EXPECT_EQ(result.differentPixels, 0);
     EXPECT_EQ(result.largestDistance, 0.0);
+    EXPECT_THAT(result.verdict, HasSubstr("no bit differs, 100 pixels ignored ("));
     EXPECT_EQ(result.compared, 64 * 64 - 100) << "where they overlap, pixels count once";
     for (const PixelBounds& bounds : {PixelBounds{11, 10, 20, 20}, PixelBounds{10, 11, 20, 20},
                                       PixelBounds{10, 10, 19, 20}, PixelBounds{10, 10, 20, 19}})

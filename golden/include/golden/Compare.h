@@ -64,7 +64,8 @@ struct Comparison
     bool equal = false;
     bool sameSize = true;
     std::int64_t differentPixels = 0; ///< with any bit different, or in one picture only
-    std::int64_t compared = 0;        ///< all pixels but those ignored
+    std::int64_t compared = 0;        ///< all pixels but those …
+    std::int64_t ignored = 0;         ///< … in an ignored rectangle
     std::int64_t overTolerance = 0;   ///< by more than is allowed there
     std::int64_t excusedAtEdges = 0;  ///< over the tolerance, but no more than their edge explains
     std::int64_t worstWindow = 0;     ///< most pixels over the tolerance in any one window
