@@ -11,6 +11,7 @@
 #include <cassert>
 #include <charconv>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 namespace boxreel
@@ -94,6 +95,7 @@ public:
         }
         // They may overlap, so the pixels are counted, not the areas.
         m_result.ignored = std::count(m_marks.marks.begin(), m_marks.marks.end(), Mark::Ignored);
+        m_hasIgnored = m_result.ignored > 0;
         m_result.compared = std::int64_t(m_marks.width) * m_marks.height - m_result.ignored;
     }
 
@@ -113,16 +115,17 @@ public:
             OpenRow(x);
             if (m_row[x] != Mark::Ignored)
             {
-                Set(x, Mark::Over);
+                Set(x, true);
             }
         }
         if (m_row && m_last >= 0)
         {
-            IncludeRow();
+            CloseRow();
         }
     }
 
     const Marks& GetMarks() const { return m_marks; }
+    double LargestDistance() const { return m_largest; }
 
 private:
     void MarkCommon(const std::uint8_t* p, const std::uint8_t* q, int count)
@@ -154,30 +157,26 @@ private:
         return word;
     }
 
+    // Branches that depend on the pixels would be guessed wrong in every other pixel of a noisy
+    // picture, so there are none but the last.
     void MarkDifferent(std::uint32_t expected, std::uint32_t actual, const std::uint8_t* q, int x)
     {
         OpenRow(x);
-        if (m_row[x] == Mark::Ignored)
+        if (m_hasIgnored && m_row[x] == Mark::Ignored)
         {
             return;
         }
-        if (expected != m_lastExpected || actual != m_lastActual) // fills make long runs of a pair
-        {
-            m_lastExpected = expected;
-            m_lastActual = actual;
-            m_distance = m_table.Get(expected, actual);
-            m_result.largestDistance = std::max(m_result.largestDistance, m_distance);
-            const double tolerance = m_settings.tolerance;
-            m_mark = tolerance > 0.0 && m_distance <= tolerance ? Mark::Within : Mark::Over;
-        }
-        Mark mark = m_mark;
-        if (mark == Mark::Over && m_settings.edgeShift > 0.0 &&
+        const double distance = m_table.Get(expected, actual);
+        m_largest = std::max(m_largest, distance);
+        const bool isOver = distance > m_settings.tolerance || m_settings.tolerance <= 0.0;
+        if (isOver && m_settings.edgeShift > 0.0 &&
             EdgeExplains(m_expected, x, m_y, q, m_settings.tolerance, m_settings.edgeShift))
         {
             ++m_result.excusedAtEdges;
-            mark = Mark::Within;
+            Set(x, false);
+            return;
         }
-        Set(x, mark);
+        Set(x, isOver);
     }
 
     void OpenRow(int x)
@@ -186,37 +185,41 @@ private:
         {
             m_row = m_marks.Row(m_y);
             m_first = x;
-            m_last = m_lastOver = -1;
-            m_firstOver = m_marks.width;
+            m_last = -1;
+            m_inRow = m_overInRow = 0;
         }
     }
 
-    void Set(int x, Mark mark)
+    void Set(int x, bool isOver)
     {
-        m_row[x] = mark;
+        static_assert(int(Mark::Over) == int(Mark::Within) + 1);
+        m_row[x] = Mark(int(Mark::Within) + int(isOver));
         m_last = x;
-        ++m_result.differentPixels;
-        if (mark == Mark::Over)
-        {
-            ++m_result.overTolerance;
-            m_firstOver = std::min(m_firstOver, x);
-            m_lastOver = x;
-        }
+        ++m_inRow;
+        m_overInRow += isOver;
     }
 
-    void IncludeRow()
+    void CloseRow()
     {
+        m_result.differentPixels += m_inRow;
+        m_result.overTolerance += m_overInRow;
         m_marks.different.Include(m_first, m_y);
         m_marks.different.Include(m_last, m_y);
-        if (m_lastOver < 0)
+        if (m_overInRow == 0)
         {
             return;
         }
-        m_marks.over.Include(m_firstOver, m_y);
-        m_marks.over.Include(m_lastOver, m_y);
+        const int firstOver = int(std::find(m_row + m_first, m_row + m_last, Mark::Over) - m_row);
+        int lastOver = m_last;
+        while (m_row[lastOver] != Mark::Over)
+        {
+            --lastOver;
+        }
+        m_marks.over.Include(firstOver, m_y);
+        m_marks.over.Include(lastOver, m_y);
         if (m_result.firstX < 0)
         {
-            m_result.firstX = m_firstOver;
+            m_result.firstX = firstOver;
             m_result.firstY = m_y;
         }
     }
@@ -227,17 +230,13 @@ private:
     Comparison& m_result;
     DistanceTable m_table;
     Marks m_marks;
-    // The last pair of pixels, how far it is apart, and whether that is too far; two equal ones at
-    // first.
-    std::uint32_t m_lastExpected = 0;
-    std::uint32_t m_lastActual = 0;
-    double m_distance = 0.0;
-    Mark m_mark = Mark::Same;
+    bool m_hasIgnored;
+    double m_largest = 0.0; // distance
     // The row at hand, and where in it marks lie.
     Mark* m_row = nullptr; // null while it has none
     int m_y = 0;
-    int m_first = 0, m_last = 0;
-    int m_firstOver = 0, m_lastOver = -1;
+    int m_first = 0, m_last = -1;
+    int m_inRow = 0, m_overInRow = 0;
 };
 
 // One row's marks over the tolerance, times `sign`, onto the columns of their box.
@@ -249,6 +248,21 @@ void AddRow(const Marks& marks, int y, int sign, std::vector<int>& inColumn)
     {
         inColumn[i] += row[i] == Mark::Over ? sign : 0;
     }
+}
+
+// The largest sum of `size` columns of which the last is one of begin to end - 1. `before`: the sum
+// of the `size` columns before these.
+std::int64_t WorstEndingIn(const std::vector<int>& inColumn, int begin, int end, int size,
+                           std::int64_t before)
+{
+    std::int64_t sum = before;
+    std::int64_t worst = 0;
+    for (int x = begin; x < end; ++x)
+    {
+        sum += inColumn[std::size_t(x)] - (x >= size ? inColumn[std::size_t(x - size)] : 0);
+        worst = std::max(worst, sum);
+    }
+    return worst;
 }
 
 // Most marks over the tolerance in any window of size x size pixels. `inColumn` holds, for each
@@ -268,11 +282,23 @@ std::int64_t WorstWindow(const Marks& marks, int size)
         {
             AddRow(marks, y - size, -1, inColumn);
         }
-        std::int64_t sum = 0;
-        for (int x = 0; x < width; ++x)
+        // A window ends within one block of columns and begins in it or the one before, so it holds
+        // no more than the two together.
+        std::int64_t before = 0;
+        for (int x = 0; x < width; x += size)
         {
-            sum += inColumn[std::size_t(x)] - (x >= size ? inColumn[std::size_t(x - size)] : 0);
-            worst = std::max(worst, sum);
+            const int end = std::min(width, x + std::min(size, width - x));
+            const std::int64_t block =
+                std::accumulate(inColumn.begin() + x, inColumn.begin() + end, std::int64_t(0));
+            if (before + block > worst)
+            {
+                worst = std::max(worst, WorstEndingIn(inColumn, x, end, size, before));
+            }
+            before = block;
+            if (end == width)
+            {
+                break;
+            }
         }
     }
     return worst;
@@ -398,6 +424,7 @@ Comparison Compare(const Frame& expected, const Frame& actual, const CompareSett
             marker.MarkRow(y);
         }
     }
+    result.largestDistance = marker.LargestDistance();
     if (result.overTolerance > 0)
     {
         result.worstWindow = WorstWindow(marks, std::max(settings.densityWindow, 1));
