@@ -148,6 +148,19 @@ TEST(EdgeRule, WorksAtTheBordersOfThePicture)
     EXPECT_EQ(CrossMachine(Filled(1, 1, kDark), Filled(1, 1, kAwake)).overTolerance, 1);
 }
 
+// Rows follow each other in memory: the first pixel of the next is no neighbour of a row's last.
+TEST(EdgeRule, TakesNoNeighbourFromTheOtherEndOfARow)
+{
+    for (const int column : {0, 19})
+    {
+        Frame expected = Filled(20, 20, kDark);
+        FillRect(expected, column, 0, column + 1, 20, kAwake);
+        Frame actual = expected;
+        FillRect(actual, 19 - column, 5, 20 - column, 15, {66, 57, 57});
+        EXPECT_EQ(CrossMachine(expected, actual).overTolerance, 10);
+    }
+}
+
 // What is excused depends on the expected picture alone: an edge that is only in the actual one
 // excuses nothing.
 TEST(EdgeRule, LooksAtTheExpectedPictureOnly)
