@@ -139,6 +139,11 @@ private:
                 x += kBlock;
                 continue;
             }
+            if (count - x >= kBlock && MarkUniform(p + 4 * x, q + 4 * x, x, kBlock))
+            {
+                x += kBlock;
+                continue;
+            }
             for (const int end = std::min(x + kBlock, count); x < end; ++x)
             {
                 const std::uint32_t a = Word(p + 4 * x), b = Word(q + 4 * x);
@@ -148,6 +153,31 @@ private:
                 }
             }
         }
+    }
+
+    // Fills that differ as a whole: `count` pixels of one colour, in either picture, at once. False
+    // when they are not, or have to be looked at one by one.
+    bool MarkUniform(const std::uint8_t* p, const std::uint8_t* q, int x, int count)
+    {
+        const std::size_t allButOne = std::size_t(count - 1) * 4;
+        if (m_hasIgnored || std::memcmp(q, q + 4, allButOne) != 0 ||
+            std::memcmp(p, p + 4, allButOne) != 0)
+        {
+            return false;
+        }
+        const double distance = m_table.Get(Word(p), Word(q));
+        const bool isOver = distance > m_settings.tolerance || m_settings.tolerance <= 0.0;
+        if (isOver && m_settings.edgeShift > 0.0)
+        {
+            return false;
+        }
+        OpenRow(x);
+        m_largest = std::max(m_largest, distance);
+        std::fill(m_row + x, m_row + x + count, isOver ? Mark::Over : Mark::Within);
+        m_last = x + count - 1;
+        m_inRow += count;
+        m_overInRow += isOver ? count : 0;
+        return true;
     }
 
     static std::uint32_t Word(const std::uint8_t* pixel)
