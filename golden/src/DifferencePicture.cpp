@@ -26,8 +26,10 @@ constexpr std::uint32_t Word(std::uint32_t r, std::uint32_t g, std::uint32_t b)
 
 constexpr std::uint32_t kOver = Word(255, 40, 60);
 constexpr std::uint32_t kWithin = Word(48, 90, 150);
+constexpr std::uint32_t kIgnored = Word(150, 130, 40);
 constexpr std::uint32_t kBox = Word(255, 255, 255);
 constexpr std::uint32_t kSeparator = Word(170, 170, 170);
+constexpr int kHatch = 6;          // [px] from one line of the hatching to the next
 constexpr int kBoxDistance = 6;    // [px] free between the box and what it surrounds
 constexpr int kSeparatorWidth = 4; // [px]
 
@@ -94,10 +96,22 @@ void PaintMarks(Frame& frame, const Marks& marks)
     {
         for (int x = box.x0; x <= box.x1; ++x)
         {
-            const Mark mark = marks.At(x, y);
-            if (mark != Mark::Same)
+            switch (marks.At(x, y))
             {
-                Store(frame.Pixel(x, y), mark == Mark::Over ? kOver : kWithin);
+            case Mark::Same:
+                break;
+            case Mark::Within:
+                Store(frame.Pixel(x, y), kWithin);
+                break;
+            case Mark::Over:
+                Store(frame.Pixel(x, y), kOver);
+                break;
+            case Mark::Ignored:
+                if ((x + y) % kHatch == 0)
+                {
+                    Store(frame.Pixel(x, y), kIgnored);
+                }
+                break;
             }
         }
     }
@@ -122,18 +136,28 @@ void PixelBox::Include(int x, int y)
     y1 = first ? y : std::max(y1, y);
 }
 
-void Marks::Set(int x, int y, Mark mark)
+Mark* Marks::Row(int y)
 {
     if (marks.empty())
     {
         marks.resize(std::size_t(width) * std::size_t(height), Mark::Same);
     }
-    marks[std::size_t(y) * std::size_t(width) + std::size_t(x)] = mark;
-    different.Include(x, y);
-    if (mark == Mark::Over)
+    return marks.data() + std::size_t(y) * std::size_t(width);
+}
+
+void Marks::Ignore(const PixelBounds& bounds)
+{
+    const PixelBounds inside = Intersection(bounds, {0, 0, width, height});
+    if (inside.IsEmpty())
     {
-        over.Include(x, y);
+        return;
     }
+    for (int y = inside.y0; y < inside.y1; ++y)
+    {
+        std::fill(Row(y) + inside.x0, Row(y) + inside.x1, Mark::Ignored);
+    }
+    different.Include(inside.x0, inside.y0);
+    different.Include(inside.x1 - 1, inside.y1 - 1);
 }
 
 Frame PaintDifference(const Frame& expected, const Marks& marks)

@@ -14,8 +14,9 @@ namespace boxreel
 enum class Mark : std::uint8_t
 {
     Same,
-    Within, ///< different, but not by more than the tolerance
+    Within, ///< different, but not by more than is allowed there
     Over,
+    Ignored, ///< not compared
 };
 
 /// Pixels from (x0, y0) to (x1, y1), both included; empty while x1 < x0.
@@ -38,7 +39,9 @@ struct Marks
     {
         return marks[std::size_t(y) * std::size_t(width) + std::size_t(x)];
     }
-    void Set(int x, int y, Mark mark); ///< `mark` is not Same
+    /// A row to write marks into. Whoever does says so to the boxes.
+    Mark* Row(int y);
+    void Ignore(const PixelBounds& bounds); ///< what of it lies in the picture
 };
 
 /// `expected` is at most as large as the marks.

@@ -219,7 +219,9 @@ ReferenceStore::ReferenceStore(std::filesystem::path references, std::filesystem
 Result<GoldenVerdict> ReferenceStore::Judge(const GoldenCandidate& candidate,
                                             const CompareSettings& settings) const
 {
-    Result<Judged> judged = JudgeMoment(m_references, candidate, settings);
+    CompareSettings unpainted = settings;
+    unpainted.paintsDifference = false;
+    Result<Judged> judged = JudgeMoment(m_references, candidate, unpainted);
     return judged ? Result<GoldenVerdict>(std::move(judged->verdict))
                   : Result<GoldenVerdict>(judged.GetError());
 }

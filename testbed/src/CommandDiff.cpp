@@ -47,7 +47,9 @@ Result<int> RunDiff(const DiffOptions& options)
     {
         return actual.GetError();
     }
-    const Comparison comparison = Compare(*expected, *actual, options.settings);
+    CompareSettings settings = Effective(options.compare);
+    settings.paintsDifference = !options.output.empty();
+    const Comparison comparison = Compare(*expected, *actual, settings);
     const Result<void> difference = WriteDifference(options, comparison);
     if (!difference)
     {

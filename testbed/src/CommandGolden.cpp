@@ -85,7 +85,7 @@ std::string Count(std::size_t number, const std::string& things)
 }
 
 Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders& folders,
-                   Renderer& renderer)
+                   Renderer& renderer, const CompareSettings& settings)
 {
     const ReferenceStore store(folders.references, folders.output);
     std::size_t moments = 0;
@@ -93,7 +93,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     for (const GoldenSelection& selection : selections)
     {
         const Result<std::vector<GoldenVerdict>> verdicts =
-            VerifyGolden(selection, store, renderer);
+            VerifyGolden(selection, store, renderer, settings);
         if (!verdicts)
         {
             return verdicts.GetError();
@@ -214,7 +214,7 @@ Result<int> RunGolden(const GoldenOptions& options)
         return renderer.GetError();
     }
     return options.accept ? Accept(*selections, *folders, options.acceptance, *renderer)
-                          : Verify(*selections, *folders, *renderer);
+                          : Verify(*selections, *folders, *renderer, Effective(options.compare));
 }
 
 } // namespace boxreel

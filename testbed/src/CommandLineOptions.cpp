@@ -163,13 +163,12 @@ void DeclareDiff(CLI::App& program, ParsedOptions& parsed)
     AddPath(*command, "-o,--output", "FILE", diff.output,
             "Write a picture of the differences, .png", {".png"});
     AddForce(*command, diff.force);
-    CLI::Option* preset = AddValue(*command, "--preset", "NAME", diff.settings,
-                                   CompareSettings::Preset, "same-machine, exact (same-machine)");
-    Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
+    AddCompare(*command, diff.compare);
     command->footer("Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
                     "Examples:\n"
                     "  boxreel diff before.png after.png\n"
-                    "  boxreel diff before.png after.png --preset exact -o diff.png");
+                    "  boxreel diff before.png after.png --preset exact -o diff.png\n"
+                    "  boxreel diff mine.png yours.png --preset cross-machine --ignore 0,0,200x30");
 }
 
 namespace
@@ -231,6 +230,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                 "Folder for what differs (build/golden-output)");
         AddBackend(*action, golden.backend);
     }
+    AddCompare(*verify, golden.compare);
     verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
                    "Examples:\n"
                    "  boxreel golden verify\n"

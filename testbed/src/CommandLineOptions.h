@@ -164,6 +164,9 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes);
 /// Options of a still: its moments, what shows motion in it, and what is written on it.
 void AddMotion(CLI::App& command, ShotOptions& shot);
 
+/// How pictures are compared: of diff and golden verify.
+void AddCompare(CLI::App& command, CompareChoice& choice);
+
 /// What of them contradicts each other, or the panel.
 Result<void> CheckMotion(const ShotOptions& options);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "CompareChoice.h"
 #include "Condition.h"
 #include "GoldenScenes.h"
 #include "MotionChoice.h"
@@ -8,7 +9,6 @@
 #include "SceneSession.h"
 #include "Values.h"
 
-#include <golden/Compare.h>
 #include <recorder/VideoWriter.h>
 #include <render/Backend.h>
 
@@ -80,7 +80,7 @@ struct DiffOptions
     std::filesystem::path expected;
     std::filesystem::path actual;
     std::filesystem::path output; ///< of the difference image; empty: none
-    CompareSettings settings;
+    CompareChoice compare;
     bool force = false;
 };
 
@@ -93,6 +93,7 @@ struct GoldenOptions
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
+    CompareChoice compare;        ///< of the pixels
     Backend backend = Backend::Auto;
 };
 

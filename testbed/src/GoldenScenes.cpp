@@ -138,11 +138,12 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
 }
 
 Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection,
-                                                const ReferenceStore& store, Renderer& renderer)
+                                                const ReferenceStore& store, Renderer& renderer,
+                                                const CompareSettings& settings)
 {
     std::vector<GoldenVerdict> verdicts;
     const auto verify = [&](const GoldenCandidate& candidate) -> Result<void> {
-        Result<GoldenVerdict> verdict = store.Verify(candidate);
+        Result<GoldenVerdict> verdict = store.Verify(candidate, settings);
         if (!verdict)
         {
             return verdict.GetError();

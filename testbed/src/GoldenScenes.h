@@ -42,7 +42,8 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
 
 /// One verdict a moment.
 Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection,
-                                                const ReferenceStore& store, Renderer& renderer);
+                                                const ReferenceStore& store, Renderer& renderer,
+                                                const CompareSettings& settings = {});
 
 /// Which moments are accepted: all, or those alone that differ, or that were never approved.
 enum class GoldenFilter

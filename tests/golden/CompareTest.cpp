@@ -252,6 +252,121 @@ TEST(CompareSameMachine, FailsTwoPixelsInOneWindowWhereverItLies)
     }
 }
 
+TEST(CompareCrossMachine, PassesFillsOffByTwoAndFailsThoseOffByFour)
+{
+    const auto shifted = [](Color color, int by) {
+        const auto one = [by](std::uint8_t value) {
+            return static_cast<std::uint8_t>(value < 128 ? value + by : value - by);
+        };
+        return Color{one(color.r), one(color.g), one(color.b)};
+    };
+    for (const Color outline : Colors())
+    {
+        for (const Color ground : {kDark, kLight})
+        {
+            for (const Color color : {FillOver(outline, ground), ground})
+            {
+                const Frame expected = Filled(64, 64, color);
+                const Comparison byTwo = Compare(expected, Filled(64, 64, shifted(color, 2)),
+                                                 CompareSettings::CrossMachine());
+                EXPECT_EQ(byTwo.overTolerance, 0) << int(color.r) << "," << int(color.g) << ","
+                                                  << int(color.b) << ": " << byTwo.verdict;
+                const Color other{std::uint8_t(color.r < 250 ? color.r + 4 : color.r - 4),
+                                  std::uint8_t(color.g < 250 ? color.g + 4 : color.g - 4),
+                                  std::uint8_t(color.b < 250 ? color.b + 4 : color.b - 4)};
+                EXPECT_FALSE(
+                    Compare(expected, Filled(64, 64, other), CompareSettings::CrossMachine()).equal)
+                    << int(color.r) << "," << int(color.g) << "," << int(color.b);
+            }
+        }
+    }
+}
+
+// As a renderer that rounds otherwise leaves them: anywhere, of any colour.
+TEST(CompareCrossMachine, PassesScatteredNoiseAndFailsAsManyPixelsInOnePlace)
+{
+    const Frame expected = Filled(640, 360, kDark);
+    std::mt19937 random(5);
+    Frame scattered = expected, together = expected;
+    for (int i = 0; i < 100; ++i)
+    {
+        const int x = static_cast<int>(random() % 640), y = static_cast<int>(random() % 360);
+        FillRect(scattered, x, y, x + 1, y + 1, kAwake);
+        FillRect(together, 300 + i % 10, 100 + i / 10, 301 + i % 10, 101 + i / 10, kAwake);
+    }
+    const Comparison passed = Compare(expected, scattered, CompareSettings::CrossMachine());
+    EXPECT_TRUE(passed.equal) << passed.verdict;
+    EXPECT_GT(passed.overTolerance, 90);
+    const Comparison failed = Compare(expected, together, CompareSettings::CrossMachine());
+    EXPECT_FALSE(failed.equal) << failed.verdict;
+    EXPECT_EQ(failed.overTolerance, 100);
+}
+
+TEST(CompareRatio, IsALimitBesideTheCount)
+{
+    const Frame expected = Filled(100, 100, kDark);
+    Frame actual = expected;
+    FillRect(actual, 0, 0, 10, 1, kAwake);
+    CompareSettings settings;
+    settings.maxInWindow = 100;
+    settings.maxPixels = 10;
+    settings.maxRatio = 0.001; // of 10000
+    EXPECT_TRUE(Compare(expected, actual, settings).equal);
+    settings.maxRatio = 0.0009;
+    EXPECT_FALSE(Compare(expected, actual, settings).equal);
+    settings.maxRatio = 1.0;
+    settings.maxPixels = 9;
+    EXPECT_FALSE(Compare(expected, actual, settings).equal);
+    settings.maxPixels = kAnyNumberOfPixels;
+    EXPECT_TRUE(Compare(expected, actual, settings).equal);
+}
+
+TEST(CompareIgnored, LeavesOutWhatLiesInARectangle)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    Frame actual = expected;
+    FillRect(actual, 10, 10, 20, 20, kAwake);
+    CompareSettings settings = CompareSettings::Exact();
+    settings.ignored = {{10, 10, 20, 15}, {10, 14, 20, 20}};
+    const Comparison result = Compare(expected, actual, settings);
+    EXPECT_TRUE(result.equal) << result.verdict;
+    EXPECT_EQ(result.differentPixels, 0);
+    EXPECT_EQ(result.largestDistance, 0.0);
+    EXPECT_THAT(result.verdict, HasSubstr("no bit differs, 100 pixels ignored ("));
+    EXPECT_EQ(result.compared, 64 * 64 - 100) << "where they overlap, pixels count once";
+    for (const PixelBounds& bounds : {PixelBounds{11, 10, 20, 20}, PixelBounds{10, 11, 20, 20},
+                                      PixelBounds{10, 10, 19, 20}, PixelBounds{10, 10, 20, 19}})
+    {
+        settings.ignored = {bounds};
+        EXPECT_EQ(Compare(expected, actual, settings).overTolerance, 10);
+    }
+}
+
+TEST(CompareIgnored, MayReachBeyondThePictureAndMissIt)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    Frame actual = expected;
+    FillRect(actual, 60, 60, 64, 64, kAwake);
+    CompareSettings settings;
+    settings.ignored = {{60, 60, 500, 500}};
+    EXPECT_TRUE(Compare(expected, actual, settings).equal);
+    settings.ignored = {{500, 500, 600, 600}, {-9, -9, 0, 0}};
+    EXPECT_FALSE(Compare(expected, actual, settings).equal);
+    EXPECT_EQ(Compare(expected, actual, settings).compared, 64 * 64);
+}
+
+TEST(CompareIgnored, IsNoPartOfTheRatio)
+{
+    const Frame expected = Filled(100, 100, kDark);
+    Frame actual = expected;
+    FillRect(actual, 0, 0, 10, 1, kAwake);
+    CompareSettings settings;
+    settings.maxPixels = settings.maxInWindow = 100;
+    settings.maxRatio = 0.001;
+    settings.ignored = {{0, 99, 1, 100}};
+    EXPECT_FALSE(Compare(expected, actual, settings).equal) << "10 of 9999";
+}
+
 TEST(CompareWindows, CountAsATrivialLoopDoes)
 {
     std::mt19937 random(3);
@@ -375,6 +490,28 @@ TEST(CompareVerdict, NamesTheLimitsAndWhereTheyCameFrom)
                 HasSubstr("(exact, with --max-pixels 7 allows 7 pixels"));
 }
 
+TEST(CompareVerdict, NamesRatioAndEdgesWhereTheyCount)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    EXPECT_EQ(
+        Compare(expected, expected, CompareSettings::CrossMachine()).verdict,
+        "equal: no bit differs (cross-machine allows 0.05 % over a distance of 0.01 and edges "
+        "0.2 px elsewhere, 8 in any 16x16)");
+    CompareSettings own;
+    own.maxRatio = 0.001;
+    EXPECT_THAT(Compare(expected, expected, own).verdict,
+                HasSubstr("(same-machine allows 4 pixels, 0.1 % over a distance of 0.00025, 1 in"));
+}
+
+TEST(Compare, PaintsNoDifferenceWhenNoneIsWanted)
+{
+    CompareSettings settings;
+    settings.paintsDifference = false;
+    const Comparison result = Compare(Filled(8, 8, kDark), Filled(8, 8, kLight), settings);
+    EXPECT_FALSE(result.equal);
+    EXPECT_EQ(result.difference, Frame());
+}
+
 TEST(ComparePreset, IsFoundByName)
 {
     const Result<CompareSettings> exact = CompareSettings::Preset("--preset", "exact");
@@ -392,5 +529,6 @@ TEST(ComparePreset, ThatIsUnknownIsAnErrorThatListsTheOthers)
     ASSERT_FALSE(result);
     EXPECT_EQ(result.GetError().kind, ErrorKind::Unusable);
     EXPECT_THAT(result.GetError().message, HasSubstr("fuzzy"));
-    EXPECT_THAT(result.GetError().message, HasSubstr("give one of exact, same-machine"));
+    EXPECT_THAT(result.GetError().message,
+                HasSubstr("give one of exact, same-machine, cross-machine"));
 }

@@ -99,6 +99,30 @@ TEST(DifferencePicture, HasTheLargerSizeAndMarksWhatOnlyOnePictureHas)
     EXPECT_EQ(At(difference, 24, 29), kStrong);
 }
 
+TEST(DifferencePicture, HatchesWhatIsIgnored)
+{
+    const Frame expected = Filled(100, 80, kDark);
+    CompareSettings settings;
+    settings.ignored = {{20, 30, 40, 50}};
+    for (const Frame& actual : {expected, Filled(100, 80, kAwake)})
+    {
+        const Frame difference = Compare(expected, actual, settings).difference;
+        int hatched = 0;
+        for (int y = 30; y < 50; ++y)
+        {
+            for (int x = 20; x < 40; ++x)
+            {
+                ASSERT_FALSE(At(difference, x, y) == kStrong);
+                hatched += !IsGray(At(difference, x, y));
+            }
+        }
+        EXPECT_NEAR(hatched, 400 / 6, 4);
+        const bool differs = !(actual == expected);
+        EXPECT_EQ(At(difference, 40, 49) == kStrong, differs);
+        EXPECT_EQ(At(difference, 19, 30) == kStrong, differs);
+    }
+}
+
 TEST(SideBySide, ShowsExpectedActualAndDifferenceBetweenSeparators)
 {
     const Frame picture =

@@ -179,8 +179,8 @@ TEST(CommandLine, DiffTakesTwoPicturesAndAPreset)
     EXPECT_EQ(diff.expected, "a.png");
     EXPECT_EQ(diff.actual, "b.png");
     EXPECT_EQ(diff.output, "d.png");
-    EXPECT_EQ(diff.settings.preset, "exact");
-    EXPECT_EQ(Parsed<DiffOptions>("diff a.png b.png").settings.preset, "same-machine");
+    EXPECT_EQ(diff.compare.preset.preset, "exact");
+    EXPECT_EQ(Parsed<DiffOptions>("diff a.png b.png").compare.preset.preset, "same-machine");
 }
 
 TEST(CommandLine, AMistypedWordSuggestsTheNearest)

@@ -5,6 +5,7 @@
 #include <render/Frame.h>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,11 @@
 namespace boxreel
 {
 
-/// Two pictures of the same size are equal when at most `maxPixels` pixels differ by more than
-/// `tolerance`, and no window of densityWindow x densityWindow pixels, wherever it lies, holds more
-/// than `maxInWindow` of them: scattered specks pass, a cluster does not.
+/// Two pictures of the same size are equal when at most `maxPixels` pixels, and at most `maxRatio`
+/// of those compared, differ by more than is allowed, and no window of densityWindow x
+/// densityWindow pixels, wherever it lies, holds more than `maxInWindow` of them: scattered specks
+/// pass, a cluster does not. Allowed are `tolerance` and, where the expected picture has an edge,
+/// what an edge that lies `edgeShift` elsewhere changes.
 struct CompareSettings
 {
     std::string preset = "same-machine"; ///< where the limits came from, printed in the verdict
@@ -24,31 +27,54 @@ struct CompareSettings
     /// distance that a channel off by 4/255 makes anywhere in sRGB (0.00028, red in bright cyan),
     /// so that no such change is overlooked. 0: any bit counts.
     double tolerance = 0.00025;
-    std::int64_t maxPixels = 4; ///< this many pixels over the tolerance pass, when scattered
+    /// An edge may lie this far from where the expected picture has it [px], 0 to 0.45. From 0.5
+    /// on, a line that is gone would be excused as one that moved.
+    double edgeShift = 0.0;
+    std::int64_t maxPixels = 4; ///< this many pixels over what is allowed pass, when scattered; …
+    double maxRatio = 1.0;      ///< … and this share of the pixels that are compared, 0 to 1
     int densityWindow = 16;     ///< side of the window [px], 1 or more, in which …
-    /// … at most this many may be over the tolerance. With 1, a dot that moved by a pixel (one
+    /// … at most this many may be over what is allowed. With 1, a dot that moved by a pixel (one
     /// pixel gone, its neighbour new) is found.
     std::int64_t maxInWindow = 1;
+    std::vector<PixelBounds> ignored{}; ///< what lies in one of these is not compared
+    bool paintsDifference = true; ///< false: Comparison::difference stays empty, which is faster
 
     static CompareSettings Exact();       ///< every bit
     static CompareSettings SameMachine(); ///< the default: single stray pixels pass
+    /// Another GPU, driver or compiler: roundings and edges differ, what is drawn does not.
+    /// tolerance 0.01: above what +-2/255 makes in the fills of our themes (0.009 at most, on the
+    /// dark ground), below what 4/255 in all channels makes (0.012 or more).
+    /// edgeShift 0.2: GL lets a driver round vertices to 1/16 px, so two of them draw an edge up
+    /// to 1/8 px apart; the rest is for corners where several edges meet. Whole scenes shifted by
+    /// 0.1 px pass, by 0.5 px fail. OSMesa and EGL of one Mesa draw the same bits.
+    /// maxRatio 0.0005: some 460 specks in 1280x720, one in every second window of 32x32.
+    /// maxInWindow 8: a dot of 3x3 pixels that is gone is found; specks of that density are not
+    /// that close together.
+    static CompareSettings CrossMachine();
     /// The preset of that name, or an Error that lists them and names `option`, the text's origin.
     static Result<CompareSettings> Preset(const std::string& option, const std::string& name);
     static std::vector<std::string> PresetNames();
 };
+
+/// The value of CompareSettings::maxPixels that sets no limit.
+inline constexpr std::int64_t kAnyNumberOfPixels = std::numeric_limits<std::int64_t>::max();
 
 struct Comparison
 {
     bool equal = false;
     bool sameSize = true;
     std::int64_t differentPixels = 0; ///< with any bit different, or in one picture only
-    std::int64_t overTolerance = 0;
-    std::int64_t worstWindow = 0; ///< most pixels over the tolerance in any one window
-    double largestDistance = 0.0; ///< OKLab, of the pixels that both pictures have
-    int firstX = -1, firstY = -1; ///< the first pixel over the tolerance, row by row; -1: none
+    std::int64_t compared = 0;        ///< all pixels but those …
+    std::int64_t ignored = 0;         ///< … in an ignored rectangle
+    std::int64_t overTolerance = 0;   ///< by more than is allowed there
+    std::int64_t excusedAtEdges = 0;  ///< over the tolerance, but no more than their edge explains
+    std::int64_t worstWindow = 0;     ///< most pixels over the tolerance in any one window
+    double largestDistance = 0.0;     ///< OKLab, of the pixels that both pictures have
+    int firstX = -1, firstY = -1;     ///< the first pixel over the tolerance, row by row; -1: none
     std::string verdict; ///< one line for a person, with the limits and where they came from
     /// The expected picture faded to dark gray, pixels over the tolerance in red inside one thin
-    /// white box, pixels that differ within the tolerance in dull blue. Opaque, of the larger size.
+    /// white box, pixels that differ within the tolerance, or as their edge explains, in dull blue,
+    /// ignored ones hatched. Opaque, of the larger size.
     Frame difference;
 };
 

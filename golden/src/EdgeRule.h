@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <render/Frame.h>
+
+#include <cstdint>
+
+/// What an edge that lies a fraction of a pixel elsewhere may change. Asked by Compare about single
+/// pixels that differ; looks at the expected picture around them, never at the actual one.
+namespace boxreel
+{
+
+/// Whether `actual` may stand at (x, y) if edges may lie `shift` pixels elsewhere, and colours be
+/// off by `tolerance`, an OKLab distance.
+bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actual, double tolerance,
+                  double shift);
+
+} // namespace boxreel

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "CommandLineOptions.h"
+
+namespace boxreel
+{
+namespace
+{
+
+// Far more pixels than any picture has, and a side that no picture exceeds.
+constexpr std::int64_t kMostPixels = 1'000'000'000;
+constexpr int kLargestSide = 65535;
+
+auto NumberBetween(double lowest, double highest, const char* remedy)
+{
+    return [=](const std::string& option, const std::string& text) -> Result<double> {
+        const Result<double> number = ParseNumber(option, text);
+        if (!number || *number < lowest || *number > highest)
+        {
+            return Error{ErrorKind::Unusable, option + " '" + text + "': give " + remedy + "."};
+        }
+        return number;
+    };
+}
+
+/// "0.1%" or "0.001", as a number from 0 to 1.
+Result<double> ParseShare(const std::string& option, const std::string& text)
+{
+    const bool isPercent = text.ends_with('%');
+    const std::string digits = isPercent ? text.substr(0, text.size() - 1) : text;
+    const Result<double> number = ParseNumber(option, digits);
+    const double share = number ? (isPercent ? *number / 100.0 : *number) : -1.0;
+    if (share < 0.0 || share > 1.0)
+    {
+        return Error{ErrorKind::Unusable, option + " '" + text +
+                                              "': give a share of the pixels from 0 to 100%, such "
+                                              "as 0.1% or 0.001."};
+    }
+    return share;
+}
+
+/// "10,20,300x40": left, top, width and height.
+Result<PixelBounds> ParseRectangle(const std::string& option, const std::string& text)
+{
+    const Error refusal{ErrorKind::Unusable,
+                        option + " '" + text +
+                            "': give X,Y,WxH in pixels from the top left corner, such as "
+                            "10,20,300x40."};
+    const std::vector<std::string> parts = SplitAt(',', text);
+    const std::vector<std::string> sides =
+        parts.size() == 3 ? SplitAt('x', parts[2]) : std::vector<std::string>();
+    if (sides.size() != 2)
+    {
+        return refusal;
+    }
+    const Result<std::int64_t> x = ParseWhole(option, parts[0], 0, kLargestSide);
+    const Result<std::int64_t> y = ParseWhole(option, parts[1], 0, kLargestSide);
+    const Result<std::int64_t> width = ParseWhole(option, sides[0], 1, kLargestSide);
+    const Result<std::int64_t> height = ParseWhole(option, sides[1], 1, kLargestSide);
+    if (!x || !y || !width || !height)
+    {
+        return refusal;
+    }
+    return PixelBounds{int(*x), int(*y), int(*x + *width), int(*y + *height)};
+}
+
+} // namespace
+
+void AddCompare(CLI::App& command, CompareChoice& choice)
+{
+    CLI::Option* preset =
+        AddValue(command, "--preset", "NAME", choice.preset, CompareSettings::Preset,
+                 "exact, same-machine, cross-machine (same-machine)");
+    Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
+    AddValue(command, "--tolerance", "DISTANCE", choice.tolerance,
+             NumberBetween(0.0, 1.0, "an OKLab distance from 0 to 1, such as 0.01"),
+             "By which one pixel may differ: 0 any bit counts,\n1 black from white (the preset's)");
+    AddValue(command, "--edge-shift", "PX", choice.edgeShift,
+             NumberBetween(0.0, 0.45, "a number of pixels from 0 to 0.45, such as 0.2"),
+             "How far an edge may lie from where it was\n(the preset's)");
+    AddValue(command, "--max-pixels", "N", choice.maxPixels, WholeBetween(0, kMostPixels),
+             "How many pixels may differ by more (the preset's)");
+    AddValue(command, "--max-ratio", "SHARE", choice.maxRatio, ParseShare,
+             "And which share of all, such as 0.1% (the preset's)");
+    AddValue(command, "--max-in-window", "N", choice.maxInWindow, WholeBetween(0, kMostPixels),
+             "And how many in any window (the preset's)");
+    AddValue(command, "--window", "PX", choice.window, WholeBetween(1, kLargestSide),
+             "Side of that window (16)");
+    const auto readRectangles = [&choice](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+        {
+            const Result<PixelBounds> bounds = ParseRectangle("--ignore", text);
+            if (!bounds)
+            {
+                Refuse(bounds.GetError().message);
+            }
+            choice.ignored.push_back(*bounds);
+        }
+    };
+    AddTexts(command, "--ignore", readRectangles,
+             "Leave this rectangle out, of width W and height H;\nmay be given several times")
+        ->type_name("X,Y,WxH")
+        ->allow_extra_args(false);
+}
+
+} // namespace boxreel

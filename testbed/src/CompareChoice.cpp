@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "CompareChoice.h"
+
+#include <string>
+
+namespace boxreel
+{
+namespace
+{
+
+template <class Value>
+void Replace(Value& limit, const std::optional<Value>& given, const char* option,
+             std::string& options)
+{
+    if (given)
+    {
+        limit = *given;
+        options += (options.empty() ? ", with " : ", ") + std::string(option);
+    }
+}
+
+} // namespace
+
+CompareSettings Effective(const CompareChoice& choice)
+{
+    CompareSettings settings = choice.preset;
+    std::string options;
+    Replace(settings.tolerance, choice.tolerance, "--tolerance", options);
+    Replace(settings.edgeShift, choice.edgeShift, "--edge-shift", options);
+    Replace(settings.maxPixels, choice.maxPixels, "--max-pixels", options);
+    Replace(settings.maxRatio, choice.maxRatio, "--max-ratio", options);
+    Replace(settings.maxInWindow, choice.maxInWindow, "--max-in-window", options);
+    Replace(settings.densityWindow, choice.window, "--window", options);
+    settings.ignored = choice.ignored;
+    if (!choice.ignored.empty())
+    {
+        options += (options.empty() ? ", with " : ", ") + std::string("--ignore");
+    }
+    settings.preset += options + (options.empty() ? "" : ",");
+    return settings;
+}
+
+} // namespace boxreel

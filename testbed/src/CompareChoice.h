@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <golden/Compare.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+/// How pictures are to be compared, as options say it: a preset, and single limits that replace the
+/// preset's, whichever stands first on the command line.
+namespace boxreel
+{
+
+struct CompareChoice
+{
+    CompareSettings preset;
+    std::optional<double> tolerance;         ///< --tolerance, OKLab distance
+    std::optional<double> edgeShift;         ///< --edge-shift [px]
+    std::optional<std::int64_t> maxPixels;   ///< --max-pixels
+    std::optional<double> maxRatio;          ///< --max-ratio, 0 to 1
+    std::optional<std::int64_t> maxInWindow; ///< --max-in-window
+    std::optional<int> window;               ///< --window [px]
+    std::vector<PixelBounds> ignored;        ///< --ignore
+};
+
+/// The limits that hold. Their name says which of them came from options: "same-machine, with
+/// --tolerance".
+CompareSettings Effective(const CompareChoice& choice);
+
+} // namespace boxreel
