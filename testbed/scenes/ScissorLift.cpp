@@ -20,7 +20,6 @@ constexpr float32 kSteepest = 0.95f; ///< [rad]
 constexpr float32 kFoot = 0.6f;      ///< height of the lowest hinges [m]
 constexpr float32 kLeft = -2.5f;     ///< where the hinges are that do not slide [m]
 constexpr float32 kRise = 1.5f;      ///< how fast the platform goes up and down [m/s]
-constexpr float32 kSoftness = 0.5f;  ///< it takes so long to get going or to stop [s]
 constexpr float32 kForce = 2e4f;     ///< of the motor; folded up, the bars take most of it [N]
 constexpr int16 kLiftGroup = -1;     ///< bars pass each other
 constexpr Material kSteel{.density = 1.0f};

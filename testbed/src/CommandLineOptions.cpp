@@ -196,12 +196,13 @@ void DeclareGoldenState(CLI::App& golden, GoldenStateOptions& options)
     AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
              "Simulation steps since the start (300)");
     AddFlag(*command, "--trace", options.trace, "Hashes of every step up to it instead");
-    command->footer("The hash of all, then a line a body: number, x, y, angle and, where it moves, "
-                    "velocity x, y, angular.\n"
-                    "With --trace a line a step: number, hash, and a digit for each body.\n\n"
-                    "Examples:\n"
-                    "  boxreel golden state pyramid --step 120\n"
-                    "  boxreel golden state car --trace --step 60");
+    command->footer(
+        "The hash of all, then a line a body: number, x, y, angle and, where it moves,\n"
+        "velocity x, y, angular. "
+        "With --trace a line a step: number, hash, a digit for each\nbody.\n\n"
+        "Examples:\n"
+        "  boxreel golden state pyramid --step 120\n"
+        "  boxreel golden state car --trace --step 60");
 }
 
 } // namespace
@@ -244,8 +245,8 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                    "  boxreel golden accept --only missing");
     accept->callback([&golden] { golden.accept = true; });
     AddPath(*verify, "--against", "FILE", golden.against,
-            "Another build of boxreel: compare each step's state with what it does,\n"
-            "instead of with what was approved");
+            "Another build of boxreel: compare each step's state with\n"
+            "what it does, instead of with what was approved");
     AddValue(*accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
              "all, changed, missing (all)");
     AddFlag(*accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
