@@ -123,9 +123,13 @@ Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& refere
         return accept.GetError();
     }
     settings.accept = *accept;
-    // The first is what ctest sets for its tests (`cmake --help-manual cmake-env-variables`).
-    settings.attach =
-        !Environment("DASHBOARD_TEST_FROM_CTEST").empty() || !Environment("CI").empty();
+    // ctest sets one of the first two for its tests, depending on its version and on who started it
+    // (`cmake --help-manual cmake-env-variables`).
+    for (const char* const sign :
+         {"CTEST_INTERACTIVE_DEBUG_MODE", "DASHBOARD_TEST_FROM_CTEST", "CI"})
+    {
+        settings.attach = settings.attach || !Environment(sign).empty();
+    }
     return settings;
 }
 

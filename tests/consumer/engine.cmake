@@ -38,7 +38,7 @@ file(GLOB_RECURSE config "${WORK_DIR}/all/*/boxreelConfig.cmake")
 get_filename_component(all "${config}" DIRECTORY)
 foreach(asked engine drawlist debugdraw goldenstate)
   step("configuring with ${asked} of all" COMMAND "${CMAKE_COMMAND}" --fresh ${bare} -Dboxreel_DIR=${all}
-    "-DCOMPONENTS=engine$<SEMICOLON>${asked}" -S "${fall}" -B "${WORK_DIR}/of-all")
+    "-DCOMPONENTS=engine ${asked}" -S "${fall}" -B "${WORK_DIR}/of-all")
 endforeach()
 step("asking for what links a library" FAILS OUTPUT said COMMAND "${CMAKE_COMMAND}" --fresh ${bare}
   -Dboxreel_DIR=${all} -DCOMPONENTS=recorder -S "${fall}" -B "${WORK_DIR}/of-all")

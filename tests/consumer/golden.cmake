@@ -8,7 +8,8 @@ set(references "${project}/references")
 set(tests "${build}/seesaw_tests")
 set(environment "${CMAKE_COMMAND}" -E env --unset=BOXREEL_GOLDEN_ACCEPT --unset=CI)
 set(ctest ${environment} "${CTEST}" --test-dir "${build}" --output-on-failure)
-set(program ${environment} --unset=DASHBOARD_TEST_FROM_CTEST BOXREEL_GOLDEN_OUTPUT=${WORK_DIR}/failures)
+set(program ${environment} --unset=DASHBOARD_TEST_FROM_CTEST --unset=CTEST_INTERACTIVE_DEBUG_MODE
+    BOXREEL_GOLDEN_OUTPUT=${WORK_DIR}/failures)
 
 step("installing" COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/project" DESTINATION "${WORK_DIR}")

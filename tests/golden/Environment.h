@@ -42,5 +42,6 @@ struct GoldenEnvironment
     EnvironmentVariable shards{"GTEST_TOTAL_SHARDS", nullptr};
     EnvironmentVariable shard{"GTEST_SHARD_INDEX", nullptr};
     EnvironmentVariable ctest{"DASHBOARD_TEST_FROM_CTEST", nullptr};
+    EnvironmentVariable debug{"CTEST_INTERACTIVE_DEBUG_MODE", nullptr};
     EnvironmentVariable ci{"CI", nullptr};
 };

@@ -223,6 +223,10 @@ TEST(GoldenSettings, AttachPicturesUnderCTestAndInCi)
     environment.ctest.Set("3.25.1");
     EXPECT_TRUE(GoldenSettingsFromEnvironment("r")->attach);
     environment.ctest.Set(nullptr);
+    environment.debug.Set("1");
+    EXPECT_TRUE(GoldenSettingsFromEnvironment("r")->attach);
+    environment.debug.Set(nullptr);
+    EXPECT_FALSE(GoldenSettingsFromEnvironment("r")->attach);
     environment.ci.Set("true");
     EXPECT_TRUE(GoldenSettingsFromEnvironment("r")->attach);
 }
