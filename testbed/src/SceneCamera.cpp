@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SceneCamera.h"
 
-#include "SceneBounds.h"
+#include <debugdraw/WorldBounds.h>
 
 #include <algorithm>
 #include <cmath>

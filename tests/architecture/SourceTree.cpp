@@ -38,17 +38,21 @@ const std::vector<Layer>& Layers()
         {"golden", {"recorder", "render", "drawlist"}},
         {"golden state",
          {"golden", "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+        {"golden world",
+         {"golden state", "golden", "recorder", "render", "collector", "drawlist", "engine/Common",
+          "engine/Collision", "engine/Dynamics", "engine"}},
         {"scenes", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
         {"testbed",
-         {"scenes", "golden state", "golden", "recorder", "render", "collector", "drawlist",
-          "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+         {"scenes", "golden world", "golden state", "golden", "recorder", "render", "collector",
+          "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
         // The programs that docs/ shows, as a user of the libraries writes them.
         {"docs",
          {"golden", "recorder", "render", "collector", "drawlist", "engine/Common",
           "engine/Collision", "engine/Dynamics", "engine"}},
         {"tests",
-         {"testbed", "scenes", "golden state", "golden", "recorder", "render", "collector",
-          "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+         {"testbed", "scenes", "golden world", "golden state", "golden", "recorder", "render",
+          "collector", "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics",
+          "engine"}},
     };
     return layers;
 }
@@ -82,7 +86,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"freetype", {"render/src/FigureCairo."}},
         {"chipmunk/", {"tests/benchmark/"}},
         {"box2d/", {"tests/benchmark/"}},
-        {"gtest/", {}},
+        {"gtest/", {"golden/include/golden/GoldenTest."}}, // for tests of other projects
         {"gmock/", {}},
     };
     return libraries;
@@ -135,7 +139,11 @@ std::string_view LayerOf(std::string_view path)
     }
     if (path.starts_with("golden/"))
     {
-        return file.starts_with("StateHash") ? "golden state" : "golden";
+        const bool takesWorlds =
+            file.starts_with("GoldenTest.") || file.starts_with("GoldenWorld.");
+        return takesWorlds                     ? "golden world"
+               : file.starts_with("StateHash") ? "golden state"
+                                               : "golden";
     }
     if (path.starts_with("testbed/scenes/"))
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SceneBounds.h"
+#include <debugdraw/WorldBounds.h>
 
 #include <algorithm>
 

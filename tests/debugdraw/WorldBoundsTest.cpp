@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SceneBounds.h"
+#include <debugdraw/WorldBounds.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace
 
 constexpr float kSkin = 0.05f; // polygons are boxed with their skin
 
-struct SceneBoundsFixture : testing::Test
+struct WorldBoundsFixture : testing::Test
 {
     b2Body* Add(b2BodyType type, float x, float y, float halfWidth, float halfHeight)
     {
@@ -35,16 +35,16 @@ struct SceneBoundsFixture : testing::Test
     b2World world{b2Vec2(0.0f, -10.0f)};
 };
 
-using SceneBounds = SceneBoundsFixture;
+using WorldBounds = WorldBoundsFixture;
 
-TEST_F(SceneBounds, TheStartShowsWhatCanMove)
+TEST_F(WorldBounds, TheStartShowsWhatCanMove)
 {
     Add(b2_dynamicBody, -3.0f, 2.0f, 1.0f, 1.0f);
     Add(b2_kinematicBody, 5.0f, 8.0f, 1.0f, 0.5f);
     ExpectNear(BoundsAtStart(world), -4.0f, 1.0f, 6.0f, 8.5f);
 }
 
-TEST_F(SceneBounds, AWideGroundIsShownOnlyNearWhatMoves)
+TEST_F(WorldBounds, AWideGroundIsShownOnlyNearWhatMoves)
 {
     Add(b2_dynamicBody, 0.0f, 5.0f, 2.0f, 4.0f);
     Add(b2_staticBody, 0.0f, 0.0f, 500.0f, 0.5f);
@@ -52,7 +52,7 @@ TEST_F(SceneBounds, AWideGroundIsShownOnlyNearWhatMoves)
     ExpectNear(BoundsAtStart(world), -6.0f, -0.5f, 6.0f, 9.0f);
 }
 
-TEST_F(SceneBounds, AnAnchorInTheAirIsShown)
+TEST_F(WorldBounds, AnAnchorInTheAirIsShown)
 {
     b2Body* ball = Add(b2_dynamicBody, 0.0f, 0.0f, 1.0f, 1.0f);
     b2BodyDef nothing;
@@ -62,18 +62,18 @@ TEST_F(SceneBounds, AnAnchorInTheAirIsShown)
     ExpectNear(BoundsAtStart(world), -1.0f, -1.0f, 1.0f, 12.0f);
 }
 
-TEST_F(SceneBounds, AWorldAtRestShowsAllOfIt)
+TEST_F(WorldBounds, AWorldAtRestShowsAllOfIt)
 {
     Add(b2_staticBody, 0.0f, 0.0f, 500.0f, 0.5f);
     ExpectNear(BoundsAtStart(world), -500.0f, -0.5f, 500.0f, 0.5f);
 }
 
-TEST_F(SceneBounds, AnEmptyWorldShowsThePlaceAroundTheOrigin)
+TEST_F(WorldBounds, AnEmptyWorldShowsThePlaceAroundTheOrigin)
 {
     EXPECT_FALSE(BoundsAtStart(world).IsEmpty());
 }
 
-TEST_F(SceneBounds, EverythingIsTheWideGroundToo)
+TEST_F(WorldBounds, EverythingIsTheWideGroundToo)
 {
     Add(b2_dynamicBody, 0.0f, 5.0f, 2.0f, 4.0f);
     Add(b2_staticBody, 0.0f, 0.0f, 500.0f, 0.5f);
@@ -81,7 +81,7 @@ TEST_F(SceneBounds, EverythingIsTheWideGroundToo)
     EXPECT_FALSE(BoundsOfEverything(b2World(b2Vec2(0.0f, 0.0f))).IsEmpty());
 }
 
-TEST_F(SceneBounds, ChosenBodiesAreBoxedAndThoseWithoutShapesArePoints)
+TEST_F(WorldBounds, ChosenBodiesAreBoxedAndThoseWithoutShapesArePoints)
 {
     const b2Body* box = Add(b2_staticBody, -3.0f, 2.0f, 1.0f, 1.0f);
     Add(b2_dynamicBody, 90.0f, 90.0f, 1.0f, 1.0f);
@@ -93,7 +93,7 @@ TEST_F(SceneBounds, ChosenBodiesAreBoxedAndThoseWithoutShapesArePoints)
     EXPECT_EQ(BoundsOfCenters({box, nullptr, point}), (Rect{{-3.0f, -4.0f}, {5.0f, 2.0f}}));
 }
 
-TEST_F(SceneBounds, MoversAreTheBodiesThatAreAwake)
+TEST_F(WorldBounds, MoversAreTheBodiesThatAreAwake)
 {
     Add(b2_dynamicBody, 0.0f, 0.0f, 1.0f, 1.0f)->SetAwake(false);
     Add(b2_dynamicBody, 10.0f, 0.0f, 1.0f, 1.0f);

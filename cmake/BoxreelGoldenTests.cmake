@@ -1,0 +1,21 @@
+# boxreel_add_golden_tests(TARGET REFERENCES DIR [ARGUMENT …]): the program TARGET has tests that use
+# <golden/GoldenTest.h>, and its references lie in DIR. Links what they need, GoogleTest and its main()
+# among it, and makes each a CTest test; the arguments are those of gtest_discover_tests.
+function(boxreel_add_golden_tests target)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "REFERENCES" "")
+  if(NOT ARG_REFERENCES)
+    message(FATAL_ERROR "boxreel_add_golden_tests(${target}) does not say where its references lie; add REFERENCES DIR.")
+  endif()
+  if(NOT TARGET GTest::gtest_main)
+    find_package(GTest QUIET)
+    if(NOT GTest_FOUND)
+      message(FATAL_ERROR "boxreel_add_golden_tests(${target}) needs GoogleTest, which was not found; \
+install it with: apt install libgtest-dev")
+    endif()
+  endif()
+  get_filename_component(references "${ARG_REFERENCES}" ABSOLUTE)
+  target_compile_definitions(${target} PRIVATE BOXREEL_GOLDEN_REFERENCES="${references}")
+  target_link_libraries(${target} PRIVATE boxreel::golden boxreel::goldenworld GTest::gtest_main)
+  include(GoogleTest)
+  gtest_discover_tests(${target} ${ARG_UNPARSED_ARGUMENTS})
+endfunction()

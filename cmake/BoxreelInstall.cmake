@@ -1,0 +1,81 @@
+# What `cmake --install` copies: libraries, headers, the package for find_package, the files for
+# pkg-config, the program with its manual page and completion, the licence.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(BOXREEL_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/boxreel)
+set(BOXREEL_HEADERS_DIR ${CMAKE_INSTALL_INCLUDEDIR}/boxreel)
+
+# boxreel_install_library(NAME DESCRIPTION TEXT HEADERS DIR [NEEDS LIBRARY …] [PACKAGES PKGCONFIG …] [LIBS FLAG …]):
+# the library boxreel::NAME with the headers below DIR. NEEDS: others of ours; PACKAGES and LIBS: what
+# a program that links it must link as well, for these are static libraries. boxreelConfig.cmake.in says
+# the same for CMake.
+function(boxreel_install_library name)
+  cmake_parse_arguments(ARG "" "DESCRIPTION;HEADERS" "NEEDS;PACKAGES;LIBS" ${ARGN})
+  if(NOT TARGET boxreel_${name})
+    return() # the engine alone is installed
+  endif()
+  # A set for each, so that the package reads only those that are asked for.
+  install(TARGETS boxreel_${name} EXPORT boxreel-${name}-targets
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${BOXREEL_HEADERS_DIR})
+  install(EXPORT boxreel-${name}-targets NAMESPACE boxreel:: DESTINATION ${BOXREEL_PACKAGE_DIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${ARG_HEADERS}/include/ DESTINATION ${BOXREEL_HEADERS_DIR})
+
+  # Relative, so that the prefix may be moved.
+  file(RELATIVE_PATH PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+  string(REGEX REPLACE "/$" "" PC_PREFIX "${PC_PREFIX}")
+  set(PC_NAME ${name})
+  set(PC_DESCRIPTION "${ARG_DESCRIPTION}")
+  list(TRANSFORM ARG_NEEDS PREPEND boxreel- OUTPUT_VARIABLE PC_REQUIRES)
+  list(JOIN PC_REQUIRES " " PC_REQUIRES)
+  list(JOIN ARG_PACKAGES " " PC_PACKAGES)
+  list(JOIN ARG_LIBS " " PC_LIBS)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/boxreel.pc.in ${PROJECT_BINARY_DIR}/pkgconfig/boxreel-${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/boxreel-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+set(BOXREEL_LOAD_LIBRARIES)
+if(CMAKE_DL_LIBS)
+  set(BOXREEL_LOAD_LIBRARIES -l${CMAKE_DL_LIBS})
+endif()
+boxreel_install_library(engine HEADERS engine DESCRIPTION "2D rigid bodies with the API of the Box2D 2.3 manual")
+boxreel_install_library(drawlist HEADERS debugdraw DESCRIPTION "What was asked to be drawn, and the camera")
+boxreel_install_library(debugdraw HEADERS debugdraw DESCRIPTION "The engine's debug drawing as a draw list"
+  NEEDS drawlist engine)
+boxreel_install_library(render HEADERS render DESCRIPTION "Draw lists become pixels and figures, off-screen"
+  NEEDS drawlist PACKAGES libpng imgui stb LIBS ${BOXREEL_LOAD_LIBRARIES})
+boxreel_install_library(recorder HEADERS recorder DESCRIPTION "Frames become films"
+  NEEDS render LIBS ${BOXREEL_LOAD_LIBRARIES} -pthread)
+boxreel_install_library(golden HEADERS golden DESCRIPTION "Pictures and draw lists against approved ones"
+  NEEDS recorder PACKAGES zlib)
+boxreel_install_library(goldenstate HEADERS golden DESCRIPTION "A world's state in 64 bits" NEEDS engine)
+boxreel_install_library(goldenworld HEADERS golden DESCRIPTION "Worlds against approved ones"
+  NEEDS golden debugdraw goldenstate)
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/boxreelConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/boxreelConfig.cmake INSTALL_DESTINATION ${BOXREEL_PACKAGE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/boxreelConfig.cmake ${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake
+        DESTINATION ${BOXREEL_PACKAGE_DIR})
+if(TARGET boxreel_golden)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/BoxreelGoldenTests.cmake ${PROJECT_SOURCE_DIR}/cmake/FindImGui.cmake
+          DESTINATION ${BOXREEL_PACKAGE_DIR})
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# boxreel_install_printed(DESTINATION FILE ARGUMENT …): what the program prints when it is called so.
+function(boxreel_install_printed destination)
+  set(file ${PROJECT_BINARY_DIR}/${destination})
+  install(CODE "execute_process(COMMAND \"$<TARGET_FILE:boxreel>\" ${ARGN} OUTPUT_FILE \"${file}\"
+                                COMMAND_ERROR_IS_FATAL ANY)")
+  get_filename_component(folder ${destination} DIRECTORY)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
+  install(FILES ${file} DESTINATION ${folder})
+endfunction()
+
+if(TARGET boxreel)
+  install(TARGETS boxreel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions/boxreel completion bash)
+  boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/zsh/site-functions/_boxreel completion zsh)
+  boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/man/man1/boxreel.1 man)
+endif()

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <golden/GoldenCheck.h>
+#include <golden/GoldenWorld.h>
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <string>
+#include <utility>
+
+/// Golden tests with GoogleTest, in a program that links boxreel::golden and, for worlds,
+/// boxreel::goldenworld (the CMake function boxreel_add_golden_tests does both):
+///
+///     EXPECT_GOLDEN(frame, "menu/opened");
+///     EXPECT_GOLDEN(frame, "menu/opened", boxreel::CompareSettings::Exact());
+///     EXPECT_GOLDEN_WORLD(world, "pyramid/3s");
+///     EXPECT_GOLDEN_WORLD(world, "pyramid/3s", {.width = 640, .height = 360});
+///
+/// ASSERT_GOLDEN and ASSERT_GOLDEN_WORLD end the test when they fail. References lie in the folder
+/// BOXREEL_GOLDEN_REFERENCES (environment, else a definition with which the test is compiled),
+/// failures leave their pictures in BOXREEL_GOLDEN_OUTPUT (golden-output below the working folder),
+/// BOXREEL_GOLDEN_ACCEPT=missing|changed|all makes candidates the references.
+namespace boxreel::golden_test
+{
+
+struct FrameCheck
+{
+    std::string name;
+    CompareSettings compare;
+};
+
+inline FrameCheck CheckAs(std::string name, CompareSettings compare = {})
+{
+    return {std::move(name), std::move(compare)};
+}
+
+struct WorldCheck
+{
+    std::string name;
+    GoldenWorldLook look;
+    CompareSettings compare;
+};
+
+inline WorldCheck CheckWorldAs(std::string name, GoldenWorldLook look = {},
+                               CompareSettings compare = {})
+{
+    return {std::move(name), std::move(look), std::move(compare)};
+}
+
+inline std::filesystem::path CompiledReferences()
+{
+#ifdef BOXREEL_GOLDEN_REFERENCES
+    return BOXREEL_GOLDEN_REFERENCES;
+#else
+    return {};
+#endif
+}
+
+inline testing::AssertionResult Check(const Result<GoldenCandidate>& candidate,
+                                      const CompareSettings& compare)
+{
+    if (!candidate)
+    {
+        return testing::AssertionFailure() << candidate.GetError().message;
+    }
+    const Result<GoldenCheckSettings> settings =
+        GoldenSettingsFromEnvironment(CompiledReferences());
+    if (!settings)
+    {
+        return testing::AssertionFailure() << settings.GetError().message;
+    }
+    static std::set<std::string> accepted; // by all checks of this program
+    const GoldenOutcome outcome = CheckGolden(*candidate, compare, *settings, accepted);
+    std::cout << outcome.output << std::flush;
+    return (outcome.passed ? testing::AssertionSuccess() : testing::AssertionFailure())
+           << outcome.message;
+}
+
+inline testing::AssertionResult IsGolden(const char* expression, const char*, const Frame& frame,
+                                         const FrameCheck& check)
+{
+    if (frame.rgba.empty())
+    {
+        return testing::AssertionFailure() << check.name << ": " << expression
+                                           << " has no pixels; draw it before it is compared.";
+    }
+    GoldenCandidate candidate;
+    candidate.name = check.name;
+    candidate.frame = frame;
+    return Check(candidate, check.compare);
+}
+
+inline testing::AssertionResult IsGoldenWorld(const char*, const char*, b2World& world,
+                                              const WorldCheck& check)
+{
+    return Check(CandidateOf(world, check.name, check.look), check.compare);
+}
+
+} // namespace boxreel::golden_test
+
+/// (frame, name [, CompareSettings])
+#define EXPECT_GOLDEN(frame, ...)                                                                  \
+    EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
+                        ::boxreel::golden_test::CheckAs(__VA_ARGS__))
+#define ASSERT_GOLDEN(frame, ...)                                                                  \
+    ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
+                        ::boxreel::golden_test::CheckAs(__VA_ARGS__))
+
+/// (world, name [, GoldenWorldLook [, CompareSettings]])
+#define EXPECT_GOLDEN_WORLD(world, ...)                                                            \
+    EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
+                        ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
+#define ASSERT_GOLDEN_WORLD(world, ...)                                                            \
+    ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
+                        ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))

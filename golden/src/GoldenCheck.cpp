@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <golden/GoldenCheck.h>
+
+#include <cstdlib>
+#include <system_error>
+
+namespace boxreel
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Empty when it is not set.
+std::string Environment(const char* name)
+{
+    const char* const value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+Result<GoldenAccept> AcceptOf(const std::string& word)
+{
+    if (word.empty())
+    {
+        return GoldenAccept::None;
+    }
+    if (word == "missing")
+    {
+        return GoldenAccept::Missing;
+    }
+    if (word == "changed")
+    {
+        return GoldenAccept::Changed;
+    }
+    if (word == "all")
+    {
+        return GoldenAccept::All;
+    }
+    return Error{ErrorKind::Unusable, "BOXREEL_GOLDEN_ACCEPT is '" + word +
+                                          "'; set it to missing, changed or all, or not at all."};
+}
+
+bool IsToBeAccepted(GoldenStatus status, GoldenAccept accept)
+{
+    if (status == GoldenStatus::Same || accept == GoldenAccept::None)
+    {
+        return false;
+    }
+    return accept == GoldenAccept::All ||
+           (status == GoldenStatus::Missing) == (accept == GoldenAccept::Missing);
+}
+
+/// The verdict speaks of the program's scenes; a test has another way to be accepted.
+std::string WithRemedy(const GoldenVerdict& verdict)
+{
+    const bool isMissing = verdict.status == GoldenStatus::Missing;
+    const std::string remedy = std::string("run this test once with BOXREEL_GOLDEN_ACCEPT=") +
+                               (isMissing ? "missing" : "changed") + " in the environment.";
+    const std::string ofScenes = "run `boxreel golden accept " + verdict.name + "`.";
+    if (verdict.message.ends_with(ofScenes))
+    {
+        return verdict.message.substr(0, verdict.message.size() - ofScenes.size()) + remedy;
+    }
+    return verdict.message + " If the change is right, " + remedy;
+}
+
+/// A person who accepts still looks before it is committed.
+std::string WhatWasAccepted(const GoldenVerdict& verdict)
+{
+    return verdict.status == GoldenStatus::Missing ? verdict.name + ": there was no reference."
+                                                   : verdict.message;
+}
+
+/// CDash lays the first three of these names over each other (`cmake --help-command ctest_test`,
+/// "Image Measurements").
+std::string Attachments(const fs::path& output, const std::string& name)
+{
+    constexpr const char* kPictures[][2] = {{"TestImage", ".actual.png"},
+                                            {"ValidImage", ".expected.png"},
+                                            {"DifferenceImage2", ".difference.png"},
+                                            {"SideBySide", ".side-by-side.png"}};
+    std::string lines;
+    for (const auto& [measurement, suffix] : kPictures)
+    {
+        std::error_code error;
+        const fs::path path = fs::absolute(output / (name + suffix), error);
+        if (!error && fs::is_regular_file(path, error))
+        {
+            lines += std::string("<CTestMeasurementFile type=\"image/png\" name=\"") + measurement +
+                     "\">" + path.string() + "</CTestMeasurementFile>\n";
+        }
+    }
+    return lines;
+}
+
+} // namespace
+
+Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& references)
+{
+    GoldenCheckSettings settings;
+    const std::string folder = Environment("BOXREEL_GOLDEN_REFERENCES");
+    settings.references = folder.empty() ? references : fs::path(folder);
+    if (settings.references.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "No folder of references is given; name one to boxreel_add_golden_tests "
+                     "(REFERENCES DIR) or in BOXREEL_GOLDEN_REFERENCES."};
+    }
+    if (const std::string output = Environment("BOXREEL_GOLDEN_OUTPUT"); !output.empty())
+    {
+        settings.output = output;
+    }
+    // Shards run at the same time, and each removes what is left of its own earlier failures.
+    const std::string shards = Environment("GTEST_TOTAL_SHARDS");
+    if (!shards.empty() && shards != "1")
+    {
+        settings.output /= "shard-" + Environment("GTEST_SHARD_INDEX") + "-of-" + shards;
+    }
+    const Result<GoldenAccept> accept = AcceptOf(Environment("BOXREEL_GOLDEN_ACCEPT"));
+    if (!accept)
+    {
+        return accept.GetError();
+    }
+    settings.accept = *accept;
+    // ctest sets one of the first two for its tests, depending on its version and on who started it
+    // (`cmake --help-manual cmake-env-variables`).
+    for (const char* const sign :
+         {"CTEST_INTERACTIVE_DEBUG_MODE", "DASHBOARD_TEST_FROM_CTEST", "CI"})
+    {
+        settings.attach = settings.attach || !Environment(sign).empty();
+    }
+    return settings;
+}
+
+GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSettings& compare,
+                          const GoldenCheckSettings& settings, std::set<std::string>& accepted)
+{
+    const ReferenceStore store(settings.references, settings.output);
+    const Result<GoldenVerdict> verdict = store.Verify(candidate, compare);
+    if (!verdict)
+    {
+        return {false, verdict.GetError().message, ""};
+    }
+    if (verdict->status == GoldenStatus::Same)
+    {
+        return {true, verdict->message, ""};
+    }
+    const bool isWanted = IsToBeAccepted(verdict->status, settings.accept);
+    if (isWanted && accepted.insert(candidate.name).second)
+    {
+        if (const Result<void> stored = store.Accept(candidate); !stored)
+        {
+            return {false, stored.GetError().message, ""};
+        }
+        return {true, verdict->message, "accepted  " + WhatWasAccepted(*verdict) + "\n"};
+    }
+    const std::string message =
+        isWanted ? verdict->message + " A candidate of this name was accepted in the same run; "
+                                      "give each check a name of its own."
+                 : WithRemedy(*verdict);
+    return {false, message, settings.attach ? Attachments(settings.output, candidate.name) : ""};
+}
+
+} // namespace boxreel

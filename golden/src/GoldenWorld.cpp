@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <golden/GoldenWorld.h>
+
+#include <Box2D/Box2D.h>
+#include <debugdraw/DrawCollector.h>
+#include <debugdraw/WorldBounds.h>
+#include <golden/StateHash.h>
+#include <render/Renderer.h>
+
+#include <utility>
+
+namespace boxreel
+{
+
+static_assert(GoldenWorldLook{}.layers == (b2Draw::e_shapeBit | b2Draw::e_jointBit));
+
+Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
+                                    const GoldenWorldLook& look)
+{
+    const Camera camera =
+        look.camera ? *look.camera : FitTo(BoundsAtStart(world), look.width, look.height);
+    // A renderer for each: the second takes two milliseconds, and none is left when the program
+    // ends.
+    Result<Renderer> renderer = Renderer::Create({.width = camera.width, .height = camera.height});
+    if (!renderer)
+    {
+        return renderer.GetError();
+    }
+    GoldenCandidate candidate;
+    candidate.name = name;
+    candidate.stateHash = StateHashText(world);
+    candidate.list = DrawListOf(world, look.layers);
+    if (const Result<void> drawn = renderer->Draw(candidate.list, camera, candidate.frame); !drawn)
+    {
+        return drawn.GetError();
+    }
+    return candidate;
+}
+
+} // namespace boxreel

@@ -1,0 +1,35 @@
+# Without CMake: a program that makes a film, compiled with what pkg-config says; and the same after the
+# prefix was moved.
+include("${CMAKE_CURRENT_LIST_DIR}/Steps.cmake")
+set(prefix "${WORK_DIR}/moved")
+step("installing" COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/prefix")
+file(RENAME "${WORK_DIR}/prefix" "${prefix}")
+file(GLOB_RECURSE pc "${prefix}/*/boxreel-recorder.pc")
+get_filename_component(folder "${pc}" DIRECTORY)
+
+# compile(PROGRAM SOURCE PACKAGE …)
+function(compile program source)
+  step("pkg-config ${ARGN}" OUTPUT flags COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}"
+    "${PKG_CONFIG}" --static --cflags --libs ${ARGN})
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  step("compiling ${program}" COMMAND "${CXX}" -std=c++20 "${source}" -o "${WORK_DIR}/${program}" ${flags})
+endfunction()
+
+compile(film "${BOXREEL_DIR}/docs/examples/film_pixels.cpp" boxreel-recorder)
+execute_process(COMMAND "${WORK_DIR}/film" WORKING_DIRECTORY "${WORK_DIR}" COMMAND_ERROR_IS_FATAL ANY)
+expect_file("${WORK_DIR}/rise.webp")
+compile(fall "${CMAKE_CURRENT_LIST_DIR}/engine/fall.cpp" boxreel-engine)
+step("running it" OUTPUT said COMMAND "${WORK_DIR}/fall")
+expect_text("${said}" "it falls at -10.0 m/s")
+compile(seesaw "${CMAKE_CURRENT_LIST_DIR}/world.cpp" boxreel-goldenworld)
+step("running it" COMMAND "${WORK_DIR}/seesaw")
+
+# The program came along, with what a shell and man read.
+step("the program" OUTPUT said COMMAND "${prefix}/bin/boxreel" --version)
+expect_text("${said}" "${VERSION}")
+step("bash reads the completion" COMMAND bash -n "${prefix}/share/bash-completion/completions/boxreel")
+step("zsh reads the completion" COMMAND zsh -n "${prefix}/share/zsh/site-functions/_boxreel")
+file(READ "${prefix}/share/man/man1/boxreel.1" manual)
+expect_text("${manual}" ".TH")
+file(GLOB licence "${prefix}/share/doc/*/LICENSE")
+expect_file("${licence}")
