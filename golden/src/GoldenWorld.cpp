@@ -29,6 +29,7 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
     GoldenCandidate candidate;
     candidate.name = name;
     candidate.stateHash = StateHashText(world);
+    candidate.state = ReadWorldState(world);
     candidate.list = DrawListOf(world, look.layers);
     if (const Result<void> drawn = renderer->Draw(candidate.list, camera, candidate.frame); !drawn)
     {
