@@ -32,6 +32,20 @@ if(symbols MATCHES "b2[A-Z][A-Za-z]*|box2d::[A-Za-z]*")
   message(FATAL_ERROR "the program without an engine contains ${CMAKE_MATCH_0}")
 endif()
 
+# Nothing of boxreel is installed with the parent, unless it is asked for, and then the parent keeps its settings too.
+execute_process(COMMAND "${CMAKE_COMMAND}" --install "${build}" --prefix "${WORK_DIR}/prefix" COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB_RECURSE installed "${WORK_DIR}/prefix/*")
+if(installed)
+  message(FATAL_ERROR "the parent's installation has ${installed}")
+endif()
+execute_process(COMMAND "${CMAKE_COMMAND}" -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}/parent" -B "${WORK_DIR}/installing"
+                        -DCMAKE_CXX_COMPILER=${CXX} -DBOXREEL_DIR=${BOXREEL_DIR} -DBOXREEL_INSTALL=ON
+                COMMAND_ERROR_IS_FATAL ANY)
+file(READ "${WORK_DIR}/installing/boxreel/cmake_install.cmake" script)
+if(NOT script MATCHES "boxreelConfig.cmake" OR NOT script MATCHES "libboxreel_golden.a")
+  message(FATAL_ERROR "with BOXREEL_INSTALL=ON the parent does not install the package and its libraries")
+endif()
+
 # What the parent compiles itself knows nothing of boxreel's flags.
 file(READ "${build}/compile_commands.json" commands)
 string(JSON count LENGTH "${commands}")
