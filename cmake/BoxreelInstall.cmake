@@ -48,7 +48,7 @@ boxreel_install_library(recorder HEADERS recorder DESCRIPTION "Frames become fil
   NEEDS render LIBS ${BOXREEL_LOAD_LIBRARIES} -pthread)
 boxreel_install_library(golden HEADERS golden DESCRIPTION "Pictures and draw lists against approved ones"
   NEEDS recorder PACKAGES zlib)
-boxreel_install_library(goldenstate HEADERS golden DESCRIPTION "A world's state in 64 bits" NEEDS engine)
+boxreel_install_library(goldenstate HEADERS golden DESCRIPTION "A world's state in 64 bits" NEEDS engine drawlist)
 boxreel_install_library(goldenworld HEADERS golden DESCRIPTION "Worlds against approved ones"
   NEEDS golden debugdraw goldenstate)
 
