@@ -175,6 +175,47 @@ TEST_P(Containment, KeepsOutTheOtherEndOfWhatTurnsOutOfAWall)
     }
 }
 
+/// What sits far out on something heavy that spins hits a wall: alone it would be thrown into a
+/// spin of hundreds of radians a second, and must not take the heavy body round with it.
+TEST_P(Containment, KeepsOutAHeavyBodyWhoseLightTipIsStopped)
+{
+    constexpr float32 kWall = 4.0f;
+    constexpr float32 kHalf = 0.8f;
+    float32 farthest = -kWall; // of the heavy body's corners beyond the wall [m]
+    for (int i = 0; i < 300; ++i)
+    {
+        Scene scene(b2Vec2(0.0f, 0.0f));
+        scene.world.SetSubStepCount(GetParam());
+        AddEdge(scene.Body(b2_staticBody, kWall, 0.0f), b2Vec2(0.0f, -50.0f), b2Vec2(0.0f, 50.0f));
+        b2Body* heavy = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+        Scene::AddBox(heavy, kHalf, kHalf, 40.0f);
+        b2Body* tip = scene.Body(b2_dynamicBody, 2.5f, 0.0f);
+        Scene::AddBox(tip, 0.2f, 0.05f, 25.0f);
+        b2WeldJointDef weld;
+        weld.Initialize(heavy, tip, heavy->GetPosition());
+        scene.world.CreateJoint(&weld);
+        const b2Rot turn(-0.02f * float32(i));
+        for (b2Body* body : {heavy, tip})
+        {
+            body->SetTransform(b2Mul(turn, body->GetPosition()), turn.GetAngle());
+            body->SetAngularVelocity(20.0f); // [rad/s]
+            body->SetLinearVelocity(b2Vec2(7.0f, 0.0f) + b2Cross(20.0f, body->GetPosition()));
+        }
+        for (int step = 0; step < 20; ++step)
+        {
+            scene.world.Step(kStep, 8, 3);
+            for (const float32 x : {-kHalf, kHalf})
+            {
+                for (const float32 y : {-kHalf, kHalf})
+                {
+                    farthest = b2Max(farthest, heavy->GetWorldPoint(b2Vec2(x, y)).x - kWall);
+                }
+            }
+        }
+    }
+    EXPECT_LT(farthest, 0.4f);
+}
+
 /// Before a wall that stands upright at x = 0.
 struct Obstacle
 {
@@ -216,6 +257,6 @@ TEST_P(Containment, LetsABodyGoRoundAnObstacleWithinAStep)
     GoRound(GetParam(), {"edge that moves", true, b2Vec2(0.81f, 0.52f), b2Vec2(0.0f, -60.0f)});
 }
 
-INSTANTIATE_TEST_SUITE_P(SubSteps, Containment, testing::Values(1, 4));
+INSTANTIATE_TEST_SUITE_P(SubSteps, Containment, testing::Values(1, 2, 4));
 
 } // namespace

@@ -4,6 +4,8 @@
 #include "BoundedSystem.h"
 #include "HingeTree.h"
 
+#include <cmath>
+
 /// All that joints do, in small steps. What they hold rigidly is a RowSystem. Motors and limits
 /// take part in it as long as their forces do what they should; which do is found by trying (block
 /// pivoting: Judice and Pires, "A block principal pivoting algorithm for large-scale strictly
@@ -233,6 +235,9 @@ private:
 
     /// What an impact has stopped weighs so many times what hangs together with it.
     static constexpr double kHeldShare = 20.0;
+    /// But its turn only up to this angle [rad]: an impact, which does not know what hangs on a
+    /// light body, may throw it into a spin that its joints would never have let it have.
+    static constexpr double kMostHeldTurn = 0.5;
 
     Array<b2Joint*> m_joints;
     Array<RowSides> m_sides;
@@ -279,8 +284,9 @@ bool JointSystem::HoldStopped(int32 part, Fate&& fate)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
             const double held = fate(body) == AfterImpact::Free ? mass : kHeldShare * mass;
+            const double turn = std::abs(body.pose.angle - body.previous.angle);
             const double reach = double(body.maxExtent);
-            m_system.SetBallast(place, held, held * reach * reach);
+            m_system.SetBallast(place, held, (turn > kMostHeldTurn ? mass : held) * reach * reach);
         });
     }
     return any;
