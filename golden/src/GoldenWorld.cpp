@@ -31,6 +31,7 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
     candidate.stateHash = StateHashText(world);
     candidate.state = ReadWorldState(world);
     candidate.list = DrawListOf(world, look.layers);
+    candidate.camera = camera;
     if (const Result<void> drawn = renderer->Draw(candidate.list, camera, candidate.frame); !drawn)
     {
         return drawn.GetError();

@@ -2,6 +2,7 @@
 #include <golden/ReferenceStore.h>
 
 #include "FailureFiles.h"
+#include "IgnoredBodies.h"
 #include "Moment.h"
 #include "ReferenceFiles.h"
 #include "TextDifference.h"
@@ -166,6 +167,48 @@ struct Judged
     Moment expected, actual;
 };
 
+/// Empty when each body can be left out.
+std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate& candidate,
+                          const Moment& expected)
+{
+    if (!candidate.frame.rgba.empty() && !candidate.camera)
+    {
+        return "no camera says where they are in the picture";
+    }
+    int last = -1;
+    for (const WorldState* const state : {&candidate.state, &expected.bodies})
+    {
+        last = state->bodies.empty() ? last : std::max(last, state->bodies.back().number);
+    }
+    const int largest = *std::max_element(bodies.begin(), bodies.end());
+    return largest <= last ? ""
+           : last < 0      ? "no state of its bodies is kept"
+                           : "there is no body " + std::to_string(largest) + ", the last is " +
+                            std::to_string(last);
+}
+
+/// What differs, of two moments that have the same depths.
+Differences Compare(const Moment& expected, const Moment& actual, const CompareSettings& settings,
+                    Comparison& pixels)
+{
+    Differences differences;
+    if (actual.trace)
+    {
+        differences.onTheWay = FirstDifference(*expected.trace, *actual.trace);
+    }
+    differences.state = actual.state && (*actual.state != *expected.state || differences.onTheWay);
+    if (actual.list)
+    {
+        differences.list = FirstDifference(*expected.list, *actual.list);
+    }
+    if (actual.frame)
+    {
+        pixels = Compare(*expected.frame, *actual.frame, settings);
+        differences.pixels = !pixels.equal;
+    }
+    return differences;
+}
+
 Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& candidate,
                            const CompareSettings& settings)
 {
@@ -188,25 +231,35 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
         SayMissing(verdict, judged.expected, actual, references);
         return judged;
     }
-    Differences differences;
-    if (actual.trace)
+    CompareSettings compare = settings;
+    Moment less[2]; // the files of a failure have the bodies that are left out
+    const Moment* before = &judged.expected;
+    const Moment* now = &actual;
+    if (!settings.ignoredBodies.empty())
     {
-        differences.onTheWay = FirstDifference(*judged.expected.trace, *actual.trace);
+        if (const std::string why =
+                WhyNotLeftOut(settings.ignoredBodies, candidate, judged.expected);
+            !why.empty())
+        {
+            return Error{ErrorKind::Unusable,
+                         candidate.name + ": bodies cannot be left out, for " + why + "."};
+        }
+        less[0] = judged.expected;
+        less[1] = actual;
+        before = &less[0];
+        now = &less[1];
+        if (candidate.camera)
+        {
+            const std::vector<PixelBounds> regions =
+                RegionsOf(settings.ignoredBodies, *before, *now, *candidate.camera);
+            compare.ignored.insert(compare.ignored.end(), regions.begin(), regions.end());
+        }
+        LeaveOut(settings.ignoredBodies, less[0], less[1]);
     }
-    differences.state =
-        actual.state && (*actual.state != *judged.expected.state || differences.onTheWay);
-    if (actual.list)
-    {
-        differences.list = FirstDifference(*judged.expected.list, *actual.list);
-    }
-    if (actual.frame)
-    {
-        verdict.pixels = Compare(*judged.expected.frame, *actual.frame, settings);
-        differences.pixels = !verdict.pixels.equal;
-    }
+    const Differences differences = Compare(*before, *now, compare, verdict.pixels);
     verdict.status = StatusOf(differences);
     verdict.message =
-        candidate.name + ": " + Explain(judged.expected, actual, differences, verdict.pixels) + ".";
+        candidate.name + ": " + Explain(*before, *now, differences, verdict.pixels) + ".";
     return judged;
 }
 

@@ -63,7 +63,40 @@ Result<PixelBounds> ParseRectangle(const std::string& option, const std::string&
     return PixelBounds{int(*x), int(*y), int(*x + *width), int(*y + *height)};
 }
 
+/// "3,17": numbers of bodies.
+std::vector<int> ReadBodies(const std::string& option, const std::string& text)
+{
+    constexpr int kMostBodies = 1'000'000;
+    std::vector<int> bodies;
+    for (const std::string& part : SplitAt(',', text))
+    {
+        const Result<std::int64_t> body = ParseWhole(option, part, 0, kMostBodies);
+        if (!body)
+        {
+            Refuse(option + " '" + text +
+                   "': give numbers of bodies, as --labels shows them, such as 3,17.");
+        }
+        bodies.push_back(int(*body));
+    }
+    return bodies;
+}
+
 } // namespace
+
+void AddIgnoredBodies(CLI::App& command, CompareChoice& choice)
+{
+    const auto read = [&choice](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+        {
+            const std::vector<int> bodies = ReadBodies("--ignore-body", text);
+            choice.ignoredBodies.insert(choice.ignoredBodies.end(), bodies.begin(), bodies.end());
+        }
+    };
+    AddTexts(command, "--ignore-body", read,
+             "Leave these bodies out of state, draw list and picture,\nby number, such as 3,17")
+        ->type_name("N,...")
+        ->allow_extra_args(false);
+}
 
 void AddCompare(CLI::App& command, CompareChoice& choice)
 {

@@ -232,6 +232,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
         AddBackend(*action, golden.backend);
     }
     AddCompare(*verify, golden.compare);
+    AddIgnoredBodies(*verify, golden.compare);
     verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
                    "Examples:\n"
                    "  boxreel golden verify\n"

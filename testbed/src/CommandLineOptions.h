@@ -167,6 +167,9 @@ void AddMotion(CLI::App& command, ShotOptions& shot);
 /// How pictures are compared: of diff and golden verify.
 void AddCompare(CLI::App& command, CompareChoice& choice);
 
+/// Which bodies are left out: of golden verify.
+void AddIgnoredBodies(CLI::App& command, CompareChoice& choice);
+
 /// What of them contradicts each other, or the panel.
 Result<void> CheckMotion(const ShotOptions& options);
 

@@ -32,9 +32,12 @@ CompareSettings Effective(const CompareChoice& choice)
     Replace(settings.maxInWindow, choice.maxInWindow, "--max-in-window", options);
     Replace(settings.densityWindow, choice.window, "--window", options);
     settings.ignored = choice.ignored;
-    if (!choice.ignored.empty())
+    settings.ignoredBodies = choice.ignoredBodies;
+    for (const auto& [isGiven, option] :
+         {std::pair(!choice.ignored.empty(), "--ignore"),
+          std::pair(!choice.ignoredBodies.empty(), "--ignore-body")})
     {
-        options += (options.empty() ? ", with " : ", ") + std::string("--ignore");
+        options += !isGiven ? "" : (options.empty() ? ", with " : ", ") + std::string(option);
     }
     settings.preset += options + (options.empty() ? "" : ",");
     return settings;

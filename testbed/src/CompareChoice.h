@@ -22,6 +22,7 @@ struct CompareChoice
     std::optional<std::int64_t> maxInWindow; ///< --max-in-window
     std::optional<int> window;               ///< --window [px]
     std::vector<PixelBounds> ignored;        ///< --ignore
+    std::vector<int> ignoredBodies;          ///< --ignore-body
 };
 
 /// The limits that hold. Their name says which of them came from options: "same-machine, with

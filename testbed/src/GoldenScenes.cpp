@@ -62,6 +62,7 @@ Result<GoldenCandidate> CandidateOf(const std::string& name, SceneSession& sessi
     candidate.state = ReadWorldState(session.World());
     candidate.trace = std::move(trace);
     candidate.renderer = renderer.Description();
+    candidate.camera = content.camera;
     const Result<void> drawn = renderer.Draw(content.list, content.camera, candidate.frame);
     if (!drawn)
     {

@@ -165,6 +165,24 @@ TEST_F(GoldenCommand, SaysWhereAChangedWorldParted)
         << outcome.errors;
 }
 
+TEST_F(GoldenCommand, LeavesOutBodies)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge/0.5s"}).code, 0);
+    const fs::path state = folder / "r/state/bridge/0.5s.txt";
+    const Outcome planted =
+        RunTool({"sh", "-c",
+                 "awk '$1 == 17 {$3 += 0.5} NR == 1 {$1 = \"0123456789abcdef\"} {print}' '" +
+                     state.string() + "' > s; mv s '" + state.string() + "'"},
+                folder.Path());
+    ASSERT_EQ(planted.code, 0) << planted.errors;
+    EXPECT_EQ(RunIn({"verify", "bridge/0.5s", "--ignore-body", "16"}).code, 2);
+    EXPECT_EQ(RunIn({"verify", "bridge/0.5s", "--ignore-body", "3,17"}).code, 0);
+    ExpectRefusal({"verify", "bridge", "--ignore-body", "wheel"}, "give numbers of bodies");
+    const Outcome beyond = RunIn({"verify", "bridge/0.5s", "--ignore-body", "99"});
+    EXPECT_EQ(beyond.code, 1);
+    EXPECT_THAT(beyond.errors, HasSubstr("there is no body 99, the last is 38"));
+}
+
 TEST_F(GoldenCommand, PrintsAStateAndTheStepsToIt)
 {
     const Outcome state = Run({"state", "bridge", "--step", "60"});

@@ -37,6 +37,9 @@ struct CompareSettings
     /// pixel gone, its neighbour new) is found.
     std::int64_t maxInWindow = 1;
     std::vector<PixelBounds> ignored{}; ///< what lies in one of these is not compared
+    /// Bodies that a reference store leaves out: of the state, of the draw list, and of the picture
+    /// where either list has them. By number. Compare itself knows no bodies.
+    std::vector<int> ignoredBodies{};
     bool paintsDifference = true; ///< false: Comparison::difference stays empty, which is faster
 
     static CompareSettings Exact();       ///< every bit

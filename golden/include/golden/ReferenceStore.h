@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <debugdraw/Camera.h>
 #include <debugdraw/DrawList.h>
 #include <debugdraw/Result.h>
 #include <golden/Compare.h>
@@ -8,6 +9,7 @@
 #include <render/Frame.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,8 @@ struct GoldenCandidate
     Frame frame;
     WorldState state = {}; ///< with a hash only: what differs, and by how much; no bodies: not kept
     StateTrace trace = {}; ///< the steps since the moment before; none: not kept
-    std::string renderer = {}; ///< Renderer::Description(); empty: one picture for all
+    std::string renderer = {};         ///< Renderer::Description(); empty: one picture for all
+    std::optional<Camera> camera = {}; ///< with which it is drawn; needed to leave out bodies
 };
 
 /// Which picture becomes the reference.
@@ -63,8 +66,8 @@ public:
     /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png, the two draw lists and states.
     ReferenceStore(std::filesystem::path references, std::filesystem::path output);
 
-    /// An Error only when a file cannot be read or written, or the name is not usable; a difference
-    /// is a verdict.
+    /// An Error only when a file cannot be read or written, the name is not usable, or a body that
+    /// is to be left out is not there; a difference is a verdict.
     Result<GoldenVerdict> Verify(const GoldenCandidate& candidate,
                                  const CompareSettings& settings = {}) const;
 
