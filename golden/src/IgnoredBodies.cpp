@@ -161,7 +161,6 @@ PixelBounds PixelsAround(const Rect& bounds, const Camera& camera)
 
 void LeaveOut(const std::vector<int>& bodies, Moment& expected, Moment& actual)
 {
-    const bool areKnown = !expected.bodies.bodies.empty() && !actual.bodies.bodies.empty();
     for (Moment* const moment : {&expected, &actual})
     {
         LeaveOut(bodies, moment->bodies);
@@ -175,7 +174,7 @@ void LeaveOut(const std::vector<int>& bodies, Moment& expected, Moment& actual)
             actual.trace.reset();
         }
     }
-    if (areKnown && expected.bodies.bodies == actual.bodies.bodies)
+    if (expected.bodies.bodies == actual.bodies.bodies)
     {
         actual.state = expected.state;
     }
