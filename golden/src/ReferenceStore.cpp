@@ -23,12 +23,36 @@ Error Unusable(const std::string& name, const std::string& why)
     return Error{ErrorKind::Unusable, "\"" + name + "\" cannot name a reference: " + why + "."};
 }
 
+/// The first picture of a film's contact sheet that differs by itself, as "from step 90 on: ";
+/// empty when there is none, for instance because what is scattered is too much only in all.
+std::string FirstPicture(const Frame& expected, const Frame& actual, const SheetLayout& layout,
+                         CompareSettings settings)
+{
+    settings.paintsDifference = false;
+    const auto isOn = [](const PixelBounds& place, const Frame& sheet) {
+        return place.x1 <= sheet.width && place.y1 <= sheet.height;
+    };
+    // Where one film is longer, its pictures lie on gray of the other sheet, or beyond it.
+    for (std::size_t i = 0; i < kMostSheetPictures; ++i)
+    {
+        const PixelBounds place = layout.Place(i);
+        const int on = int(isOn(place, expected)) + int(isOn(place, actual));
+        if (on == 1 ||
+            (on == 2 && !Compare(CutOut(expected, place), CutOut(actual, place), settings).equal))
+        {
+            return "from step " + std::to_string(layout.Step(i)) + " on: ";
+        }
+    }
+    return "";
+}
+
 struct Differences
 {
     bool state = false; // at this moment, or on the way
     std::optional<TraceDifference> onTheWay;
     std::optional<LineDifference> list;
     bool pixels = false;
+    std::string since; // which picture of a sheet differs first
 };
 
 std::string Join(const std::vector<std::string>& words)
@@ -95,7 +119,8 @@ std::string Explain(const Moment& expected, const Moment& actual, const Differen
         text = (actual.state ? "same world, other geometry: " : "other geometry: ") + list;
         break;
     case GoldenStatus::Pixels:
-        return (actual.list ? "same geometry, other pixels: " : "other pixels: ") + picture;
+        return (actual.list ? "same geometry, other pixels: " : "other pixels: ") +
+               differences.since + picture;
     default:
         return std::string("same") + (actual.state ? ", state" : "") +
                (actual.list ? ", draw list" : "") + (actual.frame ? ", " + picture : "");
@@ -256,7 +281,11 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
         }
         LeaveOut(settings.ignoredBodies, less[0], less[1]);
     }
-    const Differences differences = Compare(*before, *now, compare, verdict.pixels);
+    Differences differences = Compare(*before, *now, compare, verdict.pixels);
+    if (differences.pixels && candidate.sheet)
+    {
+        differences.since = FirstPicture(*before->frame, *now->frame, *candidate.sheet, compare);
+    }
     verdict.status = StatusOf(differences);
     verdict.message =
         candidate.name + ": " + Explain(*before, *now, differences, verdict.pixels) + ".";
@@ -264,6 +293,15 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
 }
 
 } // namespace
+
+GoldenCandidate CandidateOf(ContactSheet sheet, std::string name)
+{
+    GoldenCandidate candidate;
+    candidate.name = std::move(name);
+    candidate.frame = std::move(sheet.frame);
+    candidate.sheet = std::move(sheet.layout);
+    return candidate;
+}
 
 ReferenceStore::ReferenceStore(std::filesystem::path references, std::filesystem::path output)
     : m_references(std::move(references)), m_output(std::move(output))

@@ -17,11 +17,14 @@
 ///     EXPECT_GOLDEN(frame, "menu/opened", boxreel::CompareSettings::Exact());
 ///     EXPECT_GOLDEN_WORLD(world, "pyramid/3s");
 ///     EXPECT_GOLDEN_WORLD(world, "pyramid/3s", {.width = 640, .height = 360});
+///     EXPECT_GOLDEN_FILM("pyramid.mp4", "pyramid/film");
+///     EXPECT_GOLDEN_FILM("pyramid.mp4", "pyramid/film", {.every = 60});
 ///
-/// ASSERT_GOLDEN and ASSERT_GOLDEN_WORLD end the test when they fail. References lie in the folder
-/// BOXREEL_GOLDEN_REFERENCES (environment, else a definition with which the test is compiled),
-/// failures leave their pictures in BOXREEL_GOLDEN_OUTPUT (golden-output below the working folder),
-/// BOXREEL_GOLDEN_ACCEPT=missing|changed|all makes candidates the references.
+/// ASSERT_GOLDEN, ASSERT_GOLDEN_WORLD and ASSERT_GOLDEN_FILM end the test when they fail.
+/// References lie in the folder BOXREEL_GOLDEN_REFERENCES (environment, else a definition with
+/// which the test is compiled), failures leave their pictures in BOXREEL_GOLDEN_OUTPUT
+/// (golden-output below the working folder), BOXREEL_GOLDEN_ACCEPT=missing|changed|all makes
+/// candidates the references.
 namespace boxreel::golden_test
 {
 
@@ -98,6 +101,30 @@ inline testing::AssertionResult IsGoldenWorld(const char*, const char*, b2World&
     return Check(CandidateOf(world, check.name, check.look), check.compare);
 }
 
+struct FilmCheck
+{
+    std::string name;
+    ContactSheetSettings sheet;
+    CompareSettings compare;
+};
+
+inline FilmCheck CheckFilmAs(std::string name, ContactSheetSettings sheet = {},
+                             CompareSettings compare = {})
+{
+    return {std::move(name), sheet, std::move(compare)};
+}
+
+inline testing::AssertionResult
+IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const FilmCheck& check)
+{
+    Result<ContactSheet> sheet = ContactSheetOf(film, check.sheet);
+    if (!sheet)
+    {
+        return testing::AssertionFailure() << sheet.GetError().message;
+    }
+    return Check(CandidateOf(std::move(*sheet), check.name), check.compare);
+}
+
 } // namespace boxreel::golden_test
 
 /// (frame, name [, CompareSettings])
@@ -115,3 +142,11 @@ inline testing::AssertionResult IsGoldenWorld(const char*, const char*, b2World&
 #define ASSERT_GOLDEN_WORLD(world, ...)                                                            \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
+
+/// (path of a film, name [, ContactSheetSettings [, CompareSettings]])
+#define EXPECT_GOLDEN_FILM(film, ...)                                                              \
+    EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
+                        ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))
+#define ASSERT_GOLDEN_FILM(film, ...)                                                              \
+    ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
+                        ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))

@@ -5,6 +5,7 @@
 #include <debugdraw/DrawList.h>
 #include <debugdraw/Result.h>
 #include <golden/Compare.h>
+#include <golden/ContactSheet.h>
 #include <golden/WorldState.h>
 #include <render/Frame.h>
 
@@ -31,9 +32,13 @@ struct GoldenCandidate
     Frame frame;
     WorldState state = {}; ///< with a hash only: what differs, and by how much; no bodies: not kept
     StateTrace trace = {}; ///< the steps since the moment before; none: not kept
-    std::string renderer = {};         ///< Renderer::Description(); empty: one picture for all
-    std::optional<Camera> camera = {}; ///< with which it is drawn; needed to leave out bodies
+    std::string renderer = {};             ///< Renderer::Description(); empty: one picture for all
+    std::optional<Camera> camera = {};     ///< with which it is drawn; needed to leave out bodies
+    std::optional<SheetLayout> sheet = {}; ///< of a film's contact sheet, so that steps have names
 };
+
+/// Of a film.
+GoldenCandidate CandidateOf(ContactSheet sheet, std::string name);
 
 /// Which picture becomes the reference.
 enum class AcceptAs

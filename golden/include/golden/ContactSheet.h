@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <debugdraw/Result.h>
+#include <render/Frame.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+/// A film as one picture: what it shows at every so many simulation steps, small, row by row.
+/// Sampled by time, so films of one simulation with other frame rates have the same sheet. Made for
+/// golden tests; never judges.
+namespace boxreel
+{
+
+struct ContactSheetSettings
+{
+    double stepsPerSecond = 60.0; ///< simulation steps in a second of the film, above 0
+    std::int64_t every = 30;      ///< steps from one picture to the next, 1 or more
+    int columns = 4;              ///< of pictures, 1 or more
+    int width = 320;              ///< of a picture [px]; smaller films are not enlarged
+};
+
+/// More pictures make no sheet that a person looks at.
+inline constexpr std::size_t kMostSheetPictures = 256;
+
+/// Where the pictures lie on a sheet.
+struct SheetLayout
+{
+    int columns = 0;
+    int width = 0, height = 0; ///< of a picture [px]
+    std::size_t pictures = 0;
+    std::int64_t every = 0; ///< steps from one to the next
+
+    PixelBounds Place(std::size_t picture) const;
+    std::int64_t Step(std::size_t picture) const { return std::int64_t(picture) * every; }
+};
+
+struct ContactSheet
+{
+    SheetLayout layout;
+    Frame frame; ///< opaque; gray between the pictures and where the last row ends
+};
+
+/// What lies in a place that is all on the sheet.
+Frame CutOut(const Frame& sheet, const PixelBounds& place);
+
+/// Unusable when the film cannot be read, has no frame or more than kMostSheetPictures pictures, or
+/// a setting is out of its range.
+Result<ContactSheet> ContactSheetOf(const std::filesystem::path& film,
+                                    const ContactSheetSettings& settings = {});
+
+} // namespace boxreel

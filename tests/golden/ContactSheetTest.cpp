@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Films as contact sheets, and as golden tests.
+#include "../debugdraw/TemporaryFolder.h"
+#include "Environment.h"
+#include "TestPictures.h"
+
+#include <golden/ContactSheet.h>
+#include <golden/GoldenTest.h>
+#include <recorder/VideoWriter.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest-spi.h>
+
+using namespace boxreel;
+using namespace boxreel::test;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace
+{
+
+/// Lossless, 64x32; each second has a gray of its own, 40 more than the one before, and one pixel
+/// column that is white.
+std::filesystem::path Film(const TemporaryFolder& folder, const std::string& name, int fps,
+                           double seconds, int seed = 0)
+{
+    const std::filesystem::path path = folder / name;
+    VideoSettings settings;
+    settings.framesPerSecond = Rational{fps, 1};
+    settings.width = 64;
+    settings.height = 32;
+    settings.quality = Quality::Lossless;
+    Result<VideoWriter> writer = VideoWriter::Open(path, settings);
+    EXPECT_TRUE(writer);
+    for (int i = 0; i < int(seconds * fps); ++i)
+    {
+        const int second = i / fps;
+        const auto gray = std::uint8_t(40 * second + (second >= 2 ? seed : 0));
+        Frame frame = Filled(64, 32, {gray, gray, gray, 255});
+        FillRect(frame, 10, 0, 11, 32, {255, 255, 255, 255});
+        EXPECT_TRUE(writer->Append(frame));
+    }
+    EXPECT_TRUE(writer->Close());
+    return path;
+}
+
+ContactSheet SheetOf(const std::filesystem::path& film, const ContactSheetSettings& settings)
+{
+    Result<ContactSheet> sheet = ContactSheetOf(film, settings);
+    EXPECT_TRUE(sheet) << sheet.GetError().message;
+    return sheet ? *std::move(sheet) : ContactSheet{};
+}
+
+/// Of the right end of each picture.
+std::vector<int> Grays(const ContactSheet& sheet)
+{
+    std::vector<int> grays;
+    for (std::size_t i = 0; i < sheet.layout.pictures; ++i)
+    {
+        const PixelBounds place = sheet.layout.Place(i);
+        grays.push_back(sheet.frame.Pixel(place.x1 - 1, place.y1 - 1)[0]);
+    }
+    return grays;
+}
+
+TEST(ContactSheet, HasAPictureForEverySoManySteps)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path film = Film(folder, "film.mkv", 60, 4.0);
+    const ContactSheet seconds = SheetOf(film, {.every = 60});
+    EXPECT_EQ(seconds.layout.Step(3), 180);
+    EXPECT_THAT(Grays(seconds), ElementsAre(0, 40, 80, 120));
+    EXPECT_EQ(seconds.frame.width, 4 * 64 + 3 * 2);
+    EXPECT_EQ(seconds.frame.height, 32);
+    const ContactSheet more = SheetOf(film, {.every = 50, .columns = 3});
+    EXPECT_THAT(Grays(more), ElementsAre(0, 0, 40, 80, 120));
+    EXPECT_EQ(more.frame.width, 3 * 64 + 2 * 2);
+    EXPECT_EQ(more.frame.height, 2 * 32 + 2);
+    EXPECT_EQ(more.frame.Pixel(64, 0)[0], 128) << "gray between them";
+    EXPECT_EQ(more.frame.Pixel(190, 60)[0], 128) << "and where the last row ends";
+}
+
+TEST(ContactSheet, IsTheSameForEveryRateOfFrames)
+{
+    const TemporaryFolder folder;
+    const ContactSheetSettings each{.every = 30};
+    const ContactSheet sheet = SheetOf(Film(folder, "60.mkv", 60, 3.0), each);
+    EXPECT_EQ(SheetOf(Film(folder, "30.mkv", 30, 3.0), each).frame, sheet.frame);
+    EXPECT_EQ(SheetOf(Film(folder, "4.mkv", 4, 3.0), each).frame, sheet.frame);
+    EXPECT_EQ(SheetOf(Film(folder, "20.gif", 20, 3.0), each).frame, sheet.frame);
+    EXPECT_EQ(SheetOf(folder / "60.mkv", {.stepsPerSecond = 240.0, .every = 120}).frame,
+              sheet.frame)
+        << "other steps, the same moments";
+}
+
+TEST(ContactSheet, ShrinksToTheMeanOfWhatAPixelCovers)
+{
+    const TemporaryFolder folder;
+    const ContactSheet sheet =
+        SheetOf(Film(folder, "film.mkv", 10, 1.0), {.every = 60, .width = 24});
+    EXPECT_EQ(sheet.layout.width, 24);
+    EXPECT_EQ(sheet.layout.height, 12);
+    // Column 10 of 64 lies from 3.75 to 4.125 of 24: a quarter and an eighth of a pixel.
+    EXPECT_THAT((std::vector<int>{sheet.frame.Pixel(2, 5)[0], sheet.frame.Pixel(3, 5)[0],
+                                  sheet.frame.Pixel(4, 5)[0], sheet.frame.Pixel(5, 5)[0]}),
+                ElementsAre(0, 64, 32, 0));
+}
+
+TEST(ContactSheet, SaysWhyThereIsNone)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path film = Film(folder, "film.mkv", 60, 5.0);
+    const auto why = [](const Result<ContactSheet>& sheet) {
+        return sheet ? "" : sheet.GetError().message;
+    };
+    EXPECT_THAT(why(ContactSheetOf(folder / "nothing.mkv")), HasSubstr("nothing.mkv"));
+    EXPECT_THAT(why(ContactSheetOf(film, {.every = 0})), HasSubstr("every 1 or more steps"));
+    EXPECT_THAT(why(ContactSheetOf(film, {.stepsPerSecond = 0.0})), HasSubstr("above 0"));
+    EXPECT_THAT(why(ContactSheetOf(film, {.columns = 0})), HasSubstr("one column"));
+    EXPECT_THAT(why(ContactSheetOf(film, {.every = 1})),
+                HasSubstr("more than 256 pictures, one every 1 steps; take fewer"));
+}
+
+TEST(ContactSheet, IsAGoldenTestThatSaysWhenAFilmChanged)
+{
+    const TemporaryFolder folder;
+    GoldenEnvironment environment;
+    environment.references.Set((folder / "approved").c_str());
+    environment.output.Set((folder / "output").c_str());
+    environment.accept.Set("missing");
+    const std::string film = Film(folder, "film.mkv", 30, 4.0).string();
+    EXPECT_GOLDEN_FILM(film, "film/grays");
+    environment.accept.Set(nullptr);
+    EXPECT_GOLDEN_FILM(film, "film/grays");
+    const std::string other = Film(folder, "other.mkv", 30, 4.0, 4).string();
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(other, "film/grays"),
+                            "film/grays: other pixels: from step 120 on: pixels different");
+    EXPECT_TRUE(std::filesystem::exists(folder / "output/film/grays.side-by-side.png"));
+    const std::string shorter = Film(folder, "shorter.mkv", 30, 2.5).string();
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(shorter, "film/grays"),
+                            "film/grays: other pixels: from step 150 on: pixels different");
+    EXPECT_GOLDEN_FILM(other, "film/grays", {}, {.tolerance = 0.1});
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM("nothing.mkv", "film/grays"), "nothing.mkv");
+}
+
+} // namespace
