@@ -51,16 +51,16 @@ bool IsToBeAccepted(GoldenStatus status, GoldenAccept accept)
            (status == GoldenStatus::Missing) == (accept == GoldenAccept::Missing);
 }
 
-/// The verdict speaks of the program's scenes; a test has another way to be accepted.
+/// The verdict speaks of the program; a test has another way to be accepted.
 std::string WithRemedy(const GoldenVerdict& verdict)
 {
     const bool isMissing = verdict.status == GoldenStatus::Missing;
     const std::string remedy = std::string("run this test once with BOXREEL_GOLDEN_ACCEPT=") +
                                (isMissing ? "missing" : "changed") + " in the environment.";
-    const std::string ofScenes = "run `boxreel golden accept " + verdict.name + "`.";
-    if (verdict.message.ends_with(ofScenes))
+    const std::size_t ofScenes = verdict.message.rfind("run `boxreel golden accept ");
+    if (isMissing && ofScenes != std::string::npos)
     {
-        return verdict.message.substr(0, verdict.message.size() - ofScenes.size()) + remedy;
+        return verdict.message.substr(0, ofScenes) + remedy;
     }
     return verdict.message + " If the change is right, " + remedy;
 }

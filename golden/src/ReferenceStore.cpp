@@ -143,8 +143,9 @@ void SayMissing(GoldenVerdict& verdict, const Moment& expected, const Moment& ac
                       references.string() + ").";
 }
 
+/// `command`: what the command that accepts it needs beside its name.
 Result<GoldenVerdict> ReportMissing(GoldenVerdict verdict, const FailureFiles& files,
-                                    const Moment& actual)
+                                    const Moment& actual, const std::string& command)
 {
     if (const Result<void> written = files.Write(Moment{}, actual, Frame{}); !written)
     {
@@ -160,7 +161,7 @@ Result<GoldenVerdict> ReportMissing(GoldenVerdict verdict, const FailureFiles& f
     {
         verdict.message += " If it is right,";
     }
-    verdict.message += " run `boxreel golden accept " + verdict.name + "`.";
+    verdict.message += " run `boxreel golden accept " + verdict.name + command + "`.";
     return verdict;
 }
 
@@ -340,7 +341,8 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
         return std::move(verdict);
     }
     return verdict.status == GoldenStatus::Missing
-               ? ReportMissing(std::move(verdict), *files, judged->actual)
+               ? ReportMissing(std::move(verdict), *files, judged->actual,
+                               candidate.sheet ? " --film FILE" : "")
                : ReportDifferent(std::move(verdict), *files, judged->expected, judged->actual);
 }
 

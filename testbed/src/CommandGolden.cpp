@@ -57,9 +57,31 @@ Result<Folders> ChooseFolders(const GoldenOptions& options)
     return folders;
 }
 
-Result<std::vector<GoldenSelection>> Select(const std::vector<std::string>& names)
+Result<GoldenSelection> SelectFilm(const GoldenOptions& options)
+{
+    if (options.names.size() > 1)
+    {
+        return Error{ErrorKind::Unusable,
+                     "One film has one name; '" + options.names[1] + "' is one too many."};
+    }
+    GoldenFilm film{options.film, "films/" + options.film.stem().string(), options.sheet};
+    if (!options.names.empty())
+    {
+        film.name = options.names.front();
+    }
+    return GoldenSelection{.film = std::move(film)};
+}
+
+Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
 {
     std::vector<GoldenSelection> selections;
+    if (!options.film.empty())
+    {
+        const Result<GoldenSelection> film = SelectFilm(options);
+        return film ? Result<std::vector<GoldenSelection>>(std::vector{*film})
+                    : Result<std::vector<GoldenSelection>>(film.GetError());
+    }
+    const std::vector<std::string>& names = options.names;
     for (const std::string& name : names)
     {
         const Result<GoldenSelection> selection = SelectGolden(name);
@@ -73,7 +95,7 @@ Result<std::vector<GoldenSelection>> Select(const std::vector<std::string>& name
     {
         for (const SceneEntry& entry : AllScenes())
         {
-            selections.push_back({&entry, ""});
+            selections.push_back({.scene = &entry});
         }
     }
     return selections;
@@ -194,10 +216,15 @@ Result<int> VerifyAgainst(const std::filesystem::path& program,
 
 Result<int> RunGolden(const GoldenOptions& options)
 {
-    const Result<std::vector<GoldenSelection>> selections = Select(options.names);
+    const Result<std::vector<GoldenSelection>> selections = Select(options);
     if (!selections)
     {
         return selections.GetError();
+    }
+    if (!options.against.empty() && !options.film.empty())
+    {
+        return Error{ErrorKind::Unusable, "--against compares what worlds do, and a film shows no "
+                                          "world; leave out --against or --film."};
     }
     if (!options.against.empty())
     {

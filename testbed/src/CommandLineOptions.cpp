@@ -205,6 +205,25 @@ void DeclareGoldenState(CLI::App& golden, GoldenStateOptions& options)
         "  boxreel golden state car --trace --step 60");
 }
 
+void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
+{
+    AddPath(action, "--film", "FILE", golden.film,
+            "A film's contact sheet instead of scenes; NAMES is\nwhat it is called (films/FILE)",
+            VideoEnds());
+    CLI::Option* film = action.get_option("--film");
+    AddValue(action, "--every", "STEPS", golden.sheet.every, WholeBetween(1, 1'000'000),
+             "Steps from one picture of the sheet to the next (30)")
+        ->needs(film);
+    AddValue(
+        action, "--hz", "RATE", golden.sheet.stepsPerSecond,
+        [](const std::string& option, const std::string& text) -> Result<double> {
+            const Result<Rational> rate = RatioBetween(1.0, 100000.0)(option, text);
+            return rate ? Result<double>(rate->ToDouble()) : Result<double>(rate.GetError());
+        },
+        "Simulation steps in a second of the film (60)")
+        ->needs(film);
+}
+
 } // namespace
 
 void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
@@ -230,6 +249,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
         AddPath(*action, "--output", "DIR", golden.output,
                 "Folder for what differs (build/golden-output)");
         AddBackend(*action, golden.backend);
+        DeclareGoldenFilm(*action, golden);
     }
     AddCompare(*verify, golden.compare);
     AddIgnoredBodies(*verify, golden.compare);
@@ -237,13 +257,15 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                    "Examples:\n"
                    "  boxreel golden verify\n"
                    "  boxreel golden verify pyramid --output /tmp/failures\n"
-                   "  boxreel golden verify pyramid --against ../before/build/boxreel");
+                   "  boxreel golden verify pyramid --against ../before/build/boxreel\n"
+                   "  boxreel golden verify menu --film menu.mp4 --preset cross-machine");
     accept->footer("Look at the pictures before they are committed, and say in the commit why they "
                    "changed.\n\n"
                    "Examples:\n"
                    "  boxreel golden accept\n"
                    "  boxreel golden accept pyramid bridge\n"
-                   "  boxreel golden accept --only missing");
+                   "  boxreel golden accept --only missing\n"
+                   "  boxreel golden accept menu --film menu.mp4");
     accept->callback([&golden] { golden.accept = true; });
     AddPath(*verify, "--against", "FILE", golden.against,
             "Another build of boxreel: compare each step's state with\n"

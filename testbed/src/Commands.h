@@ -89,7 +89,9 @@ struct GoldenOptions
     bool accept = false; ///< else verify
     GoldenAcceptance acceptance;
     std::filesystem::path against;  ///< verify with the states of this program; empty: references
-    std::vector<std::string> names; ///< "pyramid" or "pyramid/2s"; empty: all
+    std::vector<std::string> names; ///< "pyramid" or "pyramid/2s"; empty: all; a film's name
+    std::filesystem::path film;     ///< instead of scenes
+    ContactSheetSettings sheet;     ///< of the film
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout

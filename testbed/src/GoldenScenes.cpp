@@ -51,7 +51,7 @@ StateTrace Advance(SceneSession& session, std::int64_t step)
 }
 
 // `trace`: what it did since the moment before.
-Result<GoldenCandidate> CandidateOf(const std::string& name, SceneSession& session,
+Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& session,
                                     StateTrace trace, Renderer& renderer)
 {
     FrameContent content;
@@ -84,7 +84,7 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
     // The name of a scene may have a slash of its own.
     if (const Result<const SceneEntry*> scene = FindScene(name))
     {
-        return GoldenSelection{*scene, ""};
+        return GoldenSelection{.scene = *scene};
     }
     const std::size_t slash = name.rfind('/');
     const Result<const SceneEntry*> scene = FindScene(name.substr(0, slash));
@@ -92,7 +92,7 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
     {
         return scene.GetError();
     }
-    GoldenSelection selection{*scene, name.substr(slash + 1)};
+    GoldenSelection selection{.scene = *scene, .moment = name.substr(slash + 1)};
     std::string moments;
     for (const Moment& moment : kMoments)
     {
@@ -110,6 +110,12 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
 Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,
                                 const std::function<Result<void>(const GoldenCandidate&)>& visit)
 {
+    if (selection.film)
+    {
+        Result<ContactSheet> sheet = ContactSheetOf(selection.film->path, selection.film->sheet);
+        return sheet ? visit(CandidateOf(*std::move(sheet), selection.film->name))
+                     : Result<void>(sheet.GetError());
+    }
     Result<SceneSession> session = OpenGolden(selection);
     if (!session)
     {
@@ -123,7 +129,7 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
             continue;
         }
         const Result<GoldenCandidate> candidate =
-            CandidateOf(SceneSlug(selection.scene->name) + "/" + moment.name, *session,
+            CandidateAt(SceneSlug(selection.scene->name) + "/" + moment.name, *session,
                         std::move(trace), renderer);
         if (!candidate)
         {

@@ -4,6 +4,7 @@
 #include "SceneSearch.h"
 
 #include <debugdraw/Result.h>
+#include <golden/ContactSheet.h>
 #include <golden/ReferenceStore.h>
 #include <render/Renderer.h>
 
@@ -25,18 +26,27 @@ inline constexpr int kGoldenHeight = 270; // [px]
 /// A renderer for those pictures.
 Result<Renderer> CreateGoldenRenderer(Backend backend = Backend::Auto);
 
-/// What is asked for: a scene at all its moments, or at one.
+/// A film instead of a scene: its contact sheet has the reference of that name.
+struct GoldenFilm
+{
+    std::filesystem::path path;
+    std::string name;
+    ContactSheetSettings sheet;
+};
+
+/// What is asked for: a scene at all its moments, or at one, or a film.
 struct GoldenSelection
 {
     const SceneEntry* scene = nullptr;
-    std::string moment; ///< such as "2s"; empty: all
+    std::string moment{}; ///< such as "2s"; empty: all
+    std::optional<GoldenFilm> film{};
 };
 
 /// "pyramid" or "pyramid/2s"; an Error (Unusable) for a scene or a moment that is not there.
 Result<GoldenSelection> SelectGolden(const std::string& name);
 
 /// Simulates the scene and hands over the candidates "pyramid/0.5s", "pyramid/2s", "pyramid/5s" in
-/// turn, or the selected one.
+/// turn, or the selected one; of a film its sheet.
 Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,
                                 const std::function<Result<void>(const GoldenCandidate&)>& visit);
 

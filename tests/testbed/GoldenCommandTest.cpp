@@ -183,6 +183,39 @@ TEST_F(GoldenCommand, LeavesOutBodies)
     EXPECT_THAT(beyond.errors, HasSubstr("there is no body 99, the last is 38"));
 }
 
+TEST_F(GoldenCommand, ComparesFilmsByTheirContactSheets)
+{
+    const auto record = [&](const char* film, const char* seed, const char* fps) {
+        EXPECT_EQ(RunBoxreel({"record", "tumbler", "-o", film, "--seconds", "2", "--size", "160x90",
+                              "--quality", "lossless", "--seed", seed, "--fps", fps},
+                             folder.Path())
+                      .code,
+                  0);
+    };
+    record("a.mkv", "1", "60");
+    const Outcome missing =
+        Run({"verify", "--film", "a.mkv", "--references", ".", "--output", "o"});
+    EXPECT_EQ(missing.code, 2);
+    EXPECT_THAT(missing.output, HasSubstr("run `boxreel golden accept films/a --film FILE`"));
+    ASSERT_EQ(RunIn({"accept", "--film", "a.mkv"}).code, 0);
+    EXPECT_EQ(RunIn({"verify", "--film", "a.mkv"}).code, 0);
+    record("b.mkv", "1", "30");
+    EXPECT_EQ(RunIn({"verify", "films/a", "--film", "b.mkv"}).code, 0)
+        << "other frames, the same steps";
+    EXPECT_EQ(RunIn({"verify", "films/a", "--film", "b.mkv", "--every", "15"}).code, 2);
+    ASSERT_EQ(RunBoxreel({"record", "tumbler", "-o", "c.mkv", "--seconds", "2", "--size", "160x90",
+                          "--quality", "lossless", "--hz", "120", "--speed", "2"},
+                         folder.Path())
+                  .code,
+              0);
+    const Outcome faster = RunIn({"verify", "films/a", "--film", "c.mkv"});
+    EXPECT_EQ(faster.code, 2);
+    EXPECT_THAT(faster.output, HasSubstr("FAIL  films/a: other pixels: from step 30 on: "));
+    ExpectRefusal({"verify", "a", "b", "--film", "a.mkv"}, "One film has one name");
+    ExpectRefusal({"verify", "--every", "3"}, "--every requires --film");
+    ExpectRefusal({"verify", "--film", "a.mkv", "--against", "x"}, "leave out --against");
+}
+
 TEST_F(GoldenCommand, PrintsAStateAndTheStepsToIt)
 {
     const Outcome state = Run({"state", "bridge", "--step", "60"});
