@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Lanes.h"
+
 #include <cstdint>
 
 /// Colours in OKLab, the space in which equal distances look about equally different. Used by the
@@ -25,5 +27,12 @@ double Distance(const OkLab& p, const OkLab& q);
 /// Of two premultiplied RGBA pixels: laid on black and laid on white, the larger distance counts,
 /// so that a change of opacity alone is seen too.
 double PixelDistance(const std::uint8_t* p, const std::uint8_t* q);
+
+/// PixelDistance of four pairs at once, the bytes of pixels as they lie in memory, up to kNearly:
+/// enough to see that a pair is far from a limit.
+Floats NearlyPixelDistance(Words p, Words q);
+
+/// The distances of single floats add up to 1e-4 at most (a test tries every colour); twice that.
+inline constexpr float kNearly = 2e-4f;
 
 } // namespace boxreel
