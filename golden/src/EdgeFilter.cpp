@@ -19,22 +19,27 @@ namespace
 constexpr float kOffMargin = 0.7f;    // [steps of a channel]
 constexpr float kMovedMargin = 1e-5f; // a share
 
-using Channels = std::array<Floats, 4>;
+// Red with blue and green with alpha, 16 bits each: of four pixels, or differences of such.
+struct Channels
+{
+    Masks redBlue;
+    Masks greenAlpha;
+};
 
 Channels Split(Words pixels)
 {
-    return {ToFloats(pixels & 255u), ToFloats(pixels >> 8 & 255u), ToFloats(pixels >> 16 & 255u),
-            ToFloats(pixels >> 24)};
+    return {std::bit_cast<Masks>(pixels & 0x00ff00ffu),
+            std::bit_cast<Masks>(pixels >> 8 & 0x00ff00ffu)};
 }
 
-Floats Dot(const Channels& a, const Channels& b)
+Masks Dot(const Channels& a, const Channels& b)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+    return PairDot(a.redBlue, b.redBlue) + PairDot(a.greenAlpha, b.greenAlpha);
 }
 
 Channels Minus(const Channels& a, const Channels& b)
 {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
+    return {PairMinus(a.redBlue, b.redBlue), PairMinus(a.greenAlpha, b.greenAlpha)};
 }
 
 Words Load(const std::uint8_t* pixels)
@@ -45,39 +50,51 @@ Words Load(const std::uint8_t* pixels)
 }
 
 // Of four pixels that stand in a row, the nine around each, in the order in which EdgeExplains
-// looks at them.
+// looks at them: the middle one first.
 struct Around
 {
-    std::array<Channels, 9> pixels;
+    std::array<Words, 9> pixels;
+    std::array<Channels, 9> channels;
+
+    void Set(std::size_t index, Words words)
+    {
+        pixels[index] = words;
+        channels[index] = Split(words);
+    }
+
+    // The first of those that are farthest from `from`.
+    Words Farthest(Words from) const
+    {
+        const Channels origin = Split(from);
+        Words farthest = from;
+        Masks largest{};
+        for (std::size_t i = 0; i < 9; ++i)
+        {
+            const Channels difference = Minus(channels[i], origin);
+            const Masks squared = Dot(difference, difference);
+            const Masks isFarther = squared > largest;
+            farthest = isFarther ? pixels[i] : farthest;
+            largest = isFarther ? squared : largest;
+        }
+        return farthest;
+    }
 };
 
-// The first of those that are farthest from `from`.
-Channels Farthest(const Around& around, const Channels& from)
+// The two ends of the blends that each pixel may be, as EdgeExplains finds them.
+struct Blends
 {
-    Channels farthest = from;
-    Floats largest = Splat(0.0f);
-    for (const Channels& pixel : around.pixels)
-    {
-        const Channels difference = Minus(pixel, from);
-        const Floats squared = Dot(difference, difference);
-        const Masks isFarther = squared > largest;
-        largest = isFarther ? squared : largest;
-        for (std::size_t c = 0; c < 4; ++c)
-        {
-            farthest[c] = isFarther ? pixel[c] : farthest[c];
-        }
-    }
-    return farthest;
-}
+    Channels one;
+    Channels span;
+    Floats spanSquared;
 
-// The largest square of the distance from the line through `one` along `span`.
-Floats OffSquared(const Channels& pixel, const Channels& one, const Channels& span,
-                  Floats spanSquared)
-{
-    const Channels d = Minus(pixel, one);
-    const Floats along = Dot(d, span);
-    return Dot(d, d) - along * along / spanSquared;
-}
+    // The square of the distance from the line through both.
+    Floats OffSquared(const Channels& pixel) const
+    {
+        const Channels d = Minus(pixel, one);
+        const Floats along = ToFloats(Dot(d, span));
+        return Larger(ToFloats(Dot(d, d)) - along * along / spanSquared, Splat(0.0f));
+    }
+};
 
 // What EdgeExplains says of each of four pixels, where rounding cannot matter.
 struct Answers
@@ -86,39 +103,48 @@ struct Answers
     Masks isSo;  // certainly
 };
 
+// Whether the colour is a blend of what is there. `answers` are those to the other question.
+void JudgeOff(const Around& around, const Blends& blends, const Channels& color, float steps,
+              Answers& answers)
+{
+    const Floats off = blends.OffSquared(color);
+    const float close = std::max(steps - kOffMargin, 0.0f);
+    const Masks isClose = off < close * close;
+    if (!Any(answers.mayBe & ~isClose))
+    {
+        return;
+    }
+    Floats thick = Splat(0.0f);
+    for (const Channels& pixel : around.channels)
+    {
+        thick = Larger(thick, blends.OffSquared(pixel));
+    }
+    const Floats excess = Root(off) - Root(thick) - steps;
+    answers.mayBe &= excess <= kOffMargin;
+    answers.isSo &= isClose | (excess < -kOffMargin);
+}
+
 // `steps`, `shift`: as EdgeExplains has them.
 Answers Judge(const Around& around, Words actual, Masks isOver, float steps, float shift)
 {
-    const Channels one = Farthest(around, around.pixels[0]);
-    const Channels span = Minus(Farthest(around, one), one);
-    const Floats spanSquared = Dot(span, span);
+    const Words first = around.Farthest(around.pixels[0]);
+    const Channels one = Split(first);
+    const Channels span = Minus(Split(around.Farthest(first)), one);
+    const Floats spanSquared = ToFloats(Dot(span, span));
     const Channels color = Split(actual);
     // |moved| <= 2 shift + steps / |span|, times |span|^2, and squared without its first part.
-    const Floats along = Magnitude(Dot(Minus(color, around.pixels[0]), span));
-    const Floats beyond = along - Splat(2.0f * shift) * spanSquared;
-    const Floats margin = Splat(kMovedMargin) * (along + spanSquared);
-    const Floats allowed = Splat(steps * steps) * spanSquared;
+    const Floats along = Magnitude(ToFloats(Dot(Minus(color, around.channels[0]), span)));
+    const Floats beyond = along - 2.0f * shift * spanSquared;
+    const Floats margin = kMovedMargin * (along + spanSquared);
+    const Floats allowed = steps * steps * spanSquared;
     const Floats most = beyond + margin, least = beyond - margin;
-    Answers answers;
+    Answers answers{};
     answers.mayBe =
         isOver & (spanSquared > 0.0f) & ((least <= 0.0f) | (least * least <= allowed * 1.00001f));
-    answers.isSo = answers.mayBe & ((most < 0.0f) | (most * most < allowed * 0.99999f));
-    if (!Any(answers.mayBe))
+    if (Any(answers.mayBe))
     {
-        return answers;
-    }
-    const Floats divisor = Larger(spanSquared, Splat(1.0f));
-    Floats thick = Splat(0.0f);
-    for (const Channels& pixel : around.pixels)
-    {
-        thick = Larger(thick, OffSquared(pixel, one, span, divisor));
-    }
-    const Floats off = Larger(OffSquared(color, one, span, divisor), Splat(0.0f));
-    for (int i = 0; i < kLanes; ++i)
-    {
-        const float excess = std::sqrt(off[i]) - std::sqrt(thick[i]) - steps;
-        answers.mayBe[i] &= -std::int32_t(excess <= kOffMargin);
-        answers.isSo[i] &= -std::int32_t(excess < -kOffMargin);
+        answers.isSo = answers.mayBe & ((most < 0.0f) | (most * most < allowed * 0.99999f));
+        JudgeOff(around, {one, span, Larger(spanSquared, Splat(1.0f))}, color, steps, answers);
     }
     return answers;
 }
@@ -167,13 +193,13 @@ private:
 Around Split(const ThreeRows& rows)
 {
     Around around;
-    around.pixels[0] = Split(rows.At(1, 1));
+    around.Set(0, rows.At(1, 1));
     std::size_t count = 1;
     for (int i = 0; i < 9; ++i)
     {
         if (i != 4)
         {
-            around.pixels[count++] = Split(rows.At(i / 3, i % 3));
+            around.Set(count++, rows.At(i / 3, i % 3));
         }
     }
     return around;
@@ -195,10 +221,10 @@ bool IsFlat(const Frame& frame, int x, int y, int count)
 
 } // namespace
 
-std::int64_t ExcuseEdges(const Frame& expected, const Frame& actual, int y, int begin, int end,
-                         double tolerance, double shift, Mark* row)
+int ExcuseEdges(const Frame& expected, const Frame& actual, int y, int begin, int end,
+                double tolerance, double shift, Mark* row)
 {
-    std::int64_t excused = 0;
+    int excused = 0;
     const float steps = float(255.0 * std::sqrt(3.0) * tolerance);
     constexpr int kRun = 32; // flat areas are wide
     for (int x = begin; x < end; x += kLanes)

@@ -19,7 +19,7 @@ bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actua
 
 /// Of a row's marks over the tolerance from `begin` to end - 1, those that EdgeExplains become
 /// Within; returns how many.
-std::int64_t ExcuseEdges(const Frame& expected, const Frame& actual, int y, int begin, int end,
-                         double tolerance, double shift, Mark* row);
+int ExcuseEdges(const Frame& expected, const Frame& actual, int y, int begin, int end,
+                double tolerance, double shift, Mark* row);
 
 } // namespace boxreel

@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 /// Four numbers at once, by the vector types that gcc and clang share: every processor of theirs
 /// has such operations, and at any level of optimisation they are used. For the filters of the
@@ -21,9 +24,9 @@ inline Floats Splat(float value)
     return Floats{value, value, value, value};
 }
 
-inline Floats ToFloats(Words small) ///< below 2^31
+inline Floats ToFloats(Masks whole)
 {
-    return __builtin_convertvector(std::bit_cast<Masks>(small), Floats);
+    return __builtin_convertvector(whole, Floats);
 }
 
 inline Floats Larger(Floats a, Floats b)
@@ -39,6 +42,25 @@ inline Floats Magnitude(Floats a)
 inline Floats Root(Floats a)
 {
     return Floats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+
+/// Of signed 16-bit halves: the products of the lower ones and of the upper ones, added. Halves
+/// between -256 and 256.
+inline Masks PairDot(Masks a, Masks b)
+{
+#ifdef __SSE2__
+    return std::bit_cast<Masks>(
+        _mm_madd_epi16(std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(b)));
+#else
+    return (a << 16 >> 16) * (b << 16 >> 16) + (a >> 16) * (b >> 16);
+#endif
+}
+
+/// Of 16-bit halves, each for itself.
+inline Masks PairMinus(Masks a, Masks b)
+{
+    using Halves = std::int16_t __attribute__((vector_size(16)));
+    return std::bit_cast<Masks>(std::bit_cast<Halves>(a) - std::bit_cast<Halves>(b));
 }
 
 inline bool Any(Masks mask)

@@ -97,7 +97,7 @@ constexpr ConeShares kConeShares = MakeConeShares();
 // smallest), and one step leaves 3e-5.
 Floats NearlyCubeRoot(Floats x)
 {
-    const Floats bits = ToFloats(std::bit_cast<Words>(x));
+    const Floats bits = ToFloats(std::bit_cast<Masks>(x));
     const Floats guess = bits * (1.0f / 3.0f) + 709965728.0f;
     const Floats r = std::bit_cast<Floats>(__builtin_convertvector(guess, Masks));
     const Floats r3 = r * r * r;

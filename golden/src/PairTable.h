@@ -19,26 +19,20 @@ class PairTable
 public:
     explicit PairTable(double tolerance) : m_tolerance(tolerance) {}
 
-    enum class Answer
-    {
-        Within,
-        Over,
-        Unknown,
-    };
-
-    /// Of two different pixels, their bytes as they lie in memory.
-    Answer Find(std::uint32_t p, std::uint32_t q) const
+    /// Of two different pixels, their bytes as they lie in memory: 1 over, 0 not, larger when the
+    /// pair is new. `entries` are a table's.
+    static std::uint64_t Find(const std::uint64_t* entries, std::uint32_t p, std::uint32_t q)
     {
         const std::uint64_t product = Product(p, q);
-        const std::uint64_t rest = m_entries[product >> (64 - kBits)] ^ product << kBits;
-        return (rest | 1) == (kKnown | 1) ? Answer(rest & 1) : Answer::Unknown;
+        return entries[product >> (64 - kBits)] ^ product << kBits;
     }
+    const std::uint64_t* Entries() const { return m_entries.data(); }
 
     /// Finds out, and remembers it.
     bool IsOver(std::uint32_t p, std::uint32_t q)
     {
-        const Answer answer = Find(p, q);
-        return answer == Answer::Unknown ? Keep(p, q, Compute(p, q)) : answer == Answer::Over;
+        const std::uint64_t answer = Find(Entries(), p, q);
+        return answer > 1 ? Keep(p, q, Compute(p, q)) : answer == 1;
     }
 
     /// The same for four. `count` of them are meant.
@@ -47,8 +41,9 @@ public:
     double LargestDistance() const { return m_largest; } ///< of all pairs asked for
 
 private:
-    static constexpr int kBits = 14;           ///< 128 kB: fits the second cache
-    static constexpr std::uint64_t kKnown = 2; ///< beside bit 0, which says whether it is over
+    static constexpr int kBits = 15; ///< 128 kB: fits the second cache
+    /// Of an entry's low bits only bit 0 is used, which says whether the pair is over.
+    static constexpr std::uint64_t kNone = 2;
 
     // Times an odd number (2^64 over the golden ratio) is one-to-one and mixes: the top bits choose
     // an entry, and the others, kept in it, tell whose it is.
@@ -60,7 +55,7 @@ private:
     bool Keep(std::uint32_t p, std::uint32_t q, bool isOver)
     {
         const std::uint64_t product = Product(p, q);
-        m_entries[product >> (64 - kBits)] = product << kBits | kKnown | std::uint64_t(isOver);
+        m_entries[product >> (64 - kBits)] = product << kBits | std::uint64_t(isOver);
         return isOver;
     }
 
@@ -76,7 +71,8 @@ private:
 
     double m_tolerance;
     double m_largest = 0.0;
-    std::vector<std::uint64_t> m_entries = std::vector<std::uint64_t>(std::size_t(1) << kBits);
+    std::vector<std::uint64_t> m_entries =
+        std::vector<std::uint64_t>(std::size_t(1) << kBits, kNone);
 };
 
 inline std::array<bool, kLanes> PairTable::AreOver(Words p, Words q, int count)

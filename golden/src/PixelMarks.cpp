@@ -5,7 +5,9 @@
 #include "PairTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace boxreel
@@ -49,22 +51,28 @@ public:
         m_row = m_marks.Row(y);
         m_first = m_marks.width;
         m_last = -1;
+        m_inRow = m_overInRow = 0;
         if (common > 0)
         {
             const std::uint8_t* p = m_expected.Pixel(0, y);
             const std::uint8_t* q = m_actual.Pixel(0, y);
             m_first = 0;
             m_last = common - 1;
-            for (; m_last >= 0 && Word(p + 4 * m_last) == Word(q + 4 * m_last); --m_last)
-            {}
-            for (; m_first < m_last && Word(p + 4 * m_first) == Word(q + 4 * m_first); ++m_first)
-            {}
-            MarkCommon(p, q, m_last + 1);
-            if (m_settings.edgeShift > 0.0 && m_last >= 0)
+            while (m_last >= 0 && Word(p + 4 * m_last) == Word(q + 4 * m_last))
             {
-                m_result.excusedAtEdges +=
-                    ExcuseEdges(m_expected, m_actual, y, m_first, m_last + 1, m_settings.tolerance,
-                                m_settings.edgeShift, m_row);
+                --m_last;
+            }
+            while (m_first < m_last && Word(p + 4 * m_first) == Word(q + 4 * m_first))
+            {
+                ++m_first;
+            }
+            MarkCommon(p, q, m_last + 1);
+            if (m_settings.edgeShift > 0.0 && m_overInRow > 0)
+            {
+                const int excused = ExcuseEdges(m_expected, m_actual, y, m_first, m_last + 1,
+                                                m_settings.tolerance, m_settings.edgeShift, m_row);
+                m_result.excusedAtEdges += excused;
+                m_overInRow -= excused;
             }
         }
         if (common < m_marks.width)
@@ -77,9 +85,11 @@ public:
             if (m_row[x] != Mark::Ignored)
             {
                 m_row[x] = Mark::Over;
+                ++m_inRow;
+                ++m_overInRow;
             }
         }
-        if (m_last >= 0)
+        if (m_inRow > 0)
         {
             CloseRow(y);
         }
@@ -107,6 +117,7 @@ private:
             }
         }
         MarkEach(p, q, begin, count);
+        MarkNew(p, q);
     }
 
     // Fills that differ as a whole: `count` pixels of one colour, in either picture, at once. False
@@ -114,73 +125,82 @@ private:
     bool MarkUniform(const std::uint8_t* p, const std::uint8_t* q, int x, int count)
     {
         const std::size_t allButOne = std::size_t(count - 1) * 4;
-        if (m_hasIgnored || std::memcmp(q, q + 4, allButOne) != 0 ||
+        if (Word(q) != Word(q + 4) || m_hasIgnored || std::memcmp(q, q + 4, allButOne) != 0 ||
             std::memcmp(p, p + 4, allButOne) != 0)
         {
             return false;
         }
-        std::fill(m_row + x, m_row + x + count,
-                  m_pairs.IsOver(Word(p), Word(q)) ? Mark::Over : Mark::Within);
+        const bool isOver = m_pairs.IsOver(Word(p), Word(q));
+        std::fill(m_row + x, m_row + x + count, isOver ? Mark::Over : Mark::Within);
+        m_inRow += count;
+        m_overInRow += isOver ? count : 0;
         return true;
     }
 
+    // Members are read once, since a mark may be a part of any of them as far as the compiler
+    // knows.
     void MarkEach(const std::uint8_t* p, const std::uint8_t* q, int x, int end)
     {
         static_assert(int(Mark::Over) == int(Mark::Within) + 1);
         Mark* const row = m_row;
-        int unknown[kLanes];
-        int count = 0;
+        const std::uint64_t* const entries = m_pairs.Entries();
+        const bool hasIgnored = m_hasIgnored;
+        int different = 0, over = 0;
         for (; x < end; ++x)
         {
             const std::uint32_t a = Word(p + 4 * x), b = Word(q + 4 * x);
-            if (a == b || row[x] == Mark::Ignored)
+            if (a == b || (hasIgnored && row[x] == Mark::Ignored))
             {
                 continue;
             }
-            const PairTable::Answer answer = m_pairs.Find(a, b);
-            row[x] = Mark(int(Mark::Within) + int(answer));
-            if (answer == PairTable::Answer::Unknown)
+            ++different;
+            const std::uint64_t answer = PairTable::Find(entries, a, b);
+            if (answer <= 1)
             {
-                unknown[count++] = x;
-                if (count == kLanes)
-                {
-                    MarkNew(p, q, unknown, count);
-                    count = 0;
-                }
+                row[x] = Mark(int(Mark::Within) + int(answer));
+                over += int(answer);
+                continue;
+            }
+            m_new[std::size_t(m_newCount++)] = x;
+            if (m_newCount == kLanes)
+            {
+                MarkNew(p, q);
             }
         }
-        if (count > 0)
-        {
-            MarkNew(p, q, unknown, count);
-        }
+        m_inRow += different;
+        m_overInRow += over;
     }
 
-    void MarkNew(const std::uint8_t* p, const std::uint8_t* q, const int* columns, int count)
+    // Those whose pairs were not in the table, four together.
+    void MarkNew(const std::uint8_t* p, const std::uint8_t* q)
     {
+        if (m_newCount == 0)
+        {
+            return;
+        }
         Words a{}, b{};
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < m_newCount; ++i)
         {
-            a[i] = Word(p + 4 * columns[i]);
-            b[i] = Word(q + 4 * columns[i]);
+            a[i] = Word(p + 4 * m_new[std::size_t(i)]);
+            b[i] = Word(q + 4 * m_new[std::size_t(i)]);
         }
-        const std::array<bool, kLanes> areOver = m_pairs.AreOver(a, b, count);
-        for (int i = 0; i < count; ++i)
+        const std::array<bool, kLanes> areOver = m_pairs.AreOver(a, b, m_newCount);
+        for (int i = 0; i < m_newCount; ++i)
         {
-            m_row[columns[i]] = areOver[std::size_t(i)] ? Mark::Over : Mark::Within;
+            m_row[m_new[std::size_t(i)]] = areOver[std::size_t(i)] ? Mark::Over : Mark::Within;
+            m_overInRow += areOver[std::size_t(i)];
         }
+        m_newCount = 0;
     }
 
     void CloseRow(int y)
     {
-        Mark* const end = m_row + m_last + 1;
-        const std::int64_t within = std::count(m_row + m_first, end, Mark::Within);
-        const std::int64_t over = std::count(m_row + m_first, end, Mark::Over);
-        m_result.differentPixels += within + over;
-        m_result.overTolerance += over;
-        m_marks.overInRow[std::size_t(y)] = int(over);
+        m_result.differentPixels += m_inRow;
+        m_result.overTolerance += m_overInRow;
+        m_marks.overInRow[std::size_t(y)] = m_overInRow;
         m_marks.different.Include(m_first, y);
         m_marks.different.Include(m_last, y);
-        if (over == 0)
+        if (m_overInRow == 0)
         {
             return;
         }
@@ -209,6 +229,9 @@ private:
     // The row at hand, and where in it marks lie.
     Mark* m_row = nullptr;
     int m_first = 0, m_last = -1;
+    int m_inRow = 0, m_overInRow = 0;
+    std::array<int, kLanes> m_new{}; // columns
+    int m_newCount = 0;
 };
 
 } // namespace
