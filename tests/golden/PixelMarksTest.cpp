@@ -237,3 +237,23 @@ TEST(PixelMarks, AreThoseOfThePlainFunctionsWhenNoPairComesTwice)
     ExpectAsPlain(expected, actual, CompareSettings::CrossMachine());
     ExpectAsPlain(expected, actual, CompareSettings::SameMachine());
 }
+
+// A pair at the tolerance is within it, and over the next smaller number: no approximation may say
+// otherwise.
+TEST(PixelMarks, AreExactForAPairThatLiesOnTheLimit)
+{
+    std::mt19937 random(5);
+    for (int i = 0; i < 200; ++i)
+    {
+        const Frame expected = Blocks(random, 30, 20);
+        const Frame actual = Altered(random, expected, 0.0, 4);
+        CompareSettings settings;
+        for (int x = 0; x < 30; ++x)
+        {
+            settings.tolerance = PixelDistance(expected.Pixel(x, 7), actual.Pixel(x, 7));
+            ExpectAsPlain(expected, actual, settings);
+            settings.tolerance = std::nextafter(settings.tolerance, 0.0);
+            ExpectAsPlain(expected, actual, settings);
+        }
+    }
+}
