@@ -41,7 +41,7 @@ public:
     double LargestDistance() const { return m_largest; } ///< of all pairs asked for
 
 private:
-    static constexpr int kBits = 15; ///< 128 kB: fits the second cache
+    static constexpr int kBits = 15; ///< 256 kB: fits the second cache
     /// Of an entry's low bits only bit 0 is used, which says whether the pair is over.
     static constexpr std::uint64_t kNone = 2;
 
