@@ -6,7 +6,7 @@
 #include <cstdint>
 
 /// Whether what differs is scattered or stands together. Asked by Compare once all pixels are
-/// marked.
+/// marked. Tested by CompareTest, CompareWindows.
 namespace boxreel
 {
 

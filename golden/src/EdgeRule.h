@@ -17,6 +17,8 @@ namespace boxreel
 bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actual, double tolerance,
                   double shift);
 
+/// EdgeExplains for many pixels, by a filter that asks it only where rounding could matter. Tested
+/// by PixelMarksTest.
 /// Of a row's marks over the tolerance from `begin` to end - 1, those that EdgeExplains become
 /// Within; returns how many.
 int ExcuseEdges(const Frame& expected, const Frame& actual, int y, int begin, int end,

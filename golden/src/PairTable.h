@@ -11,6 +11,7 @@
 
 /// Which pairs of pixels are over the tolerance. Drawings have few colours, so the same pair comes
 /// again and again and is judged when it is new. Used by MarkDifferences, one for each comparison.
+/// Tested by PixelMarksTest.
 namespace boxreel
 {
 
