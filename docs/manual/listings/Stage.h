@@ -3,6 +3,7 @@
 
 #include <Box2D/Box2D.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -64,4 +65,37 @@ inline std::string PageText(const std::string& name)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+/// The part of a page below a heading, up to the next one of any level.
+inline std::string SectionText(const std::string& page, const std::string& heading)
+{
+    const std::string text = PageText(page);
+    const std::size_t start = text.find("\n" + heading + "\n");
+    return start == std::string::npos ? ""
+                                      : text.substr(start, text.find("\n#", start + 1) - start);
+}
+
+/// How a row of a table begins that says what a number of a definition is unless set.
+inline std::string Row(const char* name, double value)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, "| `%s` | %.6g", name, value);
+    return text;
+}
+
+inline std::string Row(const char* name, bool value)
+{
+    return std::string("| `") + name + "` | " + (value ? "true" : "false") + " |";
+}
+
+inline std::string Row(const char* name, const b2Vec2& value)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, "| `%s` | (%g, %g)", name, double(value.x), double(value.y));
+    return text;
+}
+
 } // namespace manual
+
+/// The page says of this field of a definition what it is unless set.
+#define EXPECT_DEFAULT(section, definition, field)                                                 \
+    EXPECT_THAT(section, testing::HasSubstr(manual::Row(#field, (definition).field)))
