@@ -78,7 +78,7 @@ inline std::string SectionText(const std::string& page, const std::string& headi
 inline std::string Row(const char* name, double value)
 {
     char text[64];
-    std::snprintf(text, sizeof text, "| `%s` | %.6g", name, value);
+    std::snprintf(text, sizeof text, "| `%s` | %.6g |", name, value);
     return text;
 }
 
@@ -90,7 +90,7 @@ inline std::string Row(const char* name, bool value)
 inline std::string Row(const char* name, const b2Vec2& value)
 {
     char text[64];
-    std::snprintf(text, sizeof text, "| `%s` | (%g, %g)", name, double(value.x), double(value.y));
+    std::snprintf(text, sizeof text, "| `%s` | (%g, %g) |", name, double(value.x), double(value.y));
     return text;
 }
 
