@@ -123,7 +123,8 @@ private:
             b2WorldManifold manifold;
             contact->GetWorldManifold(&manifold);
             const b2Vec2 away = isA ? manifold.normal : -manifold.normal;
-            if (away.y < 0.5f)
+            const b2Fixture* other = isA ? contact->GetFixtureB() : contact->GetFixtureA();
+            if (away.y < 0.5f || other->GetBody()->GetLinearVelocity().y > 0.5f)
             {
                 contact->SetEnabled(false); // until the next step, which asks again
             }
