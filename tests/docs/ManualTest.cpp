@@ -226,6 +226,36 @@ TEST(Manual, LeadsOnlyToWhatExists)
     EXPECT_GT(targets, 20u);
 }
 
+/// The lines of a page that show a picture, as the page of the figures has them.
+std::set<std::string> PicturesOf(const fs::path& page)
+{
+    std::set<std::string> pictures;
+    for (std::string line : LinesOf(page))
+    {
+        const std::size_t folder = line.find("../figures/");
+        if (folder != std::string::npos)
+        {
+            line.erase(folder, std::string("../figures/").size());
+        }
+        if (line.starts_with("  <img "))
+        {
+            pictures.insert(line);
+        }
+    }
+    return pictures;
+}
+
+TEST(Manual, ShowsEveryFigureThatIsDrawnForItByTheSameWords)
+{
+    std::set<std::string> shown;
+    for (const std::string& chapter : Chapters())
+    {
+        shown.merge(PicturesOf(kPages / (chapter + ".md")));
+    }
+    EXPECT_EQ(shown, PicturesOf(kPages / "../figures/README.md"));
+    EXPECT_GT(shown.size(), 30u);
+}
+
 TEST(Manual, ListsEveryChapterOnItsFirstPage)
 {
     const std::vector<std::string> targets = TargetsOf(kPages / "README.md");
