@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The pages of docs/manual show nothing but what its listings compile and run, and lead nowhere
 // that does not exist. The listings test themselves.
-#include "../../docs/manual/listings/Stage.h"
-
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace fs = std::filesystem;
