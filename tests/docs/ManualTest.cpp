@@ -11,6 +11,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,17 @@ TEST(Manual, ShowsTheRegionsOfItsListingsAndNoOtherCode)
         }
     }
     EXPECT_GT(shown, 2u);
+}
+
+TEST(Manual, CompilesTheListingOfEveryChapter)
+{
+    std::istringstream compiled(BOXREEL_MANUAL_CHAPTERS);
+    std::set<std::string> chapters;
+    for (std::string chapter; compiled >> chapter;)
+    {
+        chapters.insert(chapter);
+    }
+    EXPECT_EQ(chapters, Chapters()) << "add it to tests/docs/CMakeLists.txt";
 }
 
 TEST(Manual, HasNoListingWithoutAChapter)

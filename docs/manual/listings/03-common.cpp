@@ -102,7 +102,7 @@ TEST(CommonListing, HasTheConstantsOfTheTable)
         {"b2_linearSleepTolerance", b2_linearSleepTolerance, " m/s"},
         {"b2_angularSleepTolerance", b2_angularSleepTolerance / degree, " degrees/s"},
     };
-    const std::string page = manual::PageText("03-common.md");
+    const std::string page = manual::SectionText("03-common.md", "## Constants");
     for (const Row& row : rows)
     {
         EXPECT_THAT(page, testing::HasSubstr(std::string("| `") + row.name + "` | " +
