@@ -32,6 +32,11 @@ public:
     /// difference and all three side by side.
     Result<void> Write(const Moment& expected, const Moment& actual, const Frame& difference) const;
 
+    Result<void> WriteVerdict(const VerdictRecord& record) const;
+
+    /// What the verdict is of has become the reference.
+    Result<void> NoteAccepted() const;
+
 private:
     explicit FailureFiles(std::string base) : m_base(std::move(base)) {}
     std::string m_base; // the output folder and the name

@@ -147,8 +147,10 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     }
     if (!options.report.empty())
     {
-        const GoldenReportOptions report{
-            .folders = {folders.output}, .output = options.report, .backend = options.backend};
+        GoldenReportOptions report;
+        report.folders = {folders.output};
+        report.output = options.report;
+        report.backend = options.backend;
         if (const Result<void> reported = WriteGoldenReport(report, names); !reported)
         {
             return reported.GetError();
