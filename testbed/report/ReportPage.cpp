@@ -83,6 +83,7 @@ std::string Png(const std::string& bytes)
 std::string StripJson(const FilmStrip& strip)
 {
     std::string text = "{\"note\":" + JsonText(strip.note) +
+                       ",\"earlier\":" + JsonText(strip.earlier) +
                        ",\"width\":" + std::to_string(strip.width) +
                        ",\"height\":" + std::to_string(strip.height) + ",\"pictures\":[";
     for (const FilmStrip::Picture& picture : strip.pictures)
@@ -136,6 +137,43 @@ Result<std::string> DataOf(const ReportedMoment& moment, const FilmStrip* strip)
     return text + (strip != nullptr ? ",\"strip\":" + StripJson(*strip) : "") + "}";
 }
 
+/// A verdict's clauses, which "; " parts outside of parentheses and quotes, without the name before
+/// them.
+std::vector<std::string> ClausesOf(const ReportedVerdict& verdict)
+{
+    std::string_view rest = verdict.message;
+    if (rest.starts_with(verdict.name + ": "))
+    {
+        rest.remove_prefix(verdict.name.size() + 2);
+    }
+    std::vector<std::string> clauses(1);
+    int depth = 0;
+    bool isQuoted = false;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+    {
+        isQuoted = isQuoted != (rest[i] == '"');
+        depth += isQuoted ? 0 : rest[i] == '(' ? 1 : rest[i] == ')' ? -1 : 0;
+        if (depth == 0 && !isQuoted && rest.substr(i).starts_with("; "))
+        {
+            clauses.emplace_back();
+            ++i;
+            continue;
+        }
+        clauses.back() += rest[i];
+    }
+    return clauses;
+}
+
+std::string Message(const ReportedVerdict& verdict)
+{
+    std::string text = "<ul class=\"message\">\n";
+    for (const std::string& clause : ClausesOf(verdict))
+    {
+        text += "<li>" + HtmlText(clause) + "</li>\n";
+    }
+    return text + "</ul>\n";
+}
+
 Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
 {
     const Result<std::string> data = DataOf(moment, strip);
@@ -145,11 +183,11 @@ Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
     }
     const ReportedVerdict& shown = moment.shown;
     const std::string name = HtmlText(shown.name);
-    std::string text =
-        "<article class=\"moment\" id=\"" + name + "\" tabindex=\"-1\" data-status=\"" +
-        shown.status + "\" data-name=\"" + name + "\">\n<h2><a href=\"#" + name + "\">" + name +
-        "</a> <span class=\"badge " + shown.status + "\">" + HtmlText(LabelOf(shown.status)) +
-        "</span></h2>\n<p class=\"message\">" + HtmlText(shown.message) + "</p>\n";
+    std::string text = "<article class=\"moment\" id=\"" + name +
+                       "\" tabindex=\"-1\" data-status=\"" + shown.status + "\" data-name=\"" +
+                       name + "\">\n<h2><a href=\"#" + name + "\">" + name +
+                       "</a> <span class=\"badge " + shown.status + "\">" +
+                       HtmlText(LabelOf(shown.status)) + "</span></h2>\n" + Message(shown);
     if (shown.status == "missing")
     {
         text += "<p>If the picture is right, accept it: <code>boxreel golden accept " + name +
@@ -223,8 +261,9 @@ std::string Passed(const std::vector<ReportedMoment>& moments)
     }
     return number == 0
                ? ""
-               : "<details id=\"passed\" data-status=\"same\"><summary>" + Count(number, "moment") +
-                     " as approved</summary>\n<ul>\n" + list + "</ul>\n</details>\n";
+               : "<details id=\"passed\"" + std::string(number == moments.size() ? " open" : "") +
+                     "><summary>" + Count(number, "moment") + " as approved</summary>\n<ul>\n" +
+                     list + "</ul>\n</details>\n";
 }
 
 /// The template with each {{word}} replaced, once: what is put in is not looked at again.

@@ -28,7 +28,8 @@ struct FilmStrip
     };
     int width = 0, height = 0; ///< of each picture [px]
     std::vector<Picture> pictures;
-    std::string note; ///< why there are none
+    std::string note;    ///< why there are none
+    std::string earlier; ///< the moment of the same scene that shows where they parted; empty: this
 };
 
 /// `strips`: by the names of moments.

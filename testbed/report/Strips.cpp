@@ -300,8 +300,8 @@ Result<std::map<std::string, FilmStrip>> MakeStrips(const std::vector<ReportedMo
         const auto& [firstStep, name] = earliest.at(sceneOf(verdict.name));
         if (name != verdict.name)
         {
-            strips[verdict.name].note = "These worlds had parted before: step " +
-                                        std::to_string(firstStep) + ", see " + name + ".";
+            strips[verdict.name].note = "step " + std::to_string(firstStep);
+            strips[verdict.name].earlier = name;
             continue;
         }
         Result<FilmStrip> strip = maker.Make(*selection, verdict, *verdict.lastStep);

@@ -374,6 +374,10 @@ function divergence(data) {
     return status !== "state" ? "" : make("p", {class: "message"},
       "The steps on the way here were not kept, so nothing is known of when the worlds parted; Bodies says by how much each is off now.");
   }
+  if (strip && strip.earlier) {
+    return make("section", {class: "divergence"}, make("h3", {}, `First divergence: before this moment, at ${strip.note}: `,
+      make("a", {href: `#${strip.earlier}`}, strip.earlier)));
+  }
   const who = firstBodies.length === 0 ? "" : firstBodies.length === 1 ? `, body ${firstBodies[0]}`
     : `, bodies ${firstBodies.slice(0, 8).join(", ")}${firstBodies.length > 8 ? "\u2026" : ""}`;
   const box = make("section", {class: "divergence"},
@@ -390,7 +394,8 @@ function divergence(data) {
           width: strip.width, height: strip.height, decoding: "async"}));
         if (row !== "close-up" && shot.mark.length === 4) {
           const [x, y, width, height] = shot.mark;
-          frame.append(make("i", {style: `left:${x}px;top:${y}px;width:${width}px;height:${height}px`}));
+          const across = pixels => `${pixels / strip.width * 100}%`, down = pixels => `${pixels / strip.height * 100}%`;
+          frame.append(make("i", {style: `left:${across(x)};top:${down(y)};width:${across(width)};height:${down(height)}`}));
         }
         return frame;
       })));
