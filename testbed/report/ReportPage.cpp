@@ -65,9 +65,10 @@ Result<std::string> ReadIfThere(const fs::path& path)
     {
         return std::string();
     }
+    const bool isFile = fs::is_regular_file(path, code);
     std::ifstream in(path, std::ios::binary);
-    std::string bytes(std::istreambuf_iterator<char>(in), {});
-    if (!in.is_open() || in.bad())
+    std::string bytes = isFile && in ? std::string(std::istreambuf_iterator<char>(in), {}) : "";
+    if (!isFile || !in)
     {
         return Error{ErrorKind::Unusable,
                      "'" + path.string() + "' cannot be read; make it readable."};
