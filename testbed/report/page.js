@@ -353,7 +353,7 @@ function viewBodies(data, card) {
 }
 
 const kViews = [
-  {id: "three", label: "Side by side", key: "a", needs: d => d.actualPicture || d.expectedPicture, make: viewThree},
+  {id: "three", label: "Side by side", key: "a", needs: d => d.actualPicture && d.expectedPicture, make: viewThree},
   {id: "expected", label: "Expected", needs: d => d.expectedPicture, make: d => figure(d, "expected")},
   {id: "actual", label: "Actual", needs: d => d.actualPicture, make: d => figure(d, "actual")},
   {id: "difference", label: "Difference", key: "d", needs: d => d.differencePicture, make: d => figure(d, "difference",
@@ -475,6 +475,7 @@ function filter() {
     passed.hidden = !on.has("same");
     for (const item of $$("li", passed)) item.hidden = !fits(item.dataset.name);
   }
+  openSeen();
   $("#shown").textContent = cards.length === 0 ? "" : `${number} of ${cards.length} shown`;
 }
 
@@ -506,10 +507,21 @@ document.addEventListener("keydown", event => {
   if (card) choose(card, view.id);
 });
 
-const watcher = new IntersectionObserver(entries => {
-  for (const entry of entries.filter(e => e.isIntersecting)) { open(entry.target); watcher.unobserve(entry.target); }
-}, {rootMargin: "600px"});
-cards.forEach(card => watcher.observe(card));
+// Cards in the window, and a little below it.
+function openSeen() {
+  for (const card of cards.filter(c => !c.hidden)) {
+    const place = card.getBoundingClientRect();
+    if (place.top > innerHeight + 400) break;
+    if (place.bottom > 0) open(card);
+  }
+}
+let isWaiting = false;
+for (const event of ["scroll", "resize"]) {
+  addEventListener(event, () => {
+    if (!isWaiting) requestAnimationFrame(() => { isWaiting = false; openSeen(); });
+    isWaiting = true;
+  }, {passive: true});
+}
 addEventListener("beforeprint", () => cards.filter(card => !card.hidden).forEach(open));
 if (cards.length === 0) { $("#filter").placeholder = "Filter names"; $$("#keys, nav label").forEach(e => { e.hidden = true; }); }
 filter();

@@ -246,7 +246,7 @@ TEST(CommandLine, WhatIsMissingIsNamed)
     EXPECT_THAT(Refusal("shot pyramid --at 3s"), HasSubstr("-o picture.png"));
     EXPECT_THAT(Refusal("diff a.png"), HasSubstr("Name two pictures"));
     EXPECT_EQ(Refusal("golden"),
-              "Say what to do: verify, accept, state; `boxreel golden --help` tells more.");
+              "Say what to do: verify, accept, report, state; `boxreel golden --help` tells more.");
     EXPECT_EQ(Refusal("record pyramid -o"), "--output needs a value.");
     EXPECT_THAT(Refusal("completion"), HasSubstr("`boxreel completion bash`; zsh"));
     EXPECT_EQ(Refusal("record pyramid --seed="), "--seed needs a value.");

@@ -47,11 +47,12 @@ try {
   check("and moves it where it is", Math.abs(range.value - 75) <= 0.5 && clip().includes("75%"), clip());
 
   moved.querySelector("h2 a").focus();
-  press("j"); // to the first
-  check("j goes to the first", document.activeElement === gone, document.activeElement.id);
+  press("k");
+  press("k"); // there is none before the first
+  check("k ends at the first", document.activeElement === gone, document.activeElement.id);
   press("j");
   press("j");
-  press("j"); // there is none behind the last
+  press("j"); // nor behind the last
   check("j ends at the last", document.activeElement === painted, document.activeElement.id);
   press("k");
   check("k goes back", document.activeElement === moved, document.activeElement.id);
@@ -73,7 +74,7 @@ try {
   check("and what they share", path("same").getTotalLength() > 1);
   const inks = ["same", "expected", "actual"].map(side => getComputedStyle(path(side)).stroke);
   check("in three colours", new Set(inks).size === 3, inks.join());
-  check("one of them dashed", getComputedStyle(path("expected")).strokeDasharray !== "none");
+  check("one of them dashed", getComputedStyle(path("actual")).strokeDasharray !== "none");
   const whole = svg.getAttribute("viewBox");
   [...moved.querySelectorAll(".controls button")].find(button => button.textContent === "What differs").click();
   check("the overlay zooms to what differs", Number(svg.getAttribute("viewBox").split(" ")[2]) < Number(whole.split(" ")[2]) / 2);
