@@ -93,11 +93,9 @@ std::string ExplainState(const Moment& expected, const Moment& actual,
         text.append(" ").append(Describe(*differences.onTheWay));
     }
     text.append(" (state " + *actual.state + " instead of " + *expected.state);
-    if (!expected.bodies.bodies.empty() && !actual.bodies.bodies.empty())
-    {
-        text += "; now " + DescribeDifference(expected.bodies, actual.bodies);
-    }
-    return text + ")";
+    const bool areKept = !expected.bodies.bodies.empty() && !actual.bodies.bodies.empty();
+    const std::string now = areKept ? DescribeDifference(expected.bodies, actual.bodies) : "";
+    return text + (now.empty() ? ")" : "; now " + now + ")");
 }
 
 // What differs first, then what became of the depths below it.

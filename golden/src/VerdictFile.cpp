@@ -156,6 +156,7 @@ std::string ToJson(const VerdictRecord& record)
         const std::vector<TraceStep>& steps = candidate.trace.steps;
         if (!steps.empty())
         {
+            object.Add("since", Text(steps.front().step)); // the first that was compared
             object.Add("step", Text(steps.back().step));
         }
         for (const TraceStep& step : steps)

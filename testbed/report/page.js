@@ -120,7 +120,21 @@ function differentLines(before, after) {
     if (goesDown) { rows.push([begin + i + 1, a[begin + i], 0, null]); ++i; }
     else { rows.push([0, null, begin + j + 1, b[begin + j]]); ++j; }
   }
-  return rows;
+  return paired(rows);
+}
+
+// Lines that went and lines that came at one place stand in for each other as well.
+function paired(rows) {
+  const pairs = [];
+  for (let i = 0; i < rows.length;) {
+    const gone = [], come = [];
+    while (i < rows.length && rows[i][1] !== null && (gone.length === 0 || rows[i][0] === gone.at(-1)[0] + 1)) gone.push(rows[i++]);
+    while (i < rows.length && rows[i][3] !== null && (come.length === 0 || rows[i][2] === come.at(-1)[2] + 1)) come.push(rows[i++]);
+    for (let k = 0; k < Math.max(gone.length, come.length); ++k) {
+      pairs.push([...(gone[k] || [0, null]).slice(0, 2), ...(come[k] || [0, null, 0, null]).slice(2)]);
+    }
+  }
+  return pairs;
 }
 
 // A line with the words that the other does not have at their place marked.
@@ -368,7 +382,7 @@ const kViews = [
 // ------------------------------------------------------------------------------------------- first divergence
 
 function divergence(data) {
-  const {firstStep, firstBodies = [], step, status} = data.verdict;
+  const {firstStep, firstBodies = [], since, step, status} = data.verdict;
   const strip = data.strip;
   if (firstStep === undefined) {
     return status !== "state" ? "" : make("p", {class: "message"},
@@ -381,14 +395,16 @@ function divergence(data) {
   const who = firstBodies.length === 0 ? "" : firstBodies.length === 1 ? `, body ${firstBodies[0]}`
     : `, bodies ${firstBodies.slice(0, 8).join(", ")}${firstBodies.length > 8 ? "\u2026" : ""}`;
   const box = make("section", {class: "divergence"},
-    make("h3", {}, `First divergence: step ${firstStep}${step === undefined ? "" : ` of ${step}`}${who}`));
+    make("h3", {}, `First divergence: step ${firstStep}${firstStep === since && since > 1 ? " or before" : ""}${step === undefined ? "" : ` of ${step}`}${who}`));
   if (!strip) return box;
   if (strip.note) box.append(make("p", {class: "message"}, strip.note));
+  // Of steps before `since` no trace was compared.
+  const remark = at => at === firstStep ? ": first to differ" : at > firstStep ? "" : at === 0 ? ": as created" : at >= since ? ": same" : "";
   const film = make("div", {class: "strip", tabindex: 0, role: "region", "aria-label": "Steps around the first divergence"});
   for (const shot of strip.pictures) {
     const rows = [["expected", shot.expected], ["actual", shot.actual], ["close-up", shot.closeUp]];
     film.append(make("figure", {class: shot.step === firstStep ? "first" : ""},
-      make("figcaption", {}, `step ${shot.step}` + (shot.step < firstStep ? ", the same" : shot.step === firstStep ? ", the first that differs" : "")),
+      make("figcaption", {}, `step ${shot.step}${remark(shot.step)}`),
       ...rows.filter(([, source]) => source).map(([row, source]) => {
         const frame = make("div", {class: "frame"}, make("img", {src: source, alt: `${row}, step ${shot.step}`, title: row,
           width: strip.width, height: strip.height, decoding: "async"}));
@@ -402,8 +418,9 @@ function divergence(data) {
   }
   if (strip.pictures.length > 0) {
     const shot = strip.pictures[0];
-    const names = [shot.expected ? "the other program" : "", "this program", shot.closeUp ? "close to the first body, which is framed above" : ""];
-    box.append(film, make("p", {class: "message"}, "Rows: " + names.filter(name => name).join(", ") + "."));
+    const rows = [shot.expected ? "The other program" : "", shot.expected ? "this program" : "This program",
+      shot.closeUp ? "and close to the first body, which is framed above" : ""];
+    box.append(film, make("p", {class: "message"}, rows.filter(row => row).join(", ") + "."));
   }
   return box;
 }

@@ -80,7 +80,7 @@ TEST_F(VerdictFile, NamesTheStepAndTheBodiesThatPartFirst)
 {
     candidate.trace.steps = {{1, "11111111", "ab"}, {2, "22222222", "cd"}, {3, "33333333", "ef"}};
     ASSERT_TRUE(store.Accept(candidate));
-    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"step\": 3"), Not(HasSubstr("firstStep"))));
+    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"since\": 1"), HasSubstr("\"step\": 3"), Not(HasSubstr("firstStep"))));
     candidate.trace.steps[1] = {2, "2222222f", "cf"};
     EXPECT_THAT(Verified(candidate),
                 AllOf(HasSubstr("\"status\": \"state\""), HasSubstr("\"firstStep\": 2"),

@@ -21,9 +21,9 @@ try {
   check("the filter hides other names", shown() === "moved/1s", shown());
   check("it says how many are left", one("#shown").textContent === "1 of 3 shown", one("#shown").textContent);
   type("");
-  one("#statuses button[data-status=pixels]").click();
+  one("#statuses button[data-status=drawlist]").click();
   check("a verdict's button hides its cards", shown() === "gone/1s moved/1s", shown());
-  one("#statuses button[data-status=pixels]").click();
+  one("#statuses button[data-status=drawlist]").click();
   check("and shows them again", shown() === "gone/1s moved/1s painted/1s", shown());
 
   check("three pictures at first", moved.querySelectorAll(".view img").length === 3);
@@ -92,6 +92,12 @@ try {
   check("and leads to it", moved.querySelector("svg.overlay") !== null);
   check("the first step is told", moved.querySelector(".divergence h3").textContent === "First divergence: step 7 of 60, body 1");
   check("with the steps around it", moved.querySelectorAll(".strip figure").length === 2);
+
+  const captions = [...moved.querySelectorAll(".strip figcaption")].map(caption => caption.textContent);
+  check("each with what is known of it", captions.join() === "step 6: same,step 7: first to differ", captions.join());
+  tab(painted, "Draw list").click();
+  const pairs = [...painted.querySelectorAll(".lines div")].map(row => row.className + row.querySelectorAll("mark").length);
+  check("lines that went and came are pairs", pairs.join() === "e1,a1,a0", pairs.join());
 
   one("#view").value = "actual";
   one("#view").dispatchEvent(new Event("change"));
