@@ -105,9 +105,12 @@ void AddPixels(Object& object, const Comparison& pixels)
 
 void AddView(Object& object, const Camera& camera)
 {
-    object.Add("view", "[" + Text(camera.width) + ", " + Text(camera.height) + ", " +
-                           Text(camera.centerX) + ", " + Text(camera.centerY) + ", " +
-                           Text(camera.pixelsPerMeter) + "]");
+    std::string numbers = Text(camera.width) + ", " + Text(camera.height);
+    for (const double number : {camera.centerX, camera.centerY, camera.pixelsPerMeter})
+    {
+        numbers += ", " + Text(number);
+    }
+    object.Add("view", "[" + numbers + "]");
 }
 
 } // namespace

@@ -93,6 +93,9 @@ std::string StripJson(const FilmStrip& strip)
                 std::to_string(picture.step) + ",\"actual\":" + Png(picture.actual);
         text += picture.closeUp.empty() ? "" : ",\"closeUp\":" + Png(picture.closeUp);
         text += picture.expected.empty() ? "" : ",\"expected\":" + Png(picture.expected);
+        text += picture.expectedCloseUp.empty()
+                    ? ""
+                    : ",\"expectedCloseUp\":" + Png(picture.expectedCloseUp);
         text += ",\"mark\":[";
         for (std::size_t i = 0; i < picture.mark.size(); ++i)
         {

@@ -21,9 +21,10 @@ struct FilmStrip
     struct Picture
     {
         std::int64_t step = 0;
-        std::string actual;    ///< the bytes of a PNG
-        std::string closeUp;   ///< around the first body; empty: there is none
-        std::string expected;  ///< by another program; empty: none was asked
+        std::string actual;          ///< the bytes of a PNG
+        std::string closeUp;         ///< around the first body; empty: there is none
+        std::string expected;        ///< by another program; empty: none was asked
+        std::string expectedCloseUp; ///< of the same place
         std::vector<int> mark; ///< of the first body: left, top, width, height [px]; empty: none
     };
     int width = 0, height = 0; ///< of each picture [px]

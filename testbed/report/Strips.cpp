@@ -4,6 +4,7 @@
 #include "GoldenScenes.h"
 
 #include <bench/ChildProcess.h>
+#include <debugdraw/NiceNumbers.h>
 #include <golden/StateHash.h>
 #include <render/Png.h>
 
@@ -69,6 +70,17 @@ std::vector<int> MarkOf(const Rect& bounds, const Camera& camera)
                : std::vector<int>{left, top, right - left, bottom - top};
 }
 
+/// In whole millimetres, so that it can be said to another program.
+Camera CloseUp(const Rect& bounds)
+{
+    const auto rounded = [](double metres) { return std::round(metres * 1000.0) / 1000.0; };
+    Camera camera = FitTo(bounds, kWidth, kHeight, kCloseUpMargin);
+    camera.centerX = rounded(camera.centerX);
+    camera.centerY = rounded(camera.centerY);
+    camera.pixelsPerMeter = kHeight / rounded(kHeight / camera.pixelsPerMeter);
+    return camera;
+}
+
 Result<std::string> Drawn(Renderer& renderer, const DrawList& list, const Camera& camera)
 {
     Frame frame;
@@ -104,15 +116,22 @@ private:
     fs::path m_path;
 };
 
-/// The same step by another program.
-Result<std::string> PictureBy(const fs::path& program, const std::string& scene, std::int64_t step)
+/// The same step by another program. `close`: what is seen; none: as the scene is shown.
+Result<std::string> PictureBy(const fs::path& program, const std::string& scene, std::int64_t step,
+                              const std::optional<Camera>& close)
 {
     const PassingFolder folder;
     const fs::path picture = folder.Path() / "shot.png";
     const std::string size = std::to_string(kWidth) + "x" + std::to_string(kHeight);
-    const Result<std::string> said =
-        OutputOf(program, {"shot", scene, "--step", std::to_string(step), "--size", size, "-o",
-                           picture.string()});
+    std::vector<std::string> arguments{"shot",   scene, "--step", std::to_string(step),
+                                       "--size", size,  "-o",     picture.string()};
+    if (close)
+    {
+        arguments.push_back("--camera=" + NumberPlain(close->centerX) + "," +
+                            NumberPlain(close->centerY) + "," +
+                            NumberPlain(close->height / close->pixelsPerMeter));
+    }
+    const Result<std::string> said = OutputOf(program, arguments);
     std::ifstream in(picture, std::ios::binary);
     std::string bytes(std::istreambuf_iterator<char>(in), {});
     if (!said || bytes.empty())
@@ -163,20 +182,18 @@ public:
         for (const std::int64_t step : StepsAround(first, last))
         {
             session->AdvanceTo(step);
-            Result<FilmStrip::Picture> picture = Picture(*session, verdict);
+            std::optional<Camera> close;
+            Result<FilmStrip::Picture> picture = Picture(*session, verdict, close);
             if (!picture)
             {
                 return picture.GetError();
             }
-            if (!m_against.empty())
+            const Result<void> asked =
+                m_against.empty() ? Result<void>()
+                                  : AskTheOther(SceneSlug(selection.scene->name), close, *picture);
+            if (!asked)
             {
-                Result<std::string> expected =
-                    PictureBy(m_against, SceneSlug(selection.scene->name), step);
-                if (!expected)
-                {
-                    return expected.GetError();
-                }
-                picture->expected = *std::move(expected);
+                return asked.GetError();
             }
             strip.pictures.push_back(*std::move(picture));
         }
@@ -200,7 +217,24 @@ private:
         return {};
     }
 
-    Result<FilmStrip::Picture> Picture(SceneSession& session, const ReportedVerdict& verdict)
+    Result<void> AskTheOther(const std::string& scene, const std::optional<Camera>& close,
+                             FilmStrip::Picture& picture) const
+    {
+        Result<std::string> whole = PictureBy(m_against, scene, picture.step, {});
+        Result<std::string> part =
+            close ? PictureBy(m_against, scene, picture.step, close) : std::string();
+        if (!whole || !part)
+        {
+            return whole ? part.GetError() : whole.GetError();
+        }
+        picture.expected = *std::move(whole);
+        picture.expectedCloseUp = *std::move(part);
+        return {};
+    }
+
+    /// `close`: where the first body is, if it is seen.
+    Result<FilmStrip::Picture> Picture(SceneSession& session, const ReportedVerdict& verdict,
+                                       std::optional<Camera>& close)
     {
         FrameContent content;
         session.Fill(content);
@@ -220,13 +254,13 @@ private:
             return picture;
         }
         picture.mark = MarkOf(bounds, content.camera);
-        Result<std::string> close =
-            Drawn(*m_renderer, content.list, FitTo(bounds, kWidth, kHeight, kCloseUpMargin));
-        if (!close)
+        close = CloseUp(bounds);
+        Result<std::string> part = Drawn(*m_renderer, content.list, *close);
+        if (!part)
         {
-            return close.GetError();
+            return part.GetError();
         }
-        picture.closeUp = *std::move(close);
+        picture.closeUp = *std::move(part);
         return picture;
     }
 

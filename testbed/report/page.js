@@ -402,13 +402,13 @@ function divergence(data) {
   const remark = at => at === firstStep ? ": first to differ" : at > firstStep ? "" : at === 0 ? ": as created" : at >= since ? ": same" : "";
   const film = make("div", {class: "strip", tabindex: 0, role: "region", "aria-label": "Steps around the first divergence"});
   for (const shot of strip.pictures) {
-    const rows = [["expected", shot.expected], ["actual", shot.actual], ["close-up", shot.closeUp]];
+    const rows = [["expected", shot.expected], ["actual", shot.actual], ["expected, close", shot.expectedCloseUp], ["actual, close", shot.closeUp]];
     film.append(make("figure", {class: shot.step === firstStep ? "first" : ""},
       make("figcaption", {}, `step ${shot.step}${remark(shot.step)}`),
       ...rows.filter(([, source]) => source).map(([row, source]) => {
         const frame = make("div", {class: "frame"}, make("img", {src: source, alt: `${row}, step ${shot.step}`, title: row,
           width: strip.width, height: strip.height, decoding: "async"}));
-        if (row !== "close-up" && shot.mark.length === 4) {
+        if (!row.endsWith("close") && shot.mark.length === 4) {
           const [x, y, width, height] = shot.mark;
           const across = pixels => `${pixels / strip.width * 100}%`, down = pixels => `${pixels / strip.height * 100}%`;
           frame.append(make("i", {style: `left:${across(x)};top:${down(y)};width:${across(width)};height:${down(height)}`}));
@@ -418,8 +418,8 @@ function divergence(data) {
   }
   if (strip.pictures.length > 0) {
     const shot = strip.pictures[0];
-    const rows = [shot.expected ? "The other program" : "", shot.expected ? "this program" : "This program",
-      shot.closeUp ? "and close to the first body, which is framed above" : ""];
+    const rows = [shot.expected ? "The other program, this program" : "This program",
+      !shot.closeUp ? "" : shot.expected ? "and both close to the first body, which is framed above" : "and close to the first body, which is framed above"];
     box.append(film, make("p", {class: "message"}, rows.filter(row => row).join(", ") + "."));
   }
   return box;

@@ -26,11 +26,10 @@ namespace fs = std::filesystem;
 class VerdictFile : public testing::Test
 {
 protected:
-    std::string Verified(const GoldenCandidate& candidate,
-                         const CompareSettings& settings = {}) const
+    std::string Verified(const GoldenCandidate& shown, const CompareSettings& settings = {}) const
     {
-        (void)store.Verify(candidate, settings);
-        std::ifstream in(output / (candidate.name + ".verdict.json"));
+        (void)store.Verify(shown, settings);
+        std::ifstream in(output / (shown.name + ".verdict.json"));
         std::ostringstream text;
         text << in.rdbuf();
         return text.str();
@@ -80,7 +79,8 @@ TEST_F(VerdictFile, NamesTheStepAndTheBodiesThatPartFirst)
 {
     candidate.trace.steps = {{1, "11111111", "ab"}, {2, "22222222", "cd"}, {3, "33333333", "ef"}};
     ASSERT_TRUE(store.Accept(candidate));
-    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"since\": 1"), HasSubstr("\"step\": 3"), Not(HasSubstr("firstStep"))));
+    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"since\": 1"), HasSubstr("\"step\": 3"),
+                                           Not(HasSubstr("firstStep"))));
     candidate.trace.steps[1] = {2, "2222222f", "cf"};
     EXPECT_THAT(Verified(candidate),
                 AllOf(HasSubstr("\"status\": \"state\""), HasSubstr("\"firstStep\": 2"),

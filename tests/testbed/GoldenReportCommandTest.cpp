@@ -76,7 +76,21 @@ TEST_F(GoldenReport, ShowsWhatVerifyFoundWithTheStepsAround)
 
     const Outcome both = Run({"report", "o", "--against", BOXREEL_PROGRAM, "-o", "both.html"});
     EXPECT_EQ(both.code, 0) << both.errors;
-    EXPECT_THAT(ReadFile(folder / "both.html"), HasSubstr("\"expected\":\"data:image/png"));
+    const std::string pair = ReadFile(folder / "both.html");
+    EXPECT_THAT(pair, HasSubstr("\"expected\":\"data:image/png"));
+    // The same program draws the same, of all and close to the body.
+    for (const char* const names : {"expected actual", "expectedCloseUp closeUp"})
+    {
+        const Outcome cut = RunTool(
+            {"sh", "-c",
+             std::string("for name in ") + names +
+                 "; do sed -n "
+                 "'s/.*\"step\":11,[^}]*\"'$name'\":\"data:image.png;base64,\\([^\"]*\\).*/\\1/p' "
+                 "both.html | base64 -d > $name.png; set -- $@ $name.png; done; '" BOXREEL_PROGRAM
+                 "' diff --preset exact $@"},
+            folder.Path());
+        EXPECT_EQ(cut.code, 0) << names << cut.output << cut.errors;
+    }
 }
 
 TEST_F(GoldenReport, ComesWithVerifyOfWhatWasVerifiedAlone)

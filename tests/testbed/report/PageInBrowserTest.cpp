@@ -110,8 +110,8 @@ FilmStrip SmallStrip()
     FilmStrip strip;
     strip.width = 24;
     strip.height = 14;
-    strip.pictures = {{6, bytes, bytes, bytes, {2, 2, 5, 5}},
-                      {7, bytes, bytes, bytes, {2, 2, 5, 5}}};
+    strip.pictures = {{6, bytes, bytes, bytes, bytes, {2, 2, 5, 5}},
+                      {7, bytes, bytes, bytes, bytes, {2, 2, 5, 5}}};
     return strip;
 }
 

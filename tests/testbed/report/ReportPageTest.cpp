@@ -71,8 +71,12 @@ TEST_F(Page, HoldsThePicturesAndNeedsNothingElse)
     std::ofstream(folder / "base.actual.png") << "Man";
     std::ofstream(folder / "base.expected.txt") << "</script><b>";
     FilmStrip strip;
-    strip.pictures = {
-        {.step = 7, .actual = "ab", .closeUp = "", .expected = "", .mark = {1, 2, 3, 4}}};
+    strip.pictures = {{.step = 7,
+                       .actual = "ab",
+                       .closeUp = "",
+                       .expected = "",
+                       .expectedCloseUp = "",
+                       .mark = {1, 2, 3, 4}}};
     const std::string page = Of({Moment("a", "state")}, {{"a", strip}});
     EXPECT_THAT(page,
                 AllOf(HasSubstr("\"actualPicture\":\"data:image/png;base64,TWFu\""),
