@@ -80,7 +80,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"stb", {"render/src/FontAtlas"}},
         {"CLI/", {"testbed/src/CommandLine"}},
         {"nlohmann/",
-         {"testbed/bench/", "testbed/report/", "testbed/rube/", "testbed/src/FilmPapers",
+         {"testbed/bench/", "testbed/report/Verdicts.", "testbed/rube/", "testbed/src/FilmPapers",
           "testbed/ui/UiSettings"}},
         {"cairo", {"render/src/FigureCairo.", "testbed/bench/ChartCairo."}},
         {"ft2build.h", {"render/src/FigureCairo."}},
