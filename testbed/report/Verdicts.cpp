@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -44,7 +46,9 @@ std::string Dumped(const json& value)
 
 std::string Number(double number)
 {
-    return json(number).dump();
+    std::array<char, 32> digits;
+    return std::string(digits.data(),
+                       std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
 }
 
 /// "same-machine: 4 pixels over a distance of 0.00025, …".

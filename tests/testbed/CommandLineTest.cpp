@@ -161,6 +161,20 @@ TEST(CommandLine, GoldenTakesNamesAndFolders)
     EXPECT_TRUE(Parsed<GoldenOptions>("golden accept").accept);
 }
 
+TEST(CommandLine, GoldenReportTakesFoldersAndAFile)
+{
+    EXPECT_TRUE(Parsed<GoldenReportOptions>("golden report").folders.empty());
+    const GoldenReportOptions report = Parsed<GoldenReportOptions>(
+        "golden report a b -o page.html --against ../other --backend osmesa --force");
+    EXPECT_THAT(report.folders, testing::ElementsAre("a", "b"));
+    EXPECT_EQ(report.output, "page.html");
+    EXPECT_EQ(report.against, "../other");
+    EXPECT_EQ(report.backend, Backend::OSMesa);
+    EXPECT_TRUE(report.force);
+    EXPECT_EQ(Parsed<GoldenOptions>("golden verify --report page.html").report, "page.html");
+    EXPECT_THAT(Refusal("golden accept --report page.html"), testing::HasSubstr("--report"));
+}
+
 TEST(CommandLine, BackendIsOneOfTheNamesWhereverPicturesAreDrawn)
 {
     EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png").backend, Backend::Auto);

@@ -95,7 +95,8 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
           R"(, "step": 120, "firstStep": 43, "firstBodies": [17, 3], "firstHash": "01234567",
              "preset": "cross-machine", "tolerance": 0.01, "edgeShift": 0.2, "maxPixels": null,
              "maxRatio": 0.0005, "maxInWindow": 8, "window": 16, "ignoredBodies": [3])");
-    Leave("out", "b", "missing", R"(, "accepted": true)");
+    Leave("out", "b", "missing",
+          R"(, "accepted": true, "preset": "exact", "tolerance": 0, "maxPixels": 0, "window": 16)");
     const std::vector<ReportedMoment> moments = Collect({"out"});
     ASSERT_THAT(moments, SizeIs(2));
     const ReportedVerdict& state = moments[0].shown;
@@ -108,6 +109,7 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
               "to 0.2 px elsewhere, at most 0.05% of all, 8 in any 16x16; bodies left "
               "out: 1");
     EXPECT_EQ(moments[1].shown.status, "accepted");
+    EXPECT_EQ(moments[1].shown.limits, "exact: 0 pixels over a distance of 0, 0 in any 16x16");
 }
 
 TEST_F(Verdicts, MayHoldAnyBytes)
