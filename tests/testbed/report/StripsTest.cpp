@@ -91,7 +91,7 @@ TEST(FilmStrips, AreOfTheEarliestMomentOfAScene)
 TEST(FilmStrips, AreOfScenesAlone)
 {
     EXPECT_THAT(StripOf(Parted("seesaw/1s")).pictures, IsEmpty());
-    ReportedMoment film = Parted("films/bridge");
+    ReportedMoment film = Parted("bridge/0.5s"); // a film may be called so, too
     film.shown.firstHash = "";
     EXPECT_THAT(*MakeStrips({film}, "", Backend::Auto), IsEmpty());
 }
