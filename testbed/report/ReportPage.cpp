@@ -3,6 +3,7 @@
 
 #include "PageTexts.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>

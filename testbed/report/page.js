@@ -487,7 +487,7 @@ function filter() {
     card.hidden = !(on.has(card.dataset.status) && fits(card.dataset.name));
     number += card.hidden ? 0 : 1;
   }
-  const passed = $("#passed");
+  const passed = $("details#passed"); // a card may be called so, too
   if (passed) {
     passed.hidden = !on.has("same");
     for (const item of $$("li", passed)) item.hidden = !fits(item.dataset.name);

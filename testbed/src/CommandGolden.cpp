@@ -137,10 +137,14 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
         }
     }
     const std::string what = Count(moments, "moment");
-    const Result<void> written = WriteOutput(
-        failures == 0 ? what + ": all as approved\n"
-                      : what + ": " + std::to_string(failures) + " not as approved, see '" +
-                            folders.output.string() + "'\n");
+    const std::string output = folders.output.string();
+    const std::string named = options.output.empty() ? "" : " '" + output + "'";
+    const std::string page =
+        options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
+    const Result<void> written =
+        WriteOutput(failures == 0 ? what + ": all as approved\n"
+                                  : what + ": " + std::to_string(failures) +
+                                        " not as approved, see '" + output + "'" + page + "\n");
     if (!written)
     {
         return written.GetError();

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -61,7 +62,10 @@ protected:
 TEST_F(GoldenReport, ShowsWhatVerifyFoundWithTheStepsAround)
 {
     PlantADifference();
-    ASSERT_EQ(Verify("o").code, 2);
+    const Outcome verified = Verify("o");
+    ASSERT_EQ(verified.code, 2);
+    EXPECT_THAT(verified.output,
+                HasSubstr("see 'o'; `boxreel golden report 'o'` makes a page of them"));
     const Outcome outcome = Run({"report", "o"});
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output,
