@@ -23,8 +23,11 @@ constexpr const char* kActualTxt = ".actual.txt";
 constexpr const char* kExpectedState = ".expected.state.txt";
 constexpr const char* kActualState = ".actual.state.txt";
 
-constexpr const char* kAll[] = {kExpectedPng, kActualPng, kDifferencePng, kSideBySidePng,
-                                kExpectedTxt, kActualTxt, kExpectedState, kActualState};
+constexpr const char* kVerdict = ".verdict.json";
+
+constexpr const char* kAll[] = {kExpectedPng,   kActualPng,   kDifferencePng,
+                                kSideBySidePng, kExpectedTxt, kActualTxt,
+                                kExpectedState, kActualState, kVerdict};
 
 } // namespace
 
@@ -71,6 +74,22 @@ Result<void> FailureFiles::Remove() const
         }
     }
     return {};
+}
+
+Result<void> FailureFiles::WriteVerdict(const VerdictRecord& record) const
+{
+    return WriteAll({{m_base + kVerdict, ToJson(record)}});
+}
+
+Result<void> FailureFiles::NoteAccepted() const
+{
+    const Result<std::string> json = ReadBytes(m_base + kVerdict);
+    if (!json)
+    {
+        return json.GetError();
+    }
+    std::optional<std::string> accepted = Accepted(*json);
+    return accepted ? WriteAll({{m_base + kVerdict, *std::move(accepted)}}) : Result<void>();
 }
 
 Result<void> FailureFiles::Write(const Moment& expected, const Moment& actual,

@@ -2,14 +2,15 @@
 #pragma once
 
 #include "Moment.h"
+#include "VerdictFile.h"
 
 #include <debugdraw/Result.h>
 
 #include <filesystem>
 #include <string>
 
-/// What a failed comparison leaves for a person to look at, under the output folder. Used by the
-/// reference store only; never touches the references.
+/// What a comparison leaves under the output folder: its verdict and, when it failed, what a person
+/// looks at. Used by the reference store and by golden checks; never touches the references.
 namespace boxreel
 {
 
@@ -24,12 +25,17 @@ public:
     std::string ExpectedList() const;
     std::string ActualList() const;
 
-    /// Those of an earlier failure, so that nobody takes them for this one's.
+    /// Those of an earlier comparison, so that nobody takes them for this one's.
     Result<void> Remove() const;
 
     /// The pictures and the lists of both moments as far as they have them; with both frames, the
     /// difference and all three side by side.
     Result<void> Write(const Moment& expected, const Moment& actual, const Frame& difference) const;
+
+    Result<void> WriteVerdict(const VerdictRecord& record) const;
+
+    /// What the verdict is of has become the reference.
+    Result<void> NoteAccepted() const;
 
 private:
     explicit FailureFiles(std::string base) : m_base(std::move(base)) {}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <golden/GoldenCheck.h>
 
+#include "FailureFiles.h"
+
 #include <cstdlib>
 #include <system_error>
 
@@ -152,6 +154,13 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
         if (const Result<void> stored = store.Accept(candidate); !stored)
         {
             return {false, stored.GetError().message, ""};
+        }
+        // So that a report does not call it a failure. Its pictures stay, to be looked at.
+        const Result<FailureFiles> files = FailureFiles::At(settings.output, candidate.name);
+        const Result<void> noted = files ? files->NoteAccepted() : files.GetError();
+        if (!noted)
+        {
+            return {false, noted.GetError().message, ""};
         }
         return {true, verdict->message, "accepted  " + WhatWasAccepted(*verdict) + "\n"};
     }

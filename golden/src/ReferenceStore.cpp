@@ -23,10 +23,10 @@ Error Unusable(const std::string& name, const std::string& why)
     return Error{ErrorKind::Unusable, "\"" + name + "\" cannot name a reference: " + why + "."};
 }
 
-/// The first picture of a film's contact sheet that differs by itself, as "from step 90 on: ";
-/// empty when there is none, for instance because what is scattered is too much only in all.
-std::string FirstPicture(const Frame& expected, const Frame& actual, const SheetLayout& layout,
-                         CompareSettings settings)
+/// The step of the first picture of a film's contact sheet that differs by itself; none when there
+/// is none, for instance because what is scattered is too much only in all.
+std::optional<std::int64_t> FirstPicture(const Frame& expected, const Frame& actual,
+                                         const SheetLayout& layout, CompareSettings settings)
 {
     settings.paintsDifference = false;
     const auto isOn = [](const PixelBounds& place, const Frame& sheet) {
@@ -40,10 +40,10 @@ std::string FirstPicture(const Frame& expected, const Frame& actual, const Sheet
         if (on == 1 ||
             (on == 2 && !Compare(CutOut(expected, place), CutOut(actual, place), settings).equal))
         {
-            return "from step " + std::to_string(layout.Step(i)) + " on: ";
+            return layout.Step(i);
         }
     }
-    return "";
+    return std::nullopt;
 }
 
 struct Differences
@@ -52,7 +52,7 @@ struct Differences
     std::optional<TraceDifference> onTheWay;
     std::optional<LineDifference> list;
     bool pixels = false;
-    std::string since; // which picture of a sheet differs first
+    std::optional<std::int64_t> since; // the step of the picture of a sheet that differs first
 };
 
 std::string Join(const std::vector<std::string>& words)
@@ -93,11 +93,9 @@ std::string ExplainState(const Moment& expected, const Moment& actual,
         text.append(" ").append(Describe(*differences.onTheWay));
     }
     text.append(" (state " + *actual.state + " instead of " + *expected.state);
-    if (!expected.bodies.bodies.empty() && !actual.bodies.bodies.empty())
-    {
-        text += "; now " + DescribeDifference(expected.bodies, actual.bodies);
-    }
-    return text + ")";
+    const bool areKept = !expected.bodies.bodies.empty() && !actual.bodies.bodies.empty();
+    const std::string now = areKept ? DescribeDifference(expected.bodies, actual.bodies) : "";
+    return text + (now.empty() ? ")" : "; now " + now + ")");
 }
 
 // What differs first, then what became of the depths below it.
@@ -120,7 +118,9 @@ std::string Explain(const Moment& expected, const Moment& actual, const Differen
         break;
     case GoldenStatus::Pixels:
         return (actual.list ? "same geometry, other pixels: " : "other pixels: ") +
-               differences.since + picture;
+               (differences.since ? "from step " + std::to_string(*differences.since) + " on: "
+                                  : "") +
+               picture;
     default:
         return std::string("same") + (actual.state ? ", state" : "") +
                (actual.list ? ", draw list" : "") + (actual.frame ? ", " + picture : "");
@@ -191,6 +191,9 @@ struct Judged
 {
     GoldenVerdict verdict;
     Moment expected, actual;
+    CompareSettings limits; // those that held, with what was left out
+    std::optional<std::int64_t> firstStep;
+    std::vector<int> firstBodies;
 };
 
 /// Empty when each body can be left out.
@@ -247,7 +250,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     {
         return expected.GetError();
     }
-    Judged judged{{}, *std::move(expected), {}};
+    Judged judged{{}, *std::move(expected), {}, settings, {}, {}};
     judged.actual = Take(candidate, judged.expected);
     const Moment& actual = judged.actual;
     GoldenVerdict& verdict = judged.verdict;
@@ -257,7 +260,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
         SayMissing(verdict, judged.expected, actual, references);
         return judged;
     }
-    CompareSettings compare = settings;
+    CompareSettings& compare = judged.limits;
     Moment less[2]; // the files of a failure have the bodies that are left out
     const Moment* before = &judged.expected;
     const Moment* now = &actual;
@@ -286,6 +289,12 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     if (differences.pixels && candidate.sheet)
     {
         differences.since = FirstPicture(*before->frame, *now->frame, *candidate.sheet, compare);
+    }
+    judged.firstStep = differences.since;
+    if (differences.onTheWay)
+    {
+        judged.firstStep = differences.onTheWay->step;
+        judged.firstBodies = differences.onTheWay->bodies;
     }
     verdict.status = StatusOf(differences);
     verdict.message =
@@ -321,12 +330,12 @@ Result<GoldenVerdict> ReferenceStore::Judge(const GoldenCandidate& candidate,
 Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
                                              const CompareSettings& settings) const
 {
-    Result<Judged> judged = JudgeMoment(m_references, candidate, settings);
-    if (!judged)
+    const std::string& name = candidate.name;
+    if (const std::string why = WhyNotUsable(name); !why.empty())
     {
-        return judged.GetError();
+        return Unusable(name, why);
     }
-    const Result<FailureFiles> files = FailureFiles::At(m_output, candidate.name);
+    const Result<FailureFiles> files = FailureFiles::At(m_output, name);
     if (!files)
     {
         return files.GetError();
@@ -335,10 +344,26 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     {
         return removed.GetError();
     }
+    Result<Judged> judged = JudgeMoment(m_references, candidate, settings);
+    if (!judged)
+    {
+        // What cannot be compared has not passed, either. The first error is the one to tell.
+        (void)files->WriteVerdict({name, "error", judged.GetError().message});
+        return judged.GetError();
+    }
     GoldenVerdict& verdict = judged->verdict;
+    const Result<void> written = files->WriteVerdict(
+        {name, StatusWord(verdict.status), verdict.message, &candidate, &judged->limits,
+         &verdict.pixels, judged->firstStep, judged->firstBodies});
     if (verdict.status == GoldenStatus::Same)
     {
+        // What passes also passes where nothing can be written, such as in a folder that is read
+        // only.
         return std::move(verdict);
+    }
+    if (!written)
+    {
+        return With(verdict, written.GetError());
     }
     return verdict.status == GoldenStatus::Missing
                ? ReportMissing(std::move(verdict), *files, judged->actual,

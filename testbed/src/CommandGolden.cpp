@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "CommandGoldenReport.h"
 #include "CommandGoldenState.h"
 #include "Commands.h"
 #include "GoldenScenes.h"
 #include "Terminal.h"
+
+#include <set>
 
 namespace boxreel
 {
@@ -49,11 +52,7 @@ Result<Folders> ChooseFolders(const GoldenOptions& options)
     Folders folders;
     folders.references =
         options.references.empty() ? checkout / "golden" / "references" : options.references;
-    folders.output = checkout.empty() ? "golden-output" : checkout / "build" / "golden-output";
-    if (!options.output.empty())
-    {
-        folders.output = options.output;
-    }
+    folders.output = options.output.empty() ? DefaultGoldenOutput() : options.output;
     return folders;
 }
 
@@ -107,11 +106,13 @@ std::string Count(std::size_t number, const std::string& things)
 }
 
 Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders& folders,
-                   Renderer& renderer, const CompareSettings& settings)
+                   Renderer& renderer, const GoldenOptions& options)
 {
+    const CompareSettings settings = Effective(options.compare);
     const ReferenceStore store(folders.references, folders.output);
     std::size_t moments = 0;
     std::size_t failures = 0;
+    std::set<std::string> names;
     for (const GoldenSelection& selection : selections)
     {
         const Result<std::vector<GoldenVerdict>> verdicts =
@@ -123,6 +124,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
         for (const GoldenVerdict& verdict : *verdicts)
         {
             const bool isSame = verdict.status == GoldenStatus::Same;
+            names.insert(verdict.name);
             ++moments;
             failures += isSame ? 0 : 1;
             const Result<void> written =
@@ -135,13 +137,28 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
         }
     }
     const std::string what = Count(moments, "moment");
-    const Result<void> written = WriteOutput(
-        failures == 0 ? what + ": all as approved\n"
-                      : what + ": " + std::to_string(failures) + " not as approved, see '" +
-                            folders.output.string() + "'\n");
+    const std::string output = folders.output.string();
+    const std::string named = options.output.empty() ? "" : " '" + output + "'";
+    const std::string page =
+        options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
+    const Result<void> written =
+        WriteOutput(failures == 0 ? what + ": all as approved\n"
+                                  : what + ": " + std::to_string(failures) +
+                                        " not as approved, see '" + output + "'" + page + "\n");
     if (!written)
     {
         return written.GetError();
+    }
+    if (!options.report.empty())
+    {
+        GoldenReportOptions report;
+        report.folders = {folders.output};
+        report.output = options.report;
+        report.backend = options.backend;
+        if (const Result<void> reported = WriteGoldenReport(report, names); !reported)
+        {
+            return reported.GetError();
+        }
     }
     return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
 }
@@ -214,6 +231,12 @@ Result<int> VerifyAgainst(const std::filesystem::path& program,
 
 } // namespace
 
+fs::path DefaultGoldenOutput()
+{
+    const fs::path checkout = FindCheckout();
+    return checkout.empty() ? "golden-output" : checkout / "build" / "golden-output";
+}
+
 Result<int> RunGolden(const GoldenOptions& options)
 {
     const Result<std::vector<GoldenSelection>> selections = Select(options);
@@ -226,9 +249,24 @@ Result<int> RunGolden(const GoldenOptions& options)
         return Error{ErrorKind::Unusable, "--against compares what worlds do, and a film shows no "
                                           "world; leave out --against or --film."};
     }
+    if (!options.against.empty() && !options.report.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "--report shows what differs from the references, and --against leaves them "
+                     "out; verify first, then run `boxreel golden report --against " +
+                         options.against.string() + "`."};
+    }
     if (!options.against.empty())
     {
         return VerifyAgainst(options.against, *selections);
+    }
+    if (!options.report.empty())
+    {
+        const Result<void> usable = CheckGoldenReportPath(options.report, false);
+        if (!usable)
+        {
+            return usable.GetError();
+        }
     }
     const Result<Folders> folders = ChooseFolders(options);
     if (!folders)
@@ -241,7 +279,7 @@ Result<int> RunGolden(const GoldenOptions& options)
         return renderer.GetError();
     }
     return options.accept ? Accept(*selections, *folders, options.acceptance, *renderer)
-                          : Verify(*selections, *folders, *renderer, Effective(options.compare));
+                          : Verify(*selections, *folders, *renderer, options);
 }
 
 } // namespace boxreel

@@ -511,6 +511,10 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return Request(std::move(parsed.goldenState));
     }
+    if (name == "golden" && program.get_subcommands().front()->got_subcommand("report"))
+    {
+        return Request(std::move(parsed.goldenReport));
+    }
     if (name == "golden")
     {
         return Request(std::move(parsed.golden));

@@ -19,9 +19,10 @@ struct TextRequest
     std::string text;
 };
 
-using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions,
-                             DiffOptions, GoldenOptions, GoldenStateOptions, PlayOptions,
-                             CheckOptions, ExportOptions, DoctorOptions, UiOptions, BenchOptions>;
+using Request =
+    std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions, DiffOptions,
+                 GoldenOptions, GoldenReportOptions, GoldenStateOptions, PlayOptions, CheckOptions,
+                 ExportOptions, DoctorOptions, UiOptions, BenchOptions>;
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);

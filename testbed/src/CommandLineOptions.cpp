@@ -205,6 +205,34 @@ void DeclareGoldenState(CLI::App& golden, GoldenStateOptions& options)
         "  boxreel golden state car --trace --step 60");
 }
 
+void DeclareGoldenReport(CLI::App& golden, GoldenReportOptions& options)
+{
+    CLI::App* command =
+        golden.add_subcommand("report", "Make a page of what golden tests found, for a browser");
+    const auto read = [&options](const std::vector<std::string>& texts) {
+        options.folders.assign(texts.begin(), texts.end());
+    };
+    CLI::Option* folders = AddTexts(*command, "FOLDERS", read,
+                                    "That tests wrote to, one a shard (build/golden-output)");
+    Completes(folders->type_name(""), {Completion::Kind::Folders, {}});
+    AddPath(*command, "-o,--output", "FILE", options.output,
+            "The page (report.html in the first folder)", {".html"});
+    AddPath(*command, "--against", "FILE", options.against,
+            "Another build of boxreel: its pictures of the steps\n"
+            "around the first that differs, too");
+    AddBackend(*command, options.backend);
+    AddForce(*command, options.force);
+    command->footer(
+        "One file that needs no other: summary, filter, and for each moment that differs "
+        "expected,\n"
+        "actual, difference, blink, slider, the outlines of both worlds and the first step that\n"
+        "differs. Exit code 0 when it is written, whatever it says.\n\n"
+        "Examples:\n"
+        "  boxreel golden report\n"
+        "  boxreel golden report shard-0 shard-1 -o report.html\n"
+        "  boxreel golden report --against ../before/build/boxreel");
+}
+
 void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
 {
     AddPath(action, "--film", "FILE", golden.film,
@@ -257,6 +285,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                    "Examples:\n"
                    "  boxreel golden verify\n"
                    "  boxreel golden verify pyramid --output /tmp/failures\n"
+                   "  boxreel golden verify --report report.html\n"
                    "  boxreel golden verify pyramid --against ../before/build/boxreel\n"
                    "  boxreel golden verify menu --film menu.mp4 --preset cross-machine");
     accept->footer("Look at the pictures before they are committed, and say in the commit why they "
@@ -274,6 +303,9 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
              "all, changed, missing (all)");
     AddFlag(*accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
             "Only pictures drawn by the same renderer are compared with these");
+    AddPath(*verify, "--report", "FILE", golden.report,
+            "A page of what was verified, for a browser", {".html"});
+    DeclareGoldenReport(*command, parsed.goldenReport);
     DeclareGoldenState(*command, parsed.goldenState);
 }
 

@@ -35,6 +35,7 @@ struct ParsedOptions
     ShotOptions shot;
     DiffOptions diff;
     GoldenOptions golden;
+    GoldenReportOptions goldenReport;
     GoldenStateOptions goldenState;
     PlayOptions play;
     UiOptions ui;

@@ -95,8 +95,19 @@ struct GoldenOptions
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
     std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
+    std::filesystem::path report; ///< a page of what was verified; empty: none
     CompareChoice compare;        ///< of the pixels
     Backend backend = Backend::Auto;
+};
+
+/// A page of what golden tests found.
+struct GoldenReportOptions
+{
+    std::vector<std::filesystem::path> folders; ///< that they wrote to; empty: as of verify
+    std::filesystem::path output;               ///< empty: report.html in the first of them
+    std::filesystem::path against; ///< a program whose steps are shown beside ours; empty: none
+    Backend backend = Backend::Auto;
+    bool force = false; ///< replace what is no report
 };
 
 /// A scene's state at a step as text, or each step's hashes up to it.
@@ -181,6 +192,7 @@ Result<int> RunMerge(const MergeOptions& options);
 Result<int> RunShot(const ShotOptions& options);
 Result<int> RunDiff(const DiffOptions& options);
 Result<int> RunGolden(const GoldenOptions& options);
+Result<int> RunGoldenReport(const GoldenReportOptions& options);
 Result<int> RunGoldenState(const GoldenStateOptions& options);
 Result<int> RunUi(const UiOptions& options);
 Result<int> RunDoctor(const DoctorOptions& options);

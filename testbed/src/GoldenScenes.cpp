@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "GoldenScenes.h"
 
-#include "SceneSession.h"
 #include "Values.h"
 
 #include <golden/StateHash.h>
@@ -25,18 +24,6 @@ constexpr Moment kMoments[] = {
     {"2s", Duration{2'000'000'000}},
     {"5s", Duration{5'000'000'000}},
 };
-
-Result<SceneSession> OpenGolden(const GoldenSelection& selection)
-{
-    SceneLook look;
-    look.width = kGoldenWidth;
-    look.height = kGoldenHeight;
-    look.collectEverything = true;
-    SceneSource source;
-    source.entry = selection.scene;
-    source.title = selection.scene->name;
-    return SceneSession::Open(std::move(source), look);
-}
 
 // Simulates up to `step`, one step at a time.
 StateTrace Advance(SceneSession& session, std::int64_t step)
@@ -77,6 +64,18 @@ Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& sessi
 Result<Renderer> CreateGoldenRenderer(Backend backend)
 {
     return Renderer::Create({.width = kGoldenWidth, .height = kGoldenHeight, .backend = backend});
+}
+
+Result<SceneSession> OpenGolden(const GoldenSelection& selection, int width, int height)
+{
+    SceneLook look;
+    look.width = width;
+    look.height = height;
+    look.collectEverything = true;
+    SceneSource source;
+    source.entry = selection.scene;
+    source.title = selection.scene->name;
+    return SceneSession::Open(std::move(source), look);
 }
 
 Result<GoldenSelection> SelectGolden(const std::string& name)

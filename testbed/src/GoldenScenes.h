@@ -2,6 +2,7 @@
 #pragma once
 
 #include "SceneSearch.h"
+#include "SceneSession.h"
 
 #include <debugdraw/Result.h>
 #include <golden/ContactSheet.h>
@@ -44,6 +45,10 @@ struct GoldenSelection
 
 /// "pyramid" or "pyramid/2s"; an Error (Unusable) for a scene or a moment that is not there.
 Result<GoldenSelection> SelectGolden(const std::string& name);
+
+/// Its scene as the candidates are made of it, in a picture of this size [px].
+Result<SceneSession> OpenGolden(const GoldenSelection& selection, int width = kGoldenWidth,
+                                int height = kGoldenHeight);
 
 /// Simulates the scene and hands over the candidates "pyramid/0.5s", "pyramid/2s", "pyramid/5s" in
 /// turn, or the selected one; of a film its sheet.

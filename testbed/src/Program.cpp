@@ -27,6 +27,10 @@ struct Runner
     Result<int> operator()(const ShotOptions& options) const { return RunShot(options); }
     Result<int> operator()(const DiffOptions& options) const { return RunDiff(options); }
     Result<int> operator()(const GoldenOptions& options) const { return RunGolden(options); }
+    Result<int> operator()(const GoldenReportOptions& options) const
+    {
+        return RunGoldenReport(options);
+    }
     Result<int> operator()(const GoldenStateOptions& options) const
     {
         return RunGoldenState(options);

@@ -23,6 +23,10 @@ expect_text("${said}" "accepted  seesaw/1s: there was no reference." "accepted  
 expect_file("${references}/state/seesaw/1s.txt" "${references}/frames/seesaw/1.5s.png" "${references}/frames/meter/half.png")
 step("with references" OUTPUT said COMMAND ${ctest})
 expect_text("${said}" "100% tests passed, 0 tests failed out of 3")
+# The installed program makes a page of what they left.
+set(makePage "${prefix}/bin/boxreel" golden report)
+step("reporting that all passed" OUTPUT said COMMAND ${makePage} "${build}/golden-output")
+expect_text("${said}" "4 moments: all as approved")
 file(RENAME "${references}" "${WORK_DIR}/elsewhere")
 step("with references elsewhere" COMMAND ${program} BOXREEL_GOLDEN_REFERENCES=${WORK_DIR}/elsewhere "${tests}")
 step("without them" FAILS COMMAND ${program} "${tests}")
@@ -57,6 +61,10 @@ foreach(name seesaw/1s seesaw/1.5s meter/half)
     expect_file("${output}/${name}.${picture}.png")
   endforeach()
 endforeach()
+step("reporting the change" OUTPUT said COMMAND ${makePage} "${build}/golden-output" -o "${WORK_DIR}/report.html")
+expect_text("${said}" "4 moments: 4 not as approved")
+file(READ "${WORK_DIR}/report.html" page)
+expect_text("${page}" "id=\"seesaw/1s\"" "id=\"meter/half\"" "\"actualPicture\":\"data:image/png;base64,")
 # What CTest sends to CDash has the pictures in it.
 file(GLOB report "${build}/Testing/*/Test.xml")
 file(READ "${report}" report)
@@ -75,6 +83,10 @@ foreach(shard 0 1)
     message(FATAL_ERROR "shard ${shard} left no picture")
   endif()
 endforeach()
+
+step("reporting both shards" OUTPUT said COMMAND ${makePage} "${WORK_DIR}/failures/shard-0-of-2"
+  "${WORK_DIR}/failures/shard-1-of-2" -o "${WORK_DIR}/shards.html")
+expect_text("${said}" "4 moments: 4 not as approved")
 
 step("accepting the change" COMMAND ${program} BOXREEL_GOLDEN_ACCEPT=changed "${tests}")
 step("with the new references" COMMAND ${ctest})

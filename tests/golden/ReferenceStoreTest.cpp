@@ -105,7 +105,7 @@ TEST_F(ReferenceStoreTest, AcceptsAtThreeDepthsAndVerifiesTheSame)
     EXPECT_EQ(verdict.status, GoldenStatus::Same);
     EXPECT_EQ(verdict.name, "pyramid/3s");
     EXPECT_THAT(verdict.message, HasSubstr("same-machine allows"));
-    EXPECT_THAT(Files(m_output), IsEmpty());
+    EXPECT_THAT(Files(m_output), ElementsAre("pyramid/3s.verdict.json"));
 }
 
 TEST_F(ReferenceStoreTest, FailsWithoutAReferenceWritesTheCandidateAndSaysHowToAccept)
@@ -117,7 +117,8 @@ TEST_F(ReferenceStoreTest, FailsWithoutAReferenceWritesTheCandidateAndSaysHowToA
                       HasSubstr((m_output / "pyramid/3s.actual.png").string()),
                       HasSubstr("boxreel golden accept pyramid/3s")));
     EXPECT_THAT(Files(m_output),
-                UnorderedElementsAre("pyramid/3s.actual.png", "pyramid/3s.actual.txt"));
+                UnorderedElementsAre("pyramid/3s.actual.png", "pyramid/3s.actual.txt",
+                                     "pyramid/3s.verdict.json"));
     const Result<Frame> written = ReadPng(m_output / "pyramid/3s.actual.png");
     ASSERT_TRUE(written);
     EXPECT_EQ(*written, m_candidate.frame);
@@ -294,7 +295,8 @@ TEST_F(ReferenceStoreTest, LeavesEverythingNeededToJudgeAFailure)
     EXPECT_THAT(Files(m_output),
                 UnorderedElementsAre("pyramid/3s.expected.png", "pyramid/3s.actual.png",
                                      "pyramid/3s.difference.png", "pyramid/3s.side-by-side.png",
-                                     "pyramid/3s.expected.txt", "pyramid/3s.actual.txt"));
+                                     "pyramid/3s.expected.txt", "pyramid/3s.actual.txt",
+                                     "pyramid/3s.verdict.json"));
     EXPECT_THAT(verdict.message, HasSubstr((m_output / "pyramid/3s.side-by-side.png").string()));
     const auto picture = [&](const char* suffix) {
         return ReadPng(m_output / (std::string("pyramid/3s") + suffix));
@@ -314,7 +316,7 @@ TEST_F(ReferenceStoreTest, RemovesWhatAnEarlierFailureLeftOnceTheNamePasses)
     Verify(Moved());
     WriteBytes(m_output / "pyramid/3s.txt", "of someone else");
     EXPECT_EQ(Verify(m_candidate).status, GoldenStatus::Same);
-    EXPECT_THAT(Files(m_output), ElementsAre("pyramid/3s.txt"));
+    EXPECT_THAT(Files(m_output), UnorderedElementsAre("pyramid/3s.txt", "pyramid/3s.verdict.json"));
 }
 
 TEST_F(ReferenceStoreTest, RemovesTheOldExpectedPictureWhenTheReferenceIsGone)
@@ -324,7 +326,8 @@ TEST_F(ReferenceStoreTest, RemovesTheOldExpectedPictureWhenTheReferenceIsGone)
     fs::remove_all(m_references);
     Verify(m_candidate);
     EXPECT_THAT(Files(m_output),
-                UnorderedElementsAre("pyramid/3s.actual.png", "pyramid/3s.actual.txt"));
+                UnorderedElementsAre("pyramid/3s.actual.png", "pyramid/3s.actual.txt",
+                                     "pyramid/3s.verdict.json"));
 }
 
 TEST_F(ReferenceStoreTest, AcceptReplacesTheReference)

@@ -161,6 +161,20 @@ TEST(CommandLine, GoldenTakesNamesAndFolders)
     EXPECT_TRUE(Parsed<GoldenOptions>("golden accept").accept);
 }
 
+TEST(CommandLine, GoldenReportTakesFoldersAndAFile)
+{
+    EXPECT_TRUE(Parsed<GoldenReportOptions>("golden report").folders.empty());
+    const GoldenReportOptions report = Parsed<GoldenReportOptions>(
+        "golden report a b -o page.html --against ../other --backend osmesa --force");
+    EXPECT_THAT(report.folders, testing::ElementsAre("a", "b"));
+    EXPECT_EQ(report.output, "page.html");
+    EXPECT_EQ(report.against, "../other");
+    EXPECT_EQ(report.backend, Backend::OSMesa);
+    EXPECT_TRUE(report.force);
+    EXPECT_EQ(Parsed<GoldenOptions>("golden verify --report page.html").report, "page.html");
+    EXPECT_THAT(Refusal("golden accept --report page.html"), testing::HasSubstr("--report"));
+}
+
 TEST(CommandLine, BackendIsOneOfTheNamesWhereverPicturesAreDrawn)
 {
     EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png").backend, Backend::Auto);
@@ -246,7 +260,7 @@ TEST(CommandLine, WhatIsMissingIsNamed)
     EXPECT_THAT(Refusal("shot pyramid --at 3s"), HasSubstr("-o picture.png"));
     EXPECT_THAT(Refusal("diff a.png"), HasSubstr("Name two pictures"));
     EXPECT_EQ(Refusal("golden"),
-              "Say what to do: verify, accept, state; `boxreel golden --help` tells more.");
+              "Say what to do: verify, accept, report, state; `boxreel golden --help` tells more.");
     EXPECT_EQ(Refusal("record pyramid -o"), "--output needs a value.");
     EXPECT_THAT(Refusal("completion"), HasSubstr("`boxreel completion bash`; zsh"));
     EXPECT_EQ(Refusal("record pyramid --seed="), "--seed needs a value.");

@@ -68,7 +68,8 @@ class ReferenceStore
 {
 public:
     /// `references`: the approved folder; `output`: where failures leave NAME.expected.png,
-    /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png, the two draw lists and states.
+    /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png, the two draw lists and states,
+    /// and every comparison NAME.verdict.json, of which `boxreel golden report` makes a page.
     ReferenceStore(std::filesystem::path references, std::filesystem::path output);
 
     /// An Error only when a file cannot be read or written, the name is not usable, or a body that

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+/// page.html, page.css and page.js, which the build puts into a source (cmake/EmbedTexts.cmake).
+namespace boxreel
+{
+
+extern const std::string_view kPageHtml;
+extern const std::string_view kPageCss;
+extern const std::string_view kPageJs;
+
+} // namespace boxreel

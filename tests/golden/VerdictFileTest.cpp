@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// What a reference store writes for `boxreel golden report`, which reads it (tests/testbed/report).
+#include "../debugdraw/TemporaryFolder.h"
+#include "TestPictures.h"
+
+#include <debugdraw/Camera.h>
+#include <gmock/gmock.h>
+#include <golden/GoldenCheck.h>
+#include <golden/ReferenceStore.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace boxreel;
+using namespace boxreel::test;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+class VerdictFile : public testing::Test
+{
+protected:
+    std::string Verified(const GoldenCandidate& shown, const CompareSettings& settings = {}) const
+    {
+        (void)store.Verify(shown, settings);
+        std::ifstream in(output / (shown.name + ".verdict.json"));
+        std::ostringstream text;
+        text << in.rdbuf();
+        return text.str();
+    }
+
+    TemporaryFolder folder;
+    fs::path references = folder / "references";
+    fs::path output = folder / "output";
+    ReferenceStore store{references, output};
+    GoldenCandidate candidate = Candidate("pyramid/3s");
+};
+
+TEST_F(VerdictFile, SaysWhatPassedByWhichLimits)
+{
+    ASSERT_TRUE(store.Accept(candidate));
+    candidate.renderer = "some \"GL\"\n";
+    candidate.camera = Camera{320, 180, 1.5, 2.0, 16.0};
+    CompareSettings settings = CompareSettings::CrossMachine();
+    settings.ignored = {{10, 20, 40, 60}};
+    const std::string json = Verified(candidate, settings);
+    EXPECT_THAT(json,
+                AllOf(HasSubstr("\n  \"name\": \"pyramid/3s\",\n"),
+                      HasSubstr("\n  \"status\": \"same\",\n"),
+                      HasSubstr("\"preset\": \"cross-machine\""), HasSubstr("\"tolerance\": 0.01"),
+                      HasSubstr("\"maxPixels\": null"), HasSubstr("\"maxInWindow\": 8"),
+                      HasSubstr("\"ignored\": [[10, 20, 30, 40]]")));
+    EXPECT_THAT(json, AllOf(HasSubstr("\"renderer\": \"some \\\"GL\\\"\\u000a\""),
+                            HasSubstr("\"view\": [320, 180, 1.5, 2, 16]"),
+                            HasSubstr("\"overTolerance\": 0")));
+}
+
+TEST_F(VerdictFile, ReplacesThatOfAnEarlierComparison)
+{
+    ASSERT_TRUE(store.Accept(candidate));
+    GoldenCandidate moved = candidate;
+    moved.list.points[0].x += 0.125f;
+    EXPECT_THAT(Verified(moved), HasSubstr("\"status\": \"drawlist\""));
+    EXPECT_THAT(Verified(candidate), HasSubstr("\"status\": \"same\""));
+    fs::remove_all(references);
+    const std::string json = Verified(candidate);
+    EXPECT_THAT(json,
+                AllOf(HasSubstr("\"status\": \"missing\""), HasSubstr("there is no reference")));
+    EXPECT_THAT(json, Not(HasSubstr("Look at"))) << "the page shows it, wherever it is read";
+}
+
+TEST_F(VerdictFile, NamesTheStepAndTheBodiesThatPartFirst)
+{
+    candidate.trace.steps = {{1, "11111111", "ab"}, {2, "22222222", "cd"}, {3, "33333333", "ef"}};
+    ASSERT_TRUE(store.Accept(candidate));
+    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"since\": 1"), HasSubstr("\"step\": 3"),
+                                           Not(HasSubstr("firstStep"))));
+    candidate.trace.steps[1] = {2, "2222222f", "cf"};
+    EXPECT_THAT(Verified(candidate),
+                AllOf(HasSubstr("\"status\": \"state\""), HasSubstr("\"firstStep\": 2"),
+                      HasSubstr("\"firstBodies\": [1]"), HasSubstr("\"firstHash\": \"2222222f\"")));
+}
+
+TEST_F(VerdictFile, SaysThatSomethingCouldNotBeCompared)
+{
+    ASSERT_TRUE(store.Accept(candidate));
+    ASSERT_THAT(Verified(candidate), HasSubstr("\"status\": \"same\""));
+    std::ofstream(references / "frames/pyramid/3s.png") << "damaged";
+    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"status\": \"error\""), HasSubstr("3s.png")))
+        << "it does not pass any more";
+}
+
+TEST_F(VerdictFile, PassesWhereNothingCanBeWritten)
+{
+    ASSERT_TRUE(store.Accept(candidate));
+    std::ofstream(output) << "a file where the folder should be";
+    const Result<GoldenVerdict> verdict = store.Verify(candidate);
+    ASSERT_TRUE(verdict) << verdict.GetError().message;
+    EXPECT_EQ(verdict->status, GoldenStatus::Same);
+}
+
+TEST_F(VerdictFile, SaysThatAFailureWasAcceptedByItsTest)
+{
+    std::set<std::string> accepted;
+    ASSERT_TRUE(
+        CheckGolden(candidate, {}, {references, output, GoldenAccept::Missing}, accepted).passed);
+    std::ifstream in(output / "pyramid/3s.verdict.json");
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    EXPECT_THAT(text, AllOf(HasSubstr("\"accepted\": true"), HasSubstr("\"status\": \"missing\"")));
+    EXPECT_TRUE(fs::exists(output / "pyramid/3s.actual.png")) << "to be looked at";
+    EXPECT_THAT(Verified(candidate), Not(HasSubstr("accepted"))) << "the next time it just passes";
+}
+
+} // namespace

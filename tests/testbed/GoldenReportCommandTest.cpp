@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// `boxreel golden report`: the real program, as a shell runs it.
+#include "Subprocess.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class GoldenReport : public testing::Test
+{
+protected:
+    Outcome Run(std::vector<std::string> arguments) const
+    {
+        arguments.insert(arguments.begin(), "golden");
+        return RunBoxreel(arguments, folder.Path());
+    }
+
+    /// A step of its reference is another, and the moment's state, draw list and picture are.
+    void PlantADifference() const
+    {
+        ASSERT_EQ(Run({"accept", "bridge/0.5s", "--references", "r"}).code, 0);
+        const Outcome planted =
+            RunTool({"sh", "-c",
+                     "sed -E -i '12s/^12 ......../12 00000000/; 12s/^(12 00000000 .{17})./\\1./' "
+                     "r/trace/bridge/0.5s.txt; sed -i '1s/.*/0123456789abcdef/; 19s/ / 0/' "
+                     "r/state/bridge/0.5s.txt"},
+                    folder.Path());
+        ASSERT_EQ(planted.code, 0) << planted.errors;
+    }
+    Outcome Verify(const std::string& output, std::vector<std::string> more = {}) const
+    {
+        more.insert(more.begin(),
+                    {"verify", "bridge/0.5s", "--references", "r", "--output", output});
+        return Run(more);
+    }
+
+    void ExpectRefusal(const std::vector<std::string>& arguments, const std::string& remedy) const
+    {
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.code, 1) << outcome.output;
+        EXPECT_THAT(outcome.errors, HasSubstr(remedy));
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
+            << outcome.errors;
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(GoldenReport, ShowsWhatVerifyFoundWithTheStepsAround)
+{
+    PlantADifference();
+    const Outcome verified = Verify("o");
+    ASSERT_EQ(verified.code, 2);
+    EXPECT_THAT(verified.output,
+                HasSubstr("see 'o'; `boxreel golden report 'o'` makes a page of them"));
+    const Outcome outcome = Run({"report", "o"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output,
+                testing::MatchesRegex("1 moment: 1 not as approved; the report is 'o/report.html' "
+                                      "\\([0-9.]+ [kM]B\\)\n"));
+    const std::string page = ReadFile(folder / "o/report.html");
+    EXPECT_THAT(page, AllOf(HasSubstr("id=\"bridge/0.5s\""), HasSubstr("\"firstStep\":12"),
+                            HasSubstr("\"step\":10,\"actual\":\"data:image/png"),
+                            Not(HasSubstr("\"expected\":\"data:"))));
+    EXPECT_EQ(Run({"report", "o"}).code, 0) << "a report is replaced by a report";
+    EXPECT_EQ(ReadFile(folder / "o/report.html"), page) << "the same folder makes the same page";
+
+    const Outcome both = Run({"report", "o", "--against", BOXREEL_PROGRAM, "-o", "both.html"});
+    EXPECT_EQ(both.code, 0) << both.errors;
+    const std::string pair = ReadFile(folder / "both.html");
+    EXPECT_THAT(pair, HasSubstr("\"expected\":\"data:image/png"));
+    // The same program draws the same, of all and close to the body.
+    for (const char* const names : {"expected actual", "expectedCloseUp closeUp"})
+    {
+        const Outcome cut = RunTool(
+            {"sh", "-c",
+             std::string("for name in ") + names +
+                 "; do sed -n "
+                 "'s/.*\"step\":11,[^}]*\"'$name'\":\"data:image.png;base64,\\([^\"]*\\).*/\\1/p' "
+                 "both.html | base64 -d > $name.png; set -- $@ $name.png; done; '" BOXREEL_PROGRAM
+                 "' diff --preset exact $@"},
+            folder.Path());
+        EXPECT_EQ(cut.code, 0) << names << cut.output << cut.errors;
+    }
+}
+
+TEST_F(GoldenReport, ComesWithVerifyOfWhatWasVerifiedAlone)
+{
+    PlantADifference();
+    ASSERT_EQ(Run({"verify", "car/2s", "--references", "r", "--output", "o"}).code, 2);
+    const Outcome outcome = Verify("o", {"--report", "page.html"});
+    EXPECT_EQ(outcome.code, 2) << "as without a report";
+    EXPECT_THAT(outcome.output, HasSubstr("1 not as approved; the report is 'page.html'"));
+    EXPECT_THAT(ReadFile(folder / "page.html"),
+                AllOf(HasSubstr("bridge/0.5s"), Not(HasSubstr("car/2s"))));
+    ExpectRefusal({"verify", "bridge", "--report", "x.html", "--against", "y"},
+                  "golden report --against y");
+    ExpectRefusal({"verify", "bridge", "--references", "r", "--report", "none/x.html"}, "'none'");
+}
+
+TEST_F(GoldenReport, MergesShards)
+{
+    PlantADifference();
+    ASSERT_EQ(Verify("shard-0").code, 2);
+    ASSERT_EQ(Run({"accept", "bridge/0.5s", "car/2s", "--references", "r"}).code, 0);
+    ASSERT_EQ(Verify("shard-1").code, 0);
+    ASSERT_EQ(Run({"verify", "car/2s", "--references", "r", "--output", "shard-1"}).code, 0);
+    const Outcome outcome = Run({"report", "shard-1", "shard-0", "-o", "all.html"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("2 moments: 1 not as approved"));
+    EXPECT_THAT(ReadFile(folder / "all.html"),
+                HasSubstr("This is of shard-0; shard-1 says <b>as approved</b>"));
+}
+
+TEST_F(GoldenReport, SaysThatAllIsAsApproved)
+{
+    ASSERT_EQ(Run({"accept", "bridge/0.5s", "--references", "r"}).code, 0);
+    ASSERT_EQ(Verify("o").code, 0);
+    EXPECT_THAT(Run({"report", "o"}).output, HasSubstr("1 moment: all as approved; the report is"));
+}
+
+TEST_F(GoldenReport, IsWrittenWholeOrNotAtAll)
+{
+    ExpectRefusal({"report", "none"}, "'none' is no folder that golden tests have written to");
+    ExpectRefusal({"report"}, "'golden-output' is no folder");
+    fs::create_directories(folder / "o");
+    ExpectRefusal({"report", "o"}, "'o' holds no verdict");
+    std::ofstream(folder / "o/a.verdict.json")
+        << R"({"verdict": 1, "name": "a", "status": "same", "message": ""})";
+    std::ofstream(folder / "mine.html") << "mine";
+    ExpectRefusal({"report", "o", "-o", "mine.html"}, "give --force");
+    ExpectRefusal({"report", "o", "-o", "o"}, "name a file in it");
+    ExpectRefusal({"report", "o", "-o", "none/a.html"}, "There is no folder 'none'");
+    EXPECT_EQ(ReadFile(folder / "mine.html"), "mine");
+    EXPECT_EQ(Run({"report", "o", "-o", "mine.html", "--force"}).code, 0);
+    const std::string page = ReadFile(folder / "mine.html");
+    std::ofstream(folder / "o/b.verdict.json") << "damaged";
+    ExpectRefusal({"report", "o", "-o", "mine.html"},
+                  "b.verdict.json' is no verdict of a golden test");
+    EXPECT_EQ(ReadFile(folder / "mine.html"), page) << "as it was";
+    EXPECT_EQ(folder.Files().size(), 2u) << "nothing unfinished is left";
+}
+
+} // namespace
+} // namespace boxreel

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <report/Verdicts.h>
+
+#include "../Subprocess.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+class Verdicts : public testing::Test
+{
+protected:
+    void Write(const std::string& path, const std::string& bytes) const
+    {
+        fs::create_directories((folder / path).parent_path());
+        std::ofstream(folder / path, std::ios::binary) << bytes;
+    }
+    void Leave(const std::string& where, const std::string& name, const std::string& status,
+               const std::string& more = "") const
+    {
+        Write(where + "/" + name + ".verdict.json",
+              R"({"verdict": 1, "name": ")" + name + R"(", "status": ")" + status +
+                  R"(", "message": "it is )" + status + R"(")" + more + "}");
+    }
+    std::vector<ReportedMoment> Collect(const std::vector<std::string>& names) const
+    {
+        std::vector<fs::path> folders;
+        for (const std::string& name : names)
+        {
+            folders.push_back(folder / name);
+        }
+        Result<std::vector<ReportedMoment>> moments = CollectVerdicts(folders);
+        EXPECT_TRUE(moments) << moments.GetError().message;
+        return moments ? *std::move(moments) : std::vector<ReportedMoment>();
+    }
+    std::string Refusal(const std::string& name) const
+    {
+        const Result<std::vector<ReportedMoment>> moments = CollectVerdicts({folder / name});
+        EXPECT_FALSE(moments);
+        EXPECT_EQ(moments.GetError().kind, ErrorKind::Unusable);
+        return moments ? "" : moments.GetError().message;
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Verdicts, AreFoundAtEveryDepthAndSortedByName)
+{
+    Leave("out", "pyramid/2s", "same");
+    Leave("out/shard-0-of-2", "bridge", "pixels");
+    Write("out/pyramid/2s.actual.png", "no verdict");
+    const std::vector<ReportedMoment> moments = Collect({"out"});
+    ASSERT_THAT(moments, SizeIs(2));
+    EXPECT_EQ(moments[0].shown.name, "bridge");
+    EXPECT_EQ(moments[0].shown.base, folder / "out/shard-0-of-2/bridge");
+    EXPECT_EQ(moments[0].shown.folder, (folder / "out/shard-0-of-2").string());
+    EXPECT_EQ(moments[1].shown.name, "pyramid/2s");
+    EXPECT_TRUE(moments[1].shown.Passed());
+}
+
+TEST_F(Verdicts, OfShardsAreOneOfWhichTheWorstIsShown)
+{
+    Leave("a", "bridge", "same");
+    Leave("b", "bridge", "state");
+    Leave("c", "bridge", "pixels");
+    Leave("a", "car", "same");
+    Leave("b", "car", "same");
+    for (const std::vector<std::string>& order :
+         std::vector<std::vector<std::string>>{{"a", "b", "c"}, {"c", "b", "a"}})
+    {
+        const std::vector<ReportedMoment> moments = Collect(order);
+        ASSERT_THAT(moments, SizeIs(2));
+        EXPECT_EQ(moments[0].shown.status, "state");
+        ASSERT_THAT(moments[0].others, SizeIs(2));
+        EXPECT_THAT(moments[1].others, IsEmpty()) << "they agree";
+    }
+}
+
+TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
+{
+    Leave("out", "a", "state",
+          R"(, "step": 120, "firstStep": 43, "firstBodies": [17, 3], "firstHash": "01234567",
+             "preset": "cross-machine", "tolerance": 0.01, "edgeShift": 0.2, "maxPixels": null,
+             "maxRatio": 0.0005, "maxInWindow": 8, "window": 16, "ignoredBodies": [3])");
+    Leave("out", "b", "missing",
+          R"(, "accepted": true, "preset": "exact", "tolerance": 0, "maxPixels": 0, "window": 16)");
+    const std::vector<ReportedMoment> moments = Collect({"out"});
+    ASSERT_THAT(moments, SizeIs(2));
+    const ReportedVerdict& state = moments[0].shown;
+    EXPECT_EQ(state.firstStep, 43);
+    EXPECT_EQ(state.lastStep, 120);
+    EXPECT_THAT(state.firstBodies, testing::ElementsAre(17, 3));
+    EXPECT_EQ(state.firstHash, "01234567");
+    EXPECT_EQ(state.limits,
+              "cross-machine: any number of pixels over a distance of 0.01, edges up "
+              "to 0.2 px elsewhere, at most 0.05% of all, 8 in any 16x16; bodies left "
+              "out: 1");
+    EXPECT_EQ(moments[1].shown.status, "accepted");
+    EXPECT_EQ(moments[1].shown.limits, "exact: 0 pixels over a distance of 0, 0 in any 16x16");
+}
+
+TEST_F(Verdicts, MayHoldAnyBytes)
+{
+    Write("out/a.verdict.json", "{\"verdict\": 1, \"name\": \"</script>\", \"status\": \"same\", "
+                                "\"message\": \"\xff\xfe\"}");
+    const std::vector<ReportedMoment> moments = Collect({"out"});
+    ASSERT_THAT(moments, SizeIs(1));
+    EXPECT_EQ(moments[0].shown.name, "</script>");
+    EXPECT_THAT(moments[0].shown.json, AllOf(HasSubstr("\\u003c/script>"), Not(HasSubstr("<"))));
+    EXPECT_EQ(moments[0].shown.message, "\uFFFD\uFFFD");
+    EXPECT_EQ(JsonText("a<b\"\n\xff"), "\"a\\u003cb\\\"\\n\uFFFD\"");
+}
+
+TEST_F(Verdicts, AreRefusedWithTheFileThatIsNone)
+{
+    EXPECT_THAT(Refusal("none"), HasSubstr("run `boxreel golden verify` first"));
+    fs::create_directories(folder / "empty");
+    EXPECT_THAT(Refusal("empty"), HasSubstr("holds no verdict"));
+    const std::vector<std::string> damaged{
+        "",
+        "{",
+        "[]",
+        R"({"verdict": 1})",
+        R"({"verdict": 2, "name": "a", "status": "same", "message": ""})",
+        R"({"verdict": 1, "name": "a", "status": "good", "message": ""})",
+        R"({"verdict": 1, "name": 5, "status": "same", "message": ""})",
+        R"({"verdict": 1, "name": "a", "status": "state", "message": "", "firstStep": "x"})",
+        std::string(2'000'000, ' ') +
+            R"({"verdict": 1, "name": "a", "status": "same", "message": ""})"};
+    for (const std::string& text : damaged)
+    {
+        Write("out/x.verdict.json", text);
+        EXPECT_THAT(Refusal("out"), AllOf(HasSubstr("x.verdict.json'"), HasSubstr("; remove it")))
+            << text.substr(0, 80);
+    }
+}
+
+} // namespace
+} // namespace boxreel
