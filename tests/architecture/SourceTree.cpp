@@ -85,7 +85,9 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"ft2build.h", {"render/src/FigureCairo."}},
         {"freetype", {"render/src/FigureCairo."}},
         {"chipmunk/", {"tests/benchmark/"}},
-        {"box2d/", {"tests/benchmark/"}},
+        {"box2d/",
+         {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24", "tests/benchmark/",
+          "tests/debugdraw/Box2d24Draw"}},
         {"gtest/", {"golden/include/golden/GoldenTest."}}, // for tests of other projects
         {"gmock/", {}},
     };
