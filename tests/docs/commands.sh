@@ -1,0 +1,113 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+#
+# commands.sh CHECKOUT PROGRAM PAGE [slow]: runs what a page tells its readers to type, block by block, from
+# the top, in a folder of its own that looks like a checkout. Blocks of commands have no language, or `sh`; in
+# those of `console` the commands stand behind `$ `. Comments before a block say what else a reader would do:
+#
+#   <!-- first: COMMAND -->    what comes before it, such as a film of the reader's own
+#   <!-- not run: REASON -->   it is not run at all
+#   <!-- slow: REASON -->      it is only run with `slow`, and then it alone is
+#   <!-- exit code N -->       what it ends with, when not with 0
+#
+# A command that fails fails the page. `./boxreel test` would run this very test, and is passed over. Exit
+# code 77: this machine cannot try the page, and why.
+set -eu
+checkout=$1
+program=$2
+page=$3
+pace=${4:-quick}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM
+blocks=$work/blocks
+folder=$work/checkout
+mkdir -p "$blocks" "$folder" "$work/bin" "$work/home/.config"
+
+# ------------------------------------------------------------------------------ what a reader has
+
+cp -R "$checkout/README.md" "$checkout/docs" "$folder/"
+mkdir "$folder/golden"
+cp -R "$checkout/golden/references" "$folder/golden/"
+cat >"$work/bin/boxreel" <<SCRIPT
+#!/bin/bash
+case "\${1-}" in
+    test) exit 0 ;;
+    ui) exec "$checkout/tests/docs/closed-window.sh" "$program" "\$@" ;;
+    *) exec "$program" "\$@" ;;
+esac
+SCRIPT
+chmod +x "$work/bin/boxreel"
+ln -s "$work/bin/boxreel" "$folder/boxreel"
+export PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
+unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT
+
+# ------------------------------------------------------------------------------ what the page says
+
+# A file NUMBER.sh for each block of commands, with the comments before it as lines `#: …`.
+awk -v blocks="$blocks" '
+    function mark(text) { marks = marks "#: " text "\n" }
+    isInside && /^```[ ]*$/ { isInside = 0; marks = ""; next }
+    isInside && isCommands { print >file; next }
+    isInside && isConsole && /^\$ / { print substr($0, 3) >file; next }
+    isInside { next }
+    /^```/ {
+        isInside = 1
+        language = substr($0, 4)
+        isCommands = language == "" || language == "sh"
+        isConsole = language == "console"
+        if (isCommands || isConsole) {
+            file = sprintf("%s/%03d.sh", blocks, FNR)
+            printf "%s", marks >file
+        } else if (marks != "") {
+            print FILENAME ":" FNR ": a comment for commands stands before a block of other text" >"/dev/stderr"
+            exit 1
+        }
+        next
+    }
+    /^<!-- (first|not run|slow): .+ -->$/ || /^<!-- exit code [0-9]+ -->$/ { mark(substr($0, 6, length($0) - 9)); next }
+    /^<!-- (first|not run|slow|exit code)/ { print FILENAME ":" FNR ": cannot be read: " $0 >"/dev/stderr"; exit 1 }
+    NF { marks = "" }
+    END { if (isInside) { print FILENAME ": its last block has no end" >"/dev/stderr"; exit 1 } }
+' "$checkout/$page"
+
+# ------------------------------------------------------------------------------ what happens
+
+# marked BLOCK KIND: what its comments of this kind say.
+marked() {
+    sed -n "s/^#: $2:* //p" "$1"
+}
+
+cd "$folder"
+for block in "$blocks"/*.sh; do
+    [ -e "$block" ] || break # a page without commands
+    line=$(basename "$block" .sh)
+    line=$((10#$line))
+    [ -z "$(marked "$block" 'not run')" ] || continue
+    isSlow=$(marked "$block" slow)
+    [ "$pace" = slow ] || [ -z "$isSlow" ] || continue
+    [ "$pace" != slow ] || [ -n "$isSlow" ] || continue
+    marked "$block" first >"$work/first"
+    expected=$(marked "$block" 'exit code')
+    begun=$EPOCHREALTIME
+    status=0
+    bash -e -o pipefail "$work/first" >"$work/said" 2>&1 </dev/null || status=$?
+    if [ "$status" -ne 0 ]; then
+        tail -n 30 "$work/said" >&2
+        echo "FAILED: $page:$line: what is to be done first ends with $status" >&2
+        exit 1
+    fi
+    bash -e -o pipefail "$block" >"$work/said" 2>&1 </dev/null || status=$?
+    if [ "$status" -eq 77 ]; then
+        cat "$work/said"
+        exit 77
+    fi
+    if [ "$status" -ne "${expected:-0}" ]; then
+        tail -n 30 "$work/said" >&2
+        echo "FAILED: $page:$line: these commands end with $status instead of ${expected:-0}:" >&2
+        grep -v '^#: ' "$block" >&2
+        exit 1
+    fi
+    awk -v page="$page:$line" -v a="$begun" -v b="$EPOCHREALTIME" 'BEGIN { printf "%s: %.1f s\n", page, b - a }'
+done
