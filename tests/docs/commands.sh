@@ -1,11 +1,12 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 #
-# commands.sh CHECKOUT PROGRAM PAGE [slow]: runs what a page tells its readers to type, block by block, from
+# commands.sh CHECKOUT PROGRAM PREFIX PAGE [slow]: runs what a page tells its readers to type, block by block, from
 # the top, in a folder of its own that looks like a checkout. Blocks of commands have no language, or `sh`; in
-# those of `console` the commands stand behind `$ `. Comments before a block say what else a reader would do:
+# those of `console` the commands stand behind `$ `. What is installed in PREFIX is in ~/boxreel. Comments before a block say what else a reader would do:
 #
 #   <!-- first: COMMAND -->    what comes before it, such as a film of the reader's own
+#   <!-- needs: COMMAND -->    what must succeed, else the page is skipped
 #   <!-- not run: REASON -->   it is not run at all
 #   <!-- slow: REASON -->      it is only run with `slow`, and then it alone is
 #   <!-- exit code N -->       what it ends with, when not with 0
@@ -15,8 +16,9 @@
 set -eu
 checkout=$1
 program=$2
-page=$3
-pace=${4:-quick}
+prefix=$3
+page=$4
+pace=${5:-quick}
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -40,6 +42,7 @@ esac
 SCRIPT
 chmod +x "$work/bin/boxreel"
 ln -s "$work/bin/boxreel" "$folder/boxreel"
+ln -s "$prefix" "$work/home/boxreel"
 export PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
 unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT
 
@@ -48,13 +51,14 @@ unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT
 # A file NUMBER.sh for each block of commands, with the comments before it as lines `#: …`.
 awk -v blocks="$blocks" '
     function mark(text) { marks = marks "#: " text "\n" }
-    isInside && /^```[ ]*$/ { isInside = 0; marks = ""; next }
+    isInside && /^ *```[ ]*$/ { isInside = 0; marks = ""; next }
     isInside && isCommands { print >file; next }
     isInside && isConsole && /^\$ / { print substr($0, 3) >file; next }
     isInside { next }
-    /^```/ {
+    /^ *```/ { # those of a list are indented
         isInside = 1
-        language = substr($0, 4)
+        language = $0
+        sub(/^ *```/, "", language)
         isCommands = language == "" || language == "sh"
         isConsole = language == "console"
         if (isCommands || isConsole) {
@@ -66,8 +70,13 @@ awk -v blocks="$blocks" '
         }
         next
     }
-    /^<!-- (first|not run|slow): .+ -->$/ || /^<!-- exit code [0-9]+ -->$/ { mark(substr($0, 6, length($0) - 9)); next }
-    /^<!-- (first|not run|slow|exit code)/ { print FILENAME ":" FNR ": cannot be read: " $0 >"/dev/stderr"; exit 1 }
+    /^ *<!-- (first|needs|not run|slow): .+ -->$/ || /^ *<!-- exit code [0-9]+ -->$/ {
+        sub(/^ *<!-- /, "")
+        sub(/ -->$/, "")
+        mark($0)
+        next
+    }
+    /^ *<!-- (first|needs|not run|slow|exit code)/ { print FILENAME ":" FNR ": cannot be read: " $0 >"/dev/stderr"; exit 1 }
     NF { marks = "" }
     END { if (isInside) { print FILENAME ": its last block has no end" >"/dev/stderr"; exit 1 } }
 ' "$checkout/$page"
@@ -88,6 +97,11 @@ for block in "$blocks"/*.sh; do
     isSlow=$(marked "$block" slow)
     [ "$pace" = slow ] || [ -z "$isSlow" ] || continue
     [ "$pace" != slow ] || [ -n "$isSlow" ] || continue
+    marked "$block" needs >"$work/needs"
+    if ! bash -e "$work/needs" >/dev/null 2>&1 </dev/null; then
+        echo "skipped: $page:$line cannot be tried here: $(cat "$work/needs")"
+        exit 77
+    fi
     marked "$block" first >"$work/first"
     expected=$(marked "$block" 'exit code')
     begun=$EPOCHREALTIME
