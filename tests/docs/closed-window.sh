@@ -8,6 +8,7 @@ for tool in Xvfb xdotool; do
     command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 coproc screen { exec Xvfb -displayfd 1 -screen 0 1920x1080x24 -nolisten tcp 2>/dev/null; }
+# shellcheck disable=SC2154 # coproc sets it
 server=$screen_PID
 trap 'kill "$server"' EXIT
 read -r number <&"${screen[0]}"

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # commands.sh CHECKOUT PROGRAM PREFIX PAGE [slow]: runs what a page tells its readers to type, block by block, from
-# the top, in a folder of its own that looks like a checkout. Blocks of commands have no language, or `sh`; in
-# those of `console` the commands stand behind `$ `. What is installed in PREFIX is in ~/boxreel. Comments before a block say what else a reader would do:
+# the top, in a folder of its own that looks like a checkout; what is installed in PREFIX is in its ~/boxreel.
+# Blocks of commands have no language, or `sh`; in those of `console` the commands stand behind `$ `. Comments
+# before a block say what else there is to do:
 #
 #   <!-- first: COMMAND -->    what comes before it, such as a film of the reader's own
 #   <!-- needs: COMMAND -->    what must succeed, else the page is skipped
