@@ -7,7 +7,7 @@ checkout=$1
 program=$2
 planted=$(mktemp -d)
 trap 'rm -rf "$planted"' EXIT
-mkdir -p "$planted/docs" "$planted/golden/references" "$planted/tests"
+mkdir -p "$planted/docs/examples/pictures" "$planted/golden/references" "$planted/tests"
 touch "$planted/README.md"
 ln -s "$checkout/tests/docs" "$planted/tests/docs"
 
@@ -106,6 +106,28 @@ exit 3
 ```
 ```
 false
+```
+PAGE
+"$program" record pyramid --frames 10 --size 160x90 --progress none -o "$planted/docs/examples/pictures/a.webp"
+"$program" shot pyramid --at 1s -o "$planted/docs/examples/pictures/a.svg"
+ends 0 'page.md:3: ' <<'PAGE'
+<!-- makes: a.svg -->
+<!-- makes: a.webp -->
+```
+boxreel shot pyramid --at 1s -o a.svg
+boxreel record pyramid --frames 10 --size 160x90 -o a.webp
+```
+PAGE
+ends 1 'page.md:2 makes another a.svg' <<'PAGE'
+<!-- makes: a.svg -->
+```
+boxreel shot pyramid --at 1.1s -o a.svg
+```
+PAGE
+ends 1 'page.md:2 makes another a.webp' <<'PAGE'
+<!-- makes: a.webp -->
+```
+boxreel record dominos --frames 10 --size 160x90 -o a.webp
 ```
 PAGE
 ends 1 'page.md:1: cannot be read: <!-- not run -->' <<'PAGE'

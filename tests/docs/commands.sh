@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 #
-# commands.sh CHECKOUT PROGRAM PREFIX PAGE [slow]: runs what a page tells its readers to type, block by block, from
+# commands.sh CHECKOUT PROGRAM PREFIX PAGE [slow|accept]: runs what a page tells its readers to type, block by block, from
 # the top, in a folder of its own that looks like a checkout; what is installed in PREFIX is in its ~/boxreel.
 # Blocks of commands have no language, or `sh`; in those of `console` the commands stand behind `$ `. Comments
 # before a block say what else there is to do:
@@ -11,6 +11,8 @@
 #   <!-- not run: REASON -->   it is not run at all
 #   <!-- slow: REASON -->      it is only run with `slow`, and then it alone is
 #   <!-- exit code N -->       what it ends with, when not with 0
+#   <!-- makes: FILE -->       a picture or film that docs/examples/pictures keeps, for the page to show it: it must
+#                              be the same, pixels by the limits for another machine; with `accept` it is stored
 #
 # A command that fails fails the page. `./boxreel test` would run this very test, and is passed over. Exit
 # code 77: this machine cannot try the page, and why.
@@ -71,13 +73,13 @@ awk -v blocks="$blocks" '
         }
         next
     }
-    /^ *<!-- (first|needs|not run|slow): .+ -->$/ || /^ *<!-- exit code [0-9]+ -->$/ {
+    /^ *<!-- (first|makes|needs|not run|slow): .+ -->$/ || /^ *<!-- exit code [0-9]+ -->$/ {
         sub(/^ *<!-- /, "")
         sub(/ -->$/, "")
         mark($0)
         next
     }
-    /^ *<!-- (first|needs|not run|slow|exit code)/ { print FILENAME ":" FNR ": cannot be read: " $0 >"/dev/stderr"; exit 1 }
+    /^ *<!-- (first|makes|needs|not run|slow|exit code)/ { print FILENAME ":" FNR ": cannot be read: " $0 >"/dev/stderr"; exit 1 }
     NF { marks = "" }
     END { if (isInside) { print FILENAME ": its last block has no end" >"/dev/stderr"; exit 1 } }
 ' "$checkout/$page"
@@ -87,6 +89,21 @@ awk -v blocks="$blocks" '
 # marked BLOCK KIND: what its comments of this kind say.
 marked() {
     sed -n "s/^#: $2:* //p" "$1"
+}
+
+# keep FILE: what a page shows is what its commands make today.
+keep() {
+    shown=$checkout/docs/examples/pictures/${1##*/}
+    golden=$work/golden/${1##*/} # folders of references and of what differs
+    mkdir -p "$golden"
+    case $pace-$1 in
+        accept-*) cp "$1" "$shown" ;;
+        *.svg) cmp "$1" "$shown" ;;
+        *)
+            "$program" golden accept shown --film "$shown" --references "$golden" --output "$golden/out" &&
+                "$program" golden verify shown --film "$1" --references "$golden" --output "$golden/out" --preset cross-machine
+            ;;
+    esac
 }
 
 cd "$folder"
@@ -124,5 +141,12 @@ for block in "$blocks"/*.sh; do
         grep -v '^#: ' "$block" >&2
         exit 1
     fi
+    for file in $(marked "$block" makes); do
+        if ! keep "$file" >"$work/said" 2>&1; then
+            cat "$work/said" >&2
+            echo "FAILED: $page:$line makes another ${file##*/} than docs/examples/pictures has; look at it, then run: cmake --build build/release --target example_pictures" >&2
+            exit 1
+        fi
+    done
     awk -v page="$page:$line" -v a="$begun" -v b="$EPOCHREALTIME" 'BEGIN { printf "%s: %.1f s\n", page, b - a }'
 done
