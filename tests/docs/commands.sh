@@ -30,25 +30,6 @@ blocks=$work/blocks
 folder=$work/checkout
 mkdir -p "$blocks" "$folder" "$work/bin" "$work/home/.config"
 
-# ------------------------------------------------------------------------------ what a reader has
-
-cp -R "$checkout/README.md" "$checkout/docs" "$folder/"
-mkdir "$folder/golden"
-cp -R "$checkout/golden/references" "$folder/golden/"
-cat >"$work/bin/boxreel" <<SCRIPT
-#!/bin/bash
-case "\${1-}" in
-    test) exit 0 ;;
-    ui) exec "$checkout/tests/docs/closed-window.sh" "$program" "\$@" ;;
-    *) exec "$program" "\$@" ;;
-esac
-SCRIPT
-chmod +x "$work/bin/boxreel"
-ln -s "$work/bin/boxreel" "$folder/boxreel"
-ln -s "$prefix" "$work/home/boxreel"
-export PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
-unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT
-
 # ------------------------------------------------------------------------------ what the page says
 
 # A file NUMBER.sh for each block of commands, with the comments before it as lines `#: …`.
@@ -83,6 +64,28 @@ awk -v blocks="$blocks" '
     NF { marks = "" }
     END { if (isInside) { print FILENAME ": its last block has no end" >"/dev/stderr"; exit 1 } }
 ' "$checkout/$page"
+[ -n "$(ls "$blocks")" ] || exit 0 # a page without commands
+
+# ------------------------------------------------------------------------------ what a reader has
+
+cp -R "$checkout/README.md" "$checkout/docs" "$folder/"
+if grep -q golden "$blocks"/*; then
+    mkdir "$folder/golden"
+    cp -R "$checkout/golden/references" "$folder/golden/"
+fi
+cat >"$work/bin/boxreel" <<SCRIPT
+#!/bin/bash
+case "\${1-}" in
+    test) exit 0 ;;
+    ui) exec "$checkout/tests/docs/closed-window.sh" "$program" "\$@" ;;
+    *) exec "$program" "\$@" ;;
+esac
+SCRIPT
+chmod +x "$work/bin/boxreel"
+ln -s "$work/bin/boxreel" "$folder/boxreel"
+ln -s "$prefix" "$work/home/boxreel"
+export PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
+unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT
 
 # ------------------------------------------------------------------------------ what happens
 
@@ -108,7 +111,6 @@ keep() {
 
 cd "$folder"
 for block in "$blocks"/*.sh; do
-    [ -e "$block" ] || break # a page without commands
     line=$(basename "$block" .sh)
     line=$((10#$line))
     [ -z "$(marked "$block" 'not run')" ] || continue
