@@ -86,7 +86,9 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"ft2build.h", {"render/src/FigureCairo."}},
         {"freetype", {"render/src/FigureCairo."}},
         {"chipmunk/", {"tests/benchmark/"}},
-        {"box2d/", {"tests/benchmark/"}},
+        {"box2d/",
+         {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24", "tests/benchmark/",
+          "tests/debugdraw/Box2d24Draw"}},
         // For tests of other projects; the manual's listings test themselves.
         {"gtest/", {"golden/include/golden/GoldenTest.", "docs/manual/listings/"}},
         {"gmock/", {"docs/manual/listings/"}},

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <debugdraw/DrawList.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// The debug drawing of Box2D 2.4, such as Debian's libbox2d-dev, as a DrawList, for programs that
+/// simulate with that library and draw, film or compare with this toolkit. All of it is in this
+/// header, so the toolkit never links that library. Its classes are called as those of our engine
+/// are: a program includes and links one of the two, never both.
+namespace boxreel::box2d24
+{
+
+/// Register it with b2World::SetDebugDraw, call DebugDraw, read the list. That library does not say
+/// which layer or body it draws: what is added has the list's `layer` and `owner`.
+class DrawCollector : public b2Draw
+{
+public:
+    explicit DrawCollector(DrawList& list) : m_list(list) {}
+
+    void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override
+    {
+        if (vertexCount >= 3)
+        {
+            Convert(vertices, vertexCount);
+            m_list.AddPolygon(m_points.data(), m_points.size(), From(color));
+        }
+        else if (vertexCount > 0)
+        {
+            DrawSegment(vertices[0], vertices[vertexCount - 1], color);
+        }
+    }
+    /// With more corners than a DrawList fills (8): the outline alone.
+    void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override
+    {
+        if (vertexCount < 3)
+        {
+            DrawPolygon(vertices, vertexCount, color);
+            return;
+        }
+        Convert(vertices, vertexCount);
+        m_list.AddSolidPolygon(m_points.data(), m_points.size(), From(color));
+    }
+    void DrawCircle(const b2Vec2& center, float radius, const b2Color& color) override
+    {
+        m_list.AddCircle(From(center), radius, From(color));
+    }
+    void DrawSolidCircle(const b2Vec2& center, float radius, const b2Vec2& axis,
+                         const b2Color& color) override
+    {
+        m_list.AddSolidCircle(From(center), radius, From(axis), From(color));
+    }
+    void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override
+    {
+        m_list.AddSegment(From(p1), From(p2), From(color));
+    }
+    void DrawTransform(const b2Transform& xf) override
+    {
+        constexpr float axisLength = 0.4f; // [m], as of our engine's frames
+        m_list.AddTransform(From(xf.p), From(xf.q.GetXAxis()), axisLength);
+    }
+    void DrawPoint(const b2Vec2& p, float size, const b2Color& color) override
+    {
+        m_list.AddPoint(From(p), size, From(color));
+    }
+
+private:
+    static Vec2 From(const b2Vec2& v) { return {v.x, v.y}; }
+    // To the nearest of 256 steps; what is out of range, or no number, is cut to it.
+    static std::uint8_t ChannelFrom(float channel)
+    {
+        return channel > 0.0f
+                   ? static_cast<std::uint8_t>(channel < 1.0f ? channel * 255.0f + 0.5f : 255.0f)
+                   : std::uint8_t{0};
+    }
+    static Color From(const b2Color& color)
+    {
+        return {ChannelFrom(color.r), ChannelFrom(color.g), ChannelFrom(color.b),
+                ChannelFrom(color.a)};
+    }
+    void Convert(const b2Vec2* vertices, int32 vertexCount)
+    {
+        m_points.clear();
+        for (int32 i = 0; i < vertexCount; ++i)
+        {
+            m_points.push_back(From(vertices[i]));
+        }
+    }
+
+    DrawList& m_list;
+    std::vector<Vec2> m_points; // scratch, kept so that drawing a frame allocates nothing
+};
+
+/// All that a world shows, of the layers that b2Draw's bits name; no item has an owner. The world's
+/// debug drawing is borrowed for it and none is registered afterwards.
+inline DrawList DrawListOf(b2World& world, uint32 flags = b2Draw::e_shapeBit | b2Draw::e_jointBit)
+{
+    struct Layer
+    {
+        uint32 flag;
+        DrawLayer layer;
+    };
+    // In the order in which DebugDraw draws them, so that the same covers the same.
+    constexpr std::array<Layer, 5> layers{{{b2Draw::e_shapeBit, DrawLayer::Shapes},
+                                           {b2Draw::e_jointBit, DrawLayer::Joints},
+                                           {b2Draw::e_pairBit, DrawLayer::Pairs},
+                                           {b2Draw::e_aabbBit, DrawLayer::Aabbs},
+                                           {b2Draw::e_centerOfMassBit, DrawLayer::CentersOfMass}}};
+    DrawList list;
+    DrawCollector collector(list);
+    world.SetDebugDraw(&collector);
+    for (const Layer& each : layers)
+    {
+        list.layer = each.layer;
+        collector.SetFlags(flags & each.flag);
+        world.DebugDraw();
+    }
+    world.SetDebugDraw(nullptr);
+    list.layer = DrawLayer::Shapes;
+    return list;
+}
+
+} // namespace boxreel::box2d24

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The programs, files and pictures of the pages of docs/examples.
+#include "../debugdraw/TemporaryFolder.h"
+#include "Shown.h"
+
+#include <recorder/VideoReader.h>
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <sstream>
+
+using namespace boxreel;
+
+namespace
+{
+
+const std::filesystem::path kExamples = BOXREEL_DOCS "/examples";
+
+/// What the program prints; its exit code must be 0.
+std::string OutputIn(const TemporaryFolder& folder, const std::string& command)
+{
+    const std::string line = "cd '" + (folder / "").string() + "' && " + command + " > output 2>&1";
+    EXPECT_EQ(std::system(line.c_str()), 0) << TextOf(folder / "output");
+    return TextOf(folder / "output");
+}
+
+std::vector<Frame> Decode(const std::filesystem::path& path)
+{
+    std::vector<Frame> frames;
+    Result<VideoReader> reader = VideoReader::Open(path);
+    EXPECT_TRUE(reader);
+    Frame frame;
+    while (reader && *reader->Next(frame))
+    {
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+/// Whether a page has a block of that language with just this text.
+bool HasBlock(const std::string& page, const std::string& language, const std::string& text)
+{
+    return !text.empty() &&
+           TextOf(kExamples / page).find("```" + language + "\n" + text + "```\n") !=
+               std::string::npos;
+}
+
+TEST(Examples, AreShownOnTheirPagesAsTheyAre)
+{
+    EXPECT_TRUE(IsShown("hello_world.cpp", "examples/hello-world.md"));
+    EXPECT_TRUE(IsShown("film_catapult.cpp", "examples/own-film.md"));
+    EXPECT_TRUE(IsShown("sweep.cpp", "examples/parameter-sweep.md"));
+    EXPECT_TRUE(IsShown("box2d24_film.cpp", "examples/box2d24.md"));
+    EXPECT_TRUE(HasBlock("scene-file.md", "json", TextOf(kExamples / "short.json")));
+    EXPECT_TRUE(HasBlock("golden-ci.md", "yaml",
+                         TextOf(kExamples / "golden-ci/.github/workflows/golden.yml")));
+}
+
+TEST(Examples, HelloWorldPrintsWhatItsPageSays)
+{
+    const TemporaryFolder folder;
+    std::istringstream output(OutputIn(folder, BOXREEL_HELLO_WORLD));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(output, line);)
+    {
+        lines.push_back(line + "\n");
+    }
+    ASSERT_EQ(lines.size(), 60u);
+    const std::string shown =
+        lines[0] + lines[1] + lines[2] + "...\n" + lines[57] + lines[58] + lines[59];
+    EXPECT_TRUE(HasBlock("hello-world.md", "text", shown)) << shown;
+}
+
+TEST(Examples, TheFilmOfTheCatapultEndsWhenAllRests)
+{
+    const TemporaryFolder folder;
+    OutputIn(folder, BOXREEL_FILM_CATAPULT);
+    const std::vector<Frame> frames = Decode(folder / "catapult.mp4");
+    ASSERT_GT(frames.size(), 90u) << "it throws for seconds";
+    ASSERT_LT(frames.size(), 600u) << "1200 steps are its end when nothing rests";
+    EXPECT_EQ(frames[0].width, 480);
+    EXPECT_NE(frames[0], frames[60]);
+}
+
+TEST(Examples, TheCatapultSaysWhatIsWrong)
+{
+    const TemporaryFolder folder;
+    const std::string command = "cd '" + (folder / "").string() + "' && ";
+    EXPECT_NE(std::system((command + BOXREEL_FILM_CATAPULT " film.doc 2> said").c_str()), 0);
+    EXPECT_THAT(TextOf(folder / "said"), testing::HasSubstr("film.doc"));
+}
+
+TEST(Examples, TheSweepDrawsSixPicturesTwice)
+{
+    const TemporaryFolder folder;
+    OutputIn(folder, BOXREEL_SWEEP);
+    const std::string svg = TextOf(folder / "sweep.svg");
+    for (const char* const value : {"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"})
+    {
+        EXPECT_THAT(svg, testing::HasSubstr(std::string(">restitution ") + value + "</text>"));
+    }
+    EXPECT_THAT(TextOf(folder / "sweep.pdf"), testing::StartsWith("%PDF"));
+}
+
+#ifdef BOXREEL_BOX2D24_FILM
+TEST(Examples, AWorldOfBox2D24IsFilmed)
+{
+    const TemporaryFolder folder;
+    OutputIn(folder, BOXREEL_BOX2D24_FILM);
+    const std::vector<Frame> frames = Decode(folder / "bridge.mp4");
+    ASSERT_EQ(frames.size(), 120u);
+    EXPECT_NE(frames[0], frames[60]) << "boxes fall";
+    EXPECT_NE(frames[0].Pixel(30, 150)[1], frames[0].Pixel(240, 250)[1]) << "a bank, and nothing";
+}
+#else
+TEST(Examples, AWorldOfBox2D24IsFilmed)
+{
+    GTEST_SKIP() << "Box2D 2.4 is not installed; apt install libbox2d-dev and configure again";
+}
+#endif
+
+TEST(Examples, ArePagesThatTheListNames)
+{
+    const std::string list = TextOf(kExamples / "README.md");
+    int pages = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(kExamples))
+    {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with(".md") && name != "README.md")
+        {
+            ++pages;
+            EXPECT_THAT(list, testing::HasSubstr("](" + name + ")"));
+        }
+    }
+    EXPECT_EQ(pages, 7);
+}
+
+TEST(Examples, HavePicturesThatAreSmallAndMadeByThePageThatShowsThem)
+{
+    std::string pages;
+    for (const auto& entry : std::filesystem::directory_iterator(kExamples))
+    {
+        if (entry.path().extension() == ".md")
+        {
+            pages += TextOf(entry.path());
+        }
+    }
+    int pictures = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(kExamples / "pictures"))
+    {
+        const std::string name = entry.path().filename().string();
+        ++pictures;
+        EXPECT_LT(entry.file_size(), 200'000u) << name;
+        EXPECT_THAT(pages, testing::HasSubstr("](pictures/" + name + ")"));
+        EXPECT_THAT(pages, testing::ContainsRegex("<!-- makes: [a-z/]*" + name + " -->"));
+    }
+    EXPECT_GE(pictures, 4);
+}
+
+} // namespace
