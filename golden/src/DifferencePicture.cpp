@@ -141,6 +141,7 @@ Mark* Marks::Row(int y)
     if (marks.empty())
     {
         marks.resize(std::size_t(width) * std::size_t(height), Mark::Same);
+        overInRow.resize(std::size_t(height));
     }
     return marks.data() + std::size_t(y) * std::size_t(width);
 }

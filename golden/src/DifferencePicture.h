@@ -31,15 +31,16 @@ struct Marks
 {
     int width = 0;
     int height = 0;
-    std::vector<Mark> marks; ///< rows top to bottom; empty when nothing differs
-    PixelBox different;      ///< all that are not Same
-    PixelBox over;           ///< all that are Over
+    std::vector<Mark> marks;    ///< rows top to bottom; empty when nothing differs
+    PixelBox different;         ///< all that are not Same
+    PixelBox over;              ///< all that are Over
+    std::vector<int> overInRow; ///< how many of each row are Over; empty when nothing differs
 
     Mark At(int x, int y) const
     {
         return marks[std::size_t(y) * std::size_t(width) + std::size_t(x)];
     }
-    /// A row to write marks into. Whoever does says so to the boxes.
+    /// A row to write marks into. Whoever does says so to the boxes and to `overInRow`.
     Mark* Row(int y);
     void Ignore(const PixelBounds& bounds); ///< what of it lies in the picture
 };

@@ -115,7 +115,7 @@ std::int64_t FrameRange::At(std::int64_t index) const
         }
         index -= run.Count();
     }
-    assert(!"there are not so many frames");
+    assert(false && "there are not so many frames");
     return m_runs.back().last;
 }
 

@@ -99,8 +99,10 @@ Json GoalsOf(const Json& json)
 /// The first of a run's numbers that is there and is something else; the error may be null.
 std::string NoNumberOf(const Json& run)
 {
-    for (const auto& [name, value] : run.items())
+    for (const auto& item : run.items())
     {
+        const std::string& name = item.key();
+        const Json& value = item.value();
         const bool isRanged =
             std::any_of(std::begin(kRanges), std::end(kRanges),
                         [&](const FieldRange& known) { return name == known.name; });

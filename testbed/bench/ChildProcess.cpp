@@ -70,15 +70,15 @@ double SecondsOf(const timeval& time)
     return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
 }
 
-/// How it ended; empty: well.
-std::string Ending(int status)
+/// How it ended; empty: well, with 0 or `otherCode`.
+std::string Ending(int status, int otherCode)
 {
     if (WIFSIGNALED(status))
     {
         return "signal " + std::to_string(WTERMSIG(status)) + " ended it";
     }
-    return WEXITSTATUS(status) == 0 ? ""
-                                    : "it ended with code " + std::to_string(WEXITSTATUS(status));
+    const int code = WEXITSTATUS(status);
+    return code == 0 || code == otherCode ? "" : "it ended with code " + std::to_string(code);
 }
 
 /// The last line that is not empty, as the end of a sentence.
@@ -90,7 +90,7 @@ std::string LastWords(std::string output)
 }
 
 Result<ChildRun> Run(const std::filesystem::path& program,
-                     const std::vector<std::string>& arguments, Heard heard)
+                     const std::vector<std::string>& arguments, Heard heard, int otherCode)
 {
     std::vector<char*> words{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments)
@@ -121,7 +121,8 @@ Result<ChildRun> Run(const std::filesystem::path& program,
     run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     run.cpu = SecondsOf(usage.ru_utime) + SecondsOf(usage.ru_stime);
     run.memory = 1024.0 * double(usage.ru_maxrss);
-    const std::string ending = Ending(status);
+    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    const std::string ending = Ending(status, otherCode);
     if (!ending.empty())
     {
         return CannotRun(program, ending + (heard == Heard::OutputAndErrors ? LastWords(run.output)
@@ -135,14 +136,14 @@ Result<ChildRun> Run(const std::filesystem::path& program,
 Result<std::string> OutputOf(const std::filesystem::path& program,
                              const std::vector<std::string>& arguments)
 {
-    Result<ChildRun> run = Run(program, arguments, Heard::Output);
+    Result<ChildRun> run = Run(program, arguments, Heard::Output, 0);
     return run ? Result<std::string>(std::move(run->output)) : Result<std::string>(run.GetError());
 }
 
 Result<ChildRun> RunMeasured(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments)
+                             const std::vector<std::string>& arguments, int otherCode)
 {
-    return Run(program, arguments, Heard::OutputAndErrors);
+    return Run(program, arguments, Heard::OutputAndErrors, otherCode);
 }
 
 } // namespace boxreel

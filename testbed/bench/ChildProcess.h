@@ -22,11 +22,12 @@ struct ChildRun
     double wall = 0.0;   ///< from the start to the end [s]
     double cpu = 0.0;    ///< [s]
     double memory = 0.0; ///< most that one of them had at once; never less than we have [bytes]
+    int code = 0;        ///< it ended with
 };
 
 /// The same, measured. A name without a folder is looked for as a shell does. The error's sentence
-/// ends with the program's last words.
+/// ends with the program's last words. `otherCode`: ending with this one is no error either.
 Result<ChildRun> RunMeasured(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments);
+                             const std::vector<std::string>& arguments, int otherCode = 0);
 
 } // namespace boxreel

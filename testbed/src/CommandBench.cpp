@@ -116,6 +116,10 @@ Result<int> RunBench(const BenchOptions& options)
             return named.GetError();
         }
     }
+    if (options.golden)
+    {
+        return RunBenchGolden(options);
+    }
     if (options.accuracy)
     {
         return RunBenchAccuracy(options);

@@ -2,11 +2,11 @@
 #include "BenchChoice.h"
 #include "Commands.h"
 #include "StopSignals.h"
+#include "WorkFolder.h"
 
 #include <bench/RecordBench.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 namespace boxreel
@@ -15,39 +15,6 @@ namespace
 {
 
 const std::vector<std::string> kCharts{"speed", "stages"};
-
-/// A folder of its own for frames and films, removed with them.
-class WorkFolder
-{
-public:
-    static Result<WorkFolder> Create()
-    {
-        std::error_code error;
-        const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-        std::string pattern = (parent / "boxreel-bench-XXXXXX").string();
-        if (error || mkdtemp(pattern.data()) == nullptr)
-        {
-            return Error{ErrorKind::Failed, "There is no folder that takes frames and films; name "
-                                            "one by TMPDIR."};
-        }
-        return WorkFolder(pattern);
-    }
-    WorkFolder(WorkFolder&& other) noexcept : m_path(std::exchange(other.m_path, {})) {}
-    WorkFolder& operator=(WorkFolder&&) = delete;
-    ~WorkFolder()
-    {
-        std::error_code ignored;
-        if (!m_path.empty())
-        {
-            std::filesystem::remove_all(m_path, ignored);
-        }
-    }
-    const std::filesystem::path& Path() const { return m_path; }
-
-private:
-    explicit WorkFolder(std::filesystem::path path) : m_path(std::move(path)) {}
-    std::filesystem::path m_path;
-};
 
 std::vector<RecordCase> CasesOf(const std::vector<RecordResult>& results)
 {

@@ -417,6 +417,17 @@ Result<Request> CheckBench(BenchOptions options, const CLI::App& command)
                         "--chart and --force; leave --accuracy, --render, --curve and --threads "
                         "out.");
     }
+    if (options.golden && (options.curve || options.accuracy || options.render || options.record ||
+                           namesThreads || !options.from.empty() || !options.charts.empty()))
+    {
+        return Unusable("--golden goes with --list, --rounds, --peers and --json; leave the other "
+                        "benchmarks, --threads, --from and --chart out.");
+    }
+    if (!options.peers.empty() && !options.golden)
+    {
+        return Unusable("--peers names what --golden compares with; leave it out, or add "
+                        "--golden.");
+    }
     const bool isOfOtherSize = options.frames > 0 || options.size;
     if (isOfOtherSize && (!options.record || !options.from.empty()))
     {

@@ -10,18 +10,6 @@ namespace
 constexpr std::int64_t kMostPixels = 1'000'000'000;
 constexpr int kLargestSide = 65535;
 
-auto NumberBetween(double lowest, double highest, const char* remedy)
-{
-    return [=](const std::string& option, const std::string& text) -> Result<double> {
-        const Result<double> number = ParseNumber(option, text);
-        if (!number || *number < lowest || *number > highest)
-        {
-            return Error{ErrorKind::Unusable, option + " '" + text + "': give " + remedy + "."};
-        }
-        return number;
-    };
-}
-
 /// "0.1%" or "0.001", as a number from 0 to 1.
 Result<double> ParseShare(const std::string& option, const std::string& text)
 {
@@ -105,10 +93,10 @@ void AddCompare(CLI::App& command, CompareChoice& choice)
                  "exact, same-machine, cross-machine (same-machine)");
     Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
     AddValue(command, "--tolerance", "DISTANCE", choice.tolerance,
-             NumberBetween(0.0, 1.0, "an OKLab distance from 0 to 1, such as 0.01"),
+             NumberBetween(0.0, 1.0, "give an OKLab distance from 0 to 1, such as 0.01"),
              "By which one pixel may differ: 0 any bit counts,\n1 black from white (the preset's)");
     AddValue(command, "--edge-shift", "PX", choice.edgeShift,
-             NumberBetween(0.0, 0.45, "a number of pixels from 0 to 0.45, such as 0.2"),
+             NumberBetween(0.0, 0.45, "give a number of pixels from 0 to 0.45, such as 0.2"),
              "How far an edge may lie from where it was\n(the preset's)");
     AddValue(command, "--max-pixels", "N", choice.maxPixels, WholeBetween(0, kMostPixels),
              "How many pixels may differ by more (the preset's)");

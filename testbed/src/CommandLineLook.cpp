@@ -13,17 +13,6 @@ Error Refusal(const std::string& option, const std::string& text, const std::str
     return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
 }
 
-/// Above 0; a number that is a length in the picture.
-auto NumberBetween(double lowest, double highest, const char* remedy)
-{
-    return [=](const std::string& option, const std::string& text) -> Result<double> {
-        const Result<double> number = ParseNumber(option, text);
-        return number && *number >= lowest && *number <= highest
-                   ? number
-                   : Result<double>(Refusal(option, text, remedy));
-    };
-}
-
 /// "classic, okabe-ito, …".
 std::string Listed(const std::vector<std::string>& words)
 {

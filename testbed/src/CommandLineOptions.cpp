@@ -416,6 +416,11 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
             "Time drawing instead, beside Cairo: error at edges against time");
     AddFlag(*command, "--record", bench.record,
             "Time recording instead, beside ffmpeg and immediate mode");
+    AddFlag(
+        *command, "--golden", bench.golden,
+        "Compare pictures with planted changes instead, beside odiff,\npixelmatch and ImageMagick");
+    AddPath(*command, "--peers", "DIR", bench.peers,
+            "Where `npm install odiff-bin pixelmatch` was run, for --golden\n(BOXREEL_PEERS)", {});
     AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
              "How often each engine runs, in turn; figures are medians, those of\n--accuracy the "
              "least (3)");
@@ -459,7 +464,11 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "ffmpeg with the same settings, on a file of the same raw frames, which needs 2.2 GB "
         "below\n"
         "TMPDIR; and drawing in OpenGL's immediate mode, reading and piping to ffmpeg. It says\n"
-        "what is wrong with a film, where the time of a frame goes, and marks missed goals (!).\n\n"
+        "what is wrong with a film, where the time of a frame goes, and marks missed goals (!).\n"
+        "--golden draws three scenes, or those named, and again with a change planted: it says "
+        "what\n"
+        "each method finds and misses, its false alarms, and the milliseconds of a comparison, of\n"
+        "decoded pictures (median and most) and of a whole process. Absent peers are named.\n\n"
         "Examples:\n"
         "  boxreel bench\n"
         "  boxreel bench large-pyramid tumbler --rounds 7\n"
@@ -476,7 +485,9 @@ void DeclareBench(CLI::App& program, ParsedOptions& parsed)
         "  boxreel bench --render 1500-720p --rounds 1\n"
         "  boxreel bench --record --json > recording.json\n"
         "  boxreel bench --record --from recording.json --chart film.png   # film-speed.png ...\n"
-        "  boxreel bench --record tumbler --rounds 1 --frames 60 --size 640x360");
+        "  boxreel bench --record tumbler --rounds 1 --frames 60 --size 640x360\n"
+        "  boxreel bench --golden --peers ~/peers\n"
+        "  boxreel bench --golden bridge --rounds 1 --json > comparing.json");
 }
 
 } // namespace boxreel

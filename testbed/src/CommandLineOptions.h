@@ -112,6 +112,18 @@ inline auto WholeBetween(std::int64_t lowest, std::int64_t highest)
     };
 }
 
+/// `remedy`: what to do instead, such as "give a share from 0 to 1, such as 0.5".
+inline auto NumberBetween(double lowest, double highest, const char* remedy)
+{
+    return [=](const std::string& option, const std::string& text) -> Result<double> {
+        const Result<double> number = ParseNumber(option, text);
+        return number && *number >= lowest && *number <= highest
+                   ? number
+                   : Result<double>(
+                         Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."});
+    };
+}
+
 /// What the parser's own templates do, compiled once: a flag, an option that hands on its text, and
 /// one that may have several.
 CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,

@@ -174,6 +174,8 @@ struct BenchOptions
     bool accuracy = false;           ///< cases of accuracy instead of scenes, a chart for each
     bool render = false;             ///< pictures to draw instead of scenes, a chart for each size
     bool record = false;             ///< films to make instead of scenes, two charts
+    bool golden = false;             ///< pictures to compare, of scenes
+    std::filesystem::path peers;     ///< where npm put what they are compared by; empty: nowhere
     std::int64_t frames = 0;         ///< of these films; 0: as each case has it
     std::optional<PixelSize> size;   ///< of these films; none: as each case has it
     int rounds = 3;
@@ -204,5 +206,7 @@ Result<int> RunBenchAccuracy(const BenchOptions& options);
 Result<int> RunBenchRender(const BenchOptions& options);
 /// What RunBench does when recording is asked for.
 Result<int> RunBenchRecord(const BenchOptions& options);
+/// What RunBench does when comparing pictures is asked for.
+Result<int> RunBenchGolden(const BenchOptions& options);
 
 } // namespace boxreel

@@ -14,62 +14,11 @@
 set -eu
 checkout=$1
 work=$2
-root=$work/root
+tools='ffprobe git'
+. "$(dirname "$0")/root.sh"
 
-skip() {
-    echo "skipped: $*"
-    exit 77
-}
-fail() {
-    echo "FAILED: $*" >&2
-    exit 1
-}
-
-[ "$(id -u)" -eq 0 ] || skip 'only root can make a Debian root and enter it'
-for tool in debootstrap chroot unshare apt-get ffprobe git; do
-    command -v $tool >/dev/null || skip "$tool is not installed"
-done
-unshare --mount true 2>/dev/null || skip 'this system lets nobody mount anything'
 git -C "$checkout" rev-parse --verify -q HEAD >/dev/null || skip "$checkout is no git checkout, so there is nothing to clone"
-mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' 'Origin: Debian' | sort -u | head -n 1)
-[ -n "$mirror" ] || skip "this machine's apt knows no Debian 12 (bookworm) main archive; run apt-get update once"
-
-# ------------------------------------------------------------------------------ an empty system
-
-mkdir -p "$work"
-if [ ! -f "$work/base.tar" ]; then
-    rm -rf "$work/base"
-    debootstrap --variant=minbase --include=git bookworm "$work/base" "$mirror" >"$work/debootstrap.log" 2>&1 ||
-        { tail -n 3 "$work/debootstrap.log"; skip 'debootstrap could not fetch a Debian 12'; }
-    rm -rf "$work"/base/var/lib/apt/lists/* "$work"/base/var/cache/apt/archives/*.deb
-    tar -C "$work/base" -cf "$work/base.tar.part" . && mv "$work/base.tar.part" "$work/base.tar"
-    rm -rf "$work/base"
-fi
-rm -rf "$root"
-mkdir "$root"
-tar -C "$root" -xf "$work/base.tar"
-
-# The same archives, the same way there.
-apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
-    sort -u >"$root/etc/apt/sources.list"
-apt-config dump Acquire | grep -Ei '^Acquire::(https?|ftp|Check-|Retries)' >"$root/etc/apt/apt.conf.d/90host" || true
-cp /etc/resolv.conf /etc/hosts "$root/etc/"
-
 git -C "$checkout" bundle create -q "$root/tmp/boxreel.bundle" HEAD
-
-# inside COMMAND…: in the root, in a shell's own words, with nothing of this session around it.
-inside() {
-    unshare --mount --fork sh -c 'mount -t proc proc "$1/proc" && shift && exec "$@"' sh "$root" \
-        env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LANG=C.UTF-8 \
-        ${http_proxy+"http_proxy=$http_proxy"} ${https_proxy+"https_proxy=$https_proxy"} \
-        chroot "$root" sh -c "$1" </dev/null
-}
-seconds() {
-    date +%s.%N
-}
-since() {
-    awk -v a="$1" -v b="$(seconds)" 'BEGIN { printf "%.1f", b - a }'
-}
 
 inside 'git -c advice.detachedHead=false clone -q /tmp/boxreel.bundle /srv/boxreel && cd /srv/boxreel && ! command -v cmake && ! command -v g++' ||
     fail 'the fresh root is not what it should be'

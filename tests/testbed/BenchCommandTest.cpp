@@ -330,6 +330,81 @@ TEST_F(BenchCommand, RefusesWhatDoesNotGoWithRecording)
     EXPECT_THAT(Run({"--record", "--list"}).output, HasSubstr("asleep"));
 }
 
+/// What `--golden --json` says of a method and a change, such as "different":true; empty: nothing.
+std::string Verdict(const std::string& json, const std::string& method, const std::string& change)
+{
+    const std::size_t at = json.find("\"method\": \"" + method);
+    const std::size_t found =
+        at == std::string::npos ? at : json.find("\"change\": \"" + change + "\"", at);
+    const std::size_t verdict =
+        found == std::string::npos ? found : json.find("\"different\": ", found);
+    return verdict == std::string::npos
+               ? ""
+               : json.substr(verdict + 13, json.find(',', verdict) - verdict - 13);
+}
+
+TEST_F(BenchCommand, ComparesPlantedChangesWithNoPeersAtHand)
+{
+    const Outcome outcome = Run({"--golden", "bridge", "--rounds", "1", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    for (const char* change : {"body", "line", "fill", "label", "outline", "order"})
+    {
+        EXPECT_EQ(Verdict(outcome.output, "boxreel " BOXREEL_VERSION ", same-machine", change),
+                  "true")
+            << change;
+    }
+    for (const char* change : {"equal", "stray"})
+    {
+        EXPECT_EQ(Verdict(outcome.output, "boxreel " BOXREEL_VERSION ", same-machine", change),
+                  "false")
+            << change;
+    }
+    for (const char* change : {"equal", "stray", "shift"})
+    {
+        EXPECT_EQ(Verdict(outcome.output, "boxreel " BOXREEL_VERSION ", cross-machine", change),
+                  "false")
+            << change;
+    }
+    EXPECT_THAT(outcome.output, HasSubstr("odiff is not compared; run `npm install odiff-bin`"));
+    EXPECT_THAT(outcome.output, HasSubstr("pixelmatch is not compared; run `npm install"));
+    EXPECT_EQ(WorkFolders(), 0);
+}
+
+// A program in odiff's place that calls all pictures different, and then one that breaks.
+TEST_F(BenchCommand, ComparesWithPeersOfAFolder)
+{
+    const std::filesystem::path modules = folder / "node_modules";
+    std::filesystem::create_directories(modules / "@odiff" / "linux");
+    std::filesystem::create_directories(modules / "odiff-bin");
+    std::ofstream(modules / "odiff-bin" / "package.json") << "{\"version\": \"9.8.7\"}";
+    const std::filesystem::path program = modules / "@odiff" / "linux" / "odiff";
+    std::ofstream(program) << "#!/bin/sh\nexit 22\n";
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    const Outcome outcome = Run({"--golden", "bridge", "--rounds", "1", "--json", "--peers", "."});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(Verdict(outcome.output, "odiff 9.8.7", "equal"), "true");
+    EXPECT_THAT(outcome.output, Not(HasSubstr("odiff is not compared")));
+
+    std::ofstream(program) << "#!/bin/sh\necho broken\nexit 3\n";
+    const Outcome table = Run({"--golden", "bridge", "--rounds", "1", "--peers", "."});
+    ASSERT_EQ(table.code, 0) << table.errors;
+    EXPECT_THAT(table.output, ContainsRegex("odiff 9.8.7 +failed: .*code 3, saying \"broken\""));
+    EXPECT_THAT(table.output, ContainsRegex("same-machine +1/1 +1/1 +1/1 +1/1 +1/1 +1/1 +0/1 +0/1 "
+                                            "+1/1! +[0-9.]+ +[0-9.]+ +[0-9.]+\n"));
+    EXPECT_THAT(table.output, ContainsRegex("cross-machine +0/1! "));
+}
+
+TEST_F(BenchCommand, RefusesWhatDoesNotGoWithComparing)
+{
+    ExpectRefusal({"--golden", "--peers", "."}, "'.' holds no peers; run `npm install");
+    ExpectRefusal({"--golden", "brigde"}, "brigde");
+    ExpectRefusal({"--golden", "bridge", "bridge"}, "named twice");
+    ExpectRefusal({"--golden", "--render"}, "--golden goes with");
+    ExpectRefusal({"--golden", "--from", "run.json"}, "--golden goes with");
+    ExpectRefusal({"--render", "--peers", "."}, "add --golden");
+    EXPECT_THAT(Run({"--golden", "--list"}).output, HasSubstr("outline"));
+}
+
 TEST_F(BenchCommand, ListsAllScenes)
 {
     const Outcome outcome = Run({"--list"});

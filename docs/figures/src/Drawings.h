@@ -48,6 +48,12 @@ boxreel::Figure DrawGearJoint();
 boxreel::Figure DrawWheelJoint();
 boxreel::Figure DrawWeldJoint();
 boxreel::Figure DrawFrictionJoint();
+// Motion.cpp
+boxreel::Figure DrawFallingBox();
+boxreel::Figure DrawSlope();
+boxreel::Figure DrawBounces();
+boxreel::Figure DrawOneWayPlatform();
+boxreel::Figure DrawSmallSteps();
 // Layers.cpp
 boxreel::Figure DrawDebugLayers();
 

@@ -11,6 +11,9 @@ const std::vector<FigureEntry>& FigureTable()
     static const std::vector<FigureEntry> table{
         {"modules", "Three boxes: Dynamics uses Collision and Common, Collision uses Common",
          "The three modules: each builds on those to its left, and on nothing else.", DrawModules},
+        {"falling-box", "A box before it falls, and where it lies after sixty steps",
+         "The first program: the box lands after 46 steps, and rests on the skins.",
+         DrawFallingBox},
         {"convex-and-concave",
          "A convex polygon with a line between two of its points, a concave one that such a line "
          "leaves",
@@ -89,6 +92,13 @@ const std::vector<FigureEntry>& FigureTable()
          "A body's position is its origin, to which shapes and joints are attached; it moves and "
          "turns about its centre of mass.",
          DrawBodyOrigin},
+        {"slope", "Three boxes of friction 0.0, 0.1 and 0.3 on a slope; two slide, the third stays",
+         "On a surface of friction 1, whose square root of the product with theirs has to be above "
+         "the tangent of the slope, 0.47, only the third stays.",
+         DrawSlope},
+        {"bounces", "Three balls that bounce to different heights",
+         "Restitutions of 0, 0.5 and 1: not at all, to a quarter of the height, to all of it.",
+         DrawBounces},
         {"distance-joint", "A load that swings on a rod, and one that bounces on a spring",
          "A distance joint keeps two points as far apart as they were, rigidly or as a spring.",
          DrawDistanceJoint},
@@ -127,6 +137,15 @@ const std::vector<FigureEntry>& FigureTable()
          "A motor joint drives a body to an offset and an angle, with as much force as it is "
          "allowed.",
          DrawMotorJoint},
+        {"one-way-platform", "A ball flies through a platform from below and lands on it",
+         "A contact that a listener switches off while the ball comes from below.",
+         DrawOneWayPlatform},
+        {"small-steps",
+         "Two stacks of ten boxes with a heavy one on top: one is pressed together, the other "
+         "stands as it was built",
+         "A thousand kilograms on nine boxes of one, after ten seconds; the dashes are where the "
+         "top was.",
+         DrawSmallSteps},
         {"debug-draw",
          "A small world with shapes, joints, boxes, pairs and centres of mass, and a "
          "legend",

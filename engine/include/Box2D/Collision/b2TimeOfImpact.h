@@ -29,6 +29,6 @@ struct b2TOIOutput
 };
 
 /// When two moving shapes first come so close that their skins overlap by about a slop. With fixed
-/// rotations this is a shape cast and misses nothing; a shape that turns quickly may pass through
-/// in between, but never counts as touching when it does not.
+/// rotations this is a shape cast. However quickly shapes turn, no touch is missed, and nothing
+/// counts as touching that does not.
 void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input);

@@ -4,8 +4,8 @@
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
 /// Two bodies on a rope over two fixed points: length A + ratio * length B stays constant, so one
-/// goes up as the other goes down; the ratio makes a block and tackle. The rope cannot push: it
-/// becomes singular where a length is zero.
+/// goes up as the other goes down; the ratio makes a block and tackle. An equation, so it pushes
+/// too, as a rod does; it becomes singular where a length is zero.
 inline constexpr float32 b2_minPulleyLength =
     2.0f; ///< for users who want to keep clear of that [m]
 

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "Stage.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace
+{
+
+// [stiffness]
+/// Sets a spring as Box2D 2.4 does: a stiffness [N/m] and a damping [N s/m].
+void SetSpring(b2DistanceJointDef& def, float32 stiffness, float32 damping)
+{
+    const float32 a = def.bodyA->GetMass(), b = def.bodyB->GetMass();
+    const float32 mass = a > 0.0f && b > 0.0f ? a * b / (a + b) : a + b; // 0: it does not move
+    const float32 omega = std::sqrt(stiffness / mass);
+    def.frequencyHz = omega / (2.0f * b2_pi);
+    def.dampingRatio = damping / (2.0f * mass * omega);
+}
+// [/stiffness]
+
+TEST(PortingListing, SetsASpringByItsStiffness)
+{
+    manual::Stage stage;
+    b2Body* hook = stage.Body(b2_staticBody, 0.0f, 10.0f);
+    b2Body* load = stage.Box(0.0f, 7.0f, 1.0f, 1.0f); // 4 kg
+    b2DistanceJointDef def;
+    def.Initialize(hook, load, hook->GetPosition(), load->GetPosition());
+    SetSpring(def, 100.0f, 20.0f);
+    stage.world.CreateJoint(&def);
+    stage.Run(10.0f);
+    EXPECT_NEAR(7.0f - load->GetPosition().y, 4.0f * 10.0f / 100.0f, 0.005f) << "m g / k";
+}
+
+// [one-sided]
+/// Chains that stop only what comes from the right of their direction, as those of Box2D 2.4 do.
+class OneSidedChains : public b2ContactListener
+{
+    void PreSolve(b2Contact* contact, const b2Manifold*) override
+    {
+        const bool isA = contact->GetFixtureA()->GetType() == b2Shape::e_chain;
+        b2Fixture* fixture = isA ? contact->GetFixtureA() : contact->GetFixtureB();
+        if (fixture->GetType() != b2Shape::e_chain)
+        {
+            return;
+        }
+        b2EdgeShape edge;
+        static_cast<b2ChainShape*>(fixture->GetShape())
+            ->GetChildEdge(&edge, isA ? contact->GetChildIndexA() : contact->GetChildIndexB());
+        const b2Vec2 along = fixture->GetBody()->GetWorldVector(edge.m_vertex2 - edge.m_vertex1);
+        b2WorldManifold manifold;
+        contact->GetWorldManifold(&manifold);
+        const b2Vec2 away = isA ? manifold.normal : -manifold.normal;
+        if (b2Cross(along, away) > 0.0f) // to the left
+        {
+            contact->SetEnabled(false);
+        }
+    }
+};
+// [/one-sided]
+
+/// Where a ball is after two seconds that flies at a chain from y.
+float32 ThrownAtAChain(float32 y)
+{
+    OneSidedChains listener;
+    manual::Stage stage(b2Vec2_zero);
+    stage.world.SetContactListener(&listener);
+    const b2Vec2 fromRightToLeft[] = {{5.0f, 0.0f}, {0.0f, 0.0f}, {-5.0f, 0.0f}};
+    b2ChainShape chain;
+    chain.CreateChain(fromRightToLeft, 3);
+    stage.Body(b2_staticBody, 0.0f, 0.0f)->CreateFixture(&chain, 0.0f);
+    b2Body* ball = stage.Ball(2.0f, y, 0.3f);
+    ball->SetLinearVelocity(b2Vec2(0.0f, y < 0.0f ? 3.0f : -3.0f));
+    stage.Run(2.0f);
+    stage.world.SetContactListener(nullptr);
+    return ball->GetPosition().y;
+}
+
+TEST(PortingListing, StopsOnOneSideOnly)
+{
+    EXPECT_GT(ThrownAtAChain(2.0f), 0.25f) << "from the right of a chain to the left: from above";
+    EXPECT_GT(ThrownAtAChain(-2.0f), 2.0f);
+}
+
+// [threshold]
+/// Impacts slower than this do not bounce; for limits above the engine's own 1 m/s.
+class BounceThreshold : public b2ContactListener
+{
+public:
+    float32 slowest = 3.0f; // [m/s]
+
+private:
+    void PreSolve(b2Contact* contact, const b2Manifold*) override
+    {
+        b2WorldManifold manifold;
+        contact->GetWorldManifold(&manifold);
+        const b2Body* a = contact->GetFixtureA()->GetBody();
+        const b2Body* b = contact->GetFixtureB()->GetBody();
+        const b2Vec2 point = manifold.points[0];
+        const float32 approach = b2Dot(a->GetLinearVelocityFromWorldPoint(point) -
+                                           b->GetLinearVelocityFromWorldPoint(point),
+                                       manifold.normal);
+        contact->ResetRestitution();
+        if (approach < slowest)
+        {
+            contact->SetRestitution(0.0f);
+        }
+    }
+};
+// [/threshold]
+
+/// How high a ball of restitution 0.9 comes again that falls from a height.
+float32 Rebound(float32 height)
+{
+    BounceThreshold listener;
+    manual::Stage stage;
+    stage.world.SetContactListener(&listener);
+    stage.Ground();
+    b2Body* ball = stage.Ball(0.0f, 0.505f + height);
+    ball->GetFixtureList()->SetRestitution(0.9f);
+    float32 highest = 0.0f;
+    bool fell = false;
+    for (int i = 0; i < 180; ++i)
+    {
+        stage.Run(1.0f / 60.0f);
+        fell = fell || ball->GetPosition().y < 0.6f;
+        highest = fell ? b2Max(highest, ball->GetPosition().y - 0.505f) : highest;
+    }
+    stage.world.SetContactListener(nullptr);
+    return highest;
+}
+
+TEST(PortingListing, BouncesAboveItsThreshold)
+{
+    EXPECT_GT(Rebound(2.0f), 1.0f) << "at 6.3 m/s";
+    EXPECT_LT(Rebound(0.3f), 0.1f) << "at 2.4 m/s";
+}
+
+TEST(PortingListing, SetsUpAWorldAsBox2DDoes)
+{
+    // [as-box2d]
+    b2World world(b2Vec2(0.0f, -10.0f)); // one step of first order, one thread, sleep: as in Box2D
+    world.Step(1.0f / 60.0f, 8, 3);
+    // [/as-box2d]
+    EXPECT_EQ(world.GetSubStepCount(), 1);
+    EXPECT_EQ(world.GetThreadCount(), 1);
+    EXPECT_TRUE(world.GetAllowSleeping());
+}
+
+} // namespace
