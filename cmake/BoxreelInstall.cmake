@@ -1,5 +1,6 @@
 # What `cmake --install` copies: libraries, headers, the package for find_package, the files for
-# pkg-config, the program with its manual page and completion, the licence.
+# pkg-config, the program with its manual page and completion, the licence. All but the program is the
+# component `development`, a Debian package of its own (BoxreelPackage.cmake).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -17,9 +18,11 @@ function(boxreel_install_library name)
   endif()
   # A set for each, so that the package reads only those that are asked for.
   install(TARGETS boxreel_${name} EXPORT boxreel-${name}-targets
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${BOXREEL_HEADERS_DIR})
-  install(EXPORT boxreel-${name}-targets NAMESPACE boxreel:: DESTINATION ${BOXREEL_PACKAGE_DIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${ARG_HEADERS}/include/ DESTINATION ${BOXREEL_HEADERS_DIR})
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development INCLUDES DESTINATION ${BOXREEL_HEADERS_DIR})
+  install(EXPORT boxreel-${name}-targets NAMESPACE boxreel:: DESTINATION ${BOXREEL_PACKAGE_DIR}
+          COMPONENT development)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${ARG_HEADERS}/include/ DESTINATION ${BOXREEL_HEADERS_DIR}
+          COMPONENT development)
 
   # Relative, so that the prefix may be moved.
   file(RELATIVE_PATH PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
@@ -31,7 +34,8 @@ function(boxreel_install_library name)
   list(JOIN ARG_PACKAGES " " PC_PACKAGES)
   list(JOIN ARG_LIBS " " PC_LIBS)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/boxreel.pc.in ${PROJECT_BINARY_DIR}/pkgconfig/boxreel-${name}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/boxreel-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/boxreel-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+          COMPONENT development)
 endfunction()
 
 set(BOXREEL_LOAD_LIBRARIES)
@@ -56,25 +60,25 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/boxreelConfig.cmake.in
   ${PROJECT_BINARY_DIR}/boxreelConfig.cmake INSTALL_DESTINATION ${BOXREEL_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boxreelConfig.cmake ${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake
-        DESTINATION ${BOXREEL_PACKAGE_DIR})
+        DESTINATION ${BOXREEL_PACKAGE_DIR} COMPONENT development)
 if(TARGET boxreel_golden)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/BoxreelGoldenTests.cmake ${PROJECT_SOURCE_DIR}/cmake/FindImGui.cmake
-          DESTINATION ${BOXREEL_PACKAGE_DIR})
+          DESTINATION ${BOXREEL_PACKAGE_DIR} COMPONENT development)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
 # boxreel_install_printed(DESTINATION FILE ARGUMENT …): what the program prints when it is called so.
 function(boxreel_install_printed destination)
   set(file ${PROJECT_BINARY_DIR}/${destination})
   install(CODE "execute_process(COMMAND \"$<TARGET_FILE:boxreel>\" ${ARGN} OUTPUT_FILE \"${file}\"
-                                COMMAND_ERROR_IS_FATAL ANY)")
+                                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
   get_filename_component(folder ${destination} DIRECTORY)
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
-  install(FILES ${file} DESTINATION ${folder})
+  install(FILES ${file} DESTINATION ${folder} COMPONENT program)
 endfunction()
 
 if(TARGET boxreel)
-  install(TARGETS boxreel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS boxreel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions/boxreel completion bash)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/zsh/site-functions/_boxreel completion zsh)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/man/man1/boxreel.1 man)
