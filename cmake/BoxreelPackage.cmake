@@ -18,10 +18,10 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT) # NAME_VERSION_ARCHITECTURE.deb
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME boxreel)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "records 2D rigid-body scenes as films and pictures
- boxreel simulates 2D rigid bodies and makes films, pictures, figures and
- approved references of what it sees, with no screen attached. The same
- input gives the same bits.")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION # the summary before it is the project's
+"boxreel simulates 2D rigid bodies and makes films, pictures, figures and
+approved references of what it sees, with no screen attached. The same
+input gives the same bits.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 
 # What is loaded when it is first needed, so that dpkg-shlibdeps cannot see it. The names of libav's packages
@@ -51,10 +51,10 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libegl1, bash-completion, libboxreel-
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libboxreel-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "2D rigid bodies, drawn and recorded off-screen (development files)
- The libraries of boxreel for programs of one's own: an engine with the API of
- the Box2D 2.3 manual, draw lists, an off-screen renderer, a recorder of films
- and golden tests. For CMake and pkg-config.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION 
+"The libraries of boxreel for programs of one's own: an engine with the API of
+the Box2D 2.3 manual, draw lists, an off-screen renderer, a recorder of films
+and golden tests. For CMake and pkg-config.")
 # What the static libraries link (boxreelConfig.cmake.in), and load as the program does.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libpng-dev, libimgui-dev, libstb-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "${CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS}")

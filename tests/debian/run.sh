@@ -34,11 +34,11 @@ mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Cod
 [ -n "$mirror" ] || skip "this machine's apt knows no Debian 12 (bookworm) main archive; run apt-get update once"
 
 rm -f "$build"/boxreel_*.deb "$build"/libboxreel-dev_*.deb
-cmake --build "$build" --target deb >"$work.log" 2>&1 || { cat "$work.log"; fail 'the packages were not made'; }
+mkdir -p "$work"
+cmake --build "$build" --target deb >"$work/deb.log" 2>&1 || { cat "$work/deb.log"; fail 'the packages were not made'; }
 
 # ------------------------------------------------------------------------------ an empty system
 
-mkdir -p "$work"
 if [ ! -f "$work/base.tar" ]; then
     rm -rf "$work/base"
     debootstrap --variant=minbase bookworm "$work/base" "$mirror" >"$work/debootstrap.log" 2>&1 ||
@@ -77,7 +77,7 @@ apt update || skip 'the archives cannot be reached'
 # Debian's small images leave manual pages out, which is no fault of the package's.
 rm -f "$root"/etc/dpkg/dpkg.cfg.d/*
 apt install /tmp/boxreel_*.deb || fail 'boxreel was not installed'
-inside 'boxreel list' | grep -q '^ *pyramid' || fail '`boxreel list` does not name the pyramid'
+inside 'boxreel list' | grep -q '^Stacking  *Pyramid ' || fail '`boxreel list` does not name Pyramid'
 inside 'cd /tmp && boxreel record pyramid -o p.mp4 --seconds 1 && boxreel record pyramid -o p.webp --frames 3' ||
     fail 'no film was recorded'
 found=$(ffprobe -v error -count_frames -select_streams v -show_entries stream=codec_name,nb_read_frames -of csv=p=0 "$root/tmp/p.mp4")
