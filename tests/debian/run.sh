@@ -82,7 +82,7 @@ inside 'cd /tmp && boxreel record pyramid -o p.mp4 --seconds 1 && boxreel record
     fail 'no film was recorded'
 found=$(ffprobe -v error -count_frames -select_streams v -show_entries stream=codec_name,nb_read_frames -of csv=p=0 "$root/tmp/p.mp4")
 [ "$found" = h264,60 ] || fail "the film should hold 60 frames of H.264, ffprobe says: $found"
-inside 'cd /tmp && boxreel shot pyramid -o p.pdf && boxreel doctor' || fail 'doctor found something that does not work'
+inside 'cd /tmp && boxreel shot pyramid --at 1s -o p.pdf && boxreel doctor' || fail 'doctor found something that does not work'
 apt install man-db zsh bash-completion || fail 'man-db, zsh and bash-completion were not installed'
 inside 'MANPAGER=cat man boxreel' | grep -q '^NAME' || fail '`man boxreel` shows nothing'
 # As a shell does it when the first TAB is pressed after the program's name.
