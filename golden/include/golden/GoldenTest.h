@@ -143,6 +143,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN(frame, ...)                                                                  \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
+/// The same, and the test ends where it fails.
 #define ASSERT_GOLDEN(frame, ...)                                                                  \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
@@ -151,6 +152,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN_WORLD(world, ...)                                                            \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
+/// The same, and the test ends where it fails.
 #define ASSERT_GOLDEN_WORLD(world, ...)                                                            \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
@@ -159,6 +161,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN_FILM(film, ...)                                                              \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))
+/// The same, and the test ends where it fails.
 #define ASSERT_GOLDEN_FILM(film, ...)                                                              \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))
