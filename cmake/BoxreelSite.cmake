@@ -1,19 +1,11 @@
 # The documentation as pages: `api` (Doxygen) and `site` (pandoc, and the API where there is a Doxygen). Both
-# are for those who want them, so what is missing is said when the target is built and not before.
+# are for those who want them, so what is missing is said when the target is built and not before. A public name
+# without a comment fails `api`, as any other warning of Doxygen's does.
 find_program(BOXREEL_DOXYGEN doxygen DOC "Makes the API reference (Debian: doxygen)")
 find_program(BOXREEL_PANDOC pandoc DOC "Makes pages of the documentation (Debian: pandoc)")
 find_program(BOXREEL_PYTHON python3 DOC "Puts the site together (Debian: python3)")
 mark_as_advanced(BOXREEL_DOXYGEN BOXREEL_PANDOC BOXREEL_PYTHON)
 set(BOXREEL_SITE_DIR ${PROJECT_BINARY_DIR}/site)
-
-# boxreel_configure_api(DOXYFILE OUTPUT WARN_AS_ERROR FOLDER …): a Doxyfile for the public headers of folders.
-function(boxreel_configure_api doxyfile output warn_as_error)
-  set(API_OUTPUT ${output})
-  set(API_WARN_AS_ERROR ${warn_as_error})
-  list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/include" OUTPUT_VARIABLE API_INPUT)
-  list(JOIN API_INPUT " " API_INPUT)
-  configure_file(${PROJECT_SOURCE_DIR}/docs/site/Doxyfile.in ${doxyfile} @ONLY)
-endfunction()
 
 # boxreel_missing(TARGET PACKAGE): a target that only says what to install.
 function(boxreel_missing target package)
@@ -23,10 +15,12 @@ function(boxreel_missing target package)
 endfunction()
 
 if(BOXREEL_DOXYGEN)
-  boxreel_configure_api(${PROJECT_BINARY_DIR}/Doxyfile ${BOXREEL_SITE_DIR} NO engine debugdraw render recorder golden)
-  add_custom_target(api
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${BOXREEL_SITE_DIR}
-    COMMAND ${BOXREEL_DOXYGEN} ${PROJECT_BINARY_DIR}/Doxyfile VERBATIM)
+  set(API_INPUT engine debugdraw render recorder golden)
+  list(TRANSFORM API_INPUT REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/include")
+  list(JOIN API_INPUT " " API_INPUT)
+  file(MAKE_DIRECTORY ${BOXREEL_SITE_DIR})
+  configure_file(${PROJECT_SOURCE_DIR}/docs/site/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
+  add_custom_target(api COMMAND ${BOXREEL_DOXYGEN} ${PROJECT_BINARY_DIR}/Doxyfile VERBATIM)
 else()
   boxreel_missing(api doxygen)
 endif()

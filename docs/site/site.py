@@ -120,10 +120,19 @@ class Site:
         target.write_text(head + start + body, encoding="utf-8")
 
 
+def mend_api(folder):
+    """Doxygen 1.9.4 links to the list of a class's nested classes also where all are private and there is none."""
+    for page in folder.glob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        if 'name="nested-classes"' not in text and 'href="#nested-classes"' in text:
+            page.write_text(re.sub(r'<a href="#nested-classes">[^<]*</a>(\s*&#124;)?', "", text), encoding="utf-8")
+
+
 def main():
     checkout, output = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     output.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(checkout / "docs/site/style.css", output / "style.css")
+    mend_api(output / "api")
     site = Site(checkout, output)
     for _, pages in site.groups:
         for page, title in pages:
