@@ -1,6 +1,6 @@
 # What `cmake --install` copies: libraries, headers, the package for find_package, the files for
-# pkg-config (component development), the program with its manual page and completion, the licence
-# (component program). BoxreelPackage.cmake makes Debian packages of them.
+# pkg-config, the program with its manual page and completion, the licence. All but the program is the
+# component `development`, a Debian package of its own (BoxreelPackage.cmake).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -65,14 +65,13 @@ if(TARGET boxreel_golden)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/BoxreelGoldenTests.cmake ${PROJECT_SOURCE_DIR}/cmake/FindImGui.cmake
           DESTINATION ${BOXREEL_PACKAGE_DIR} COMPONENT development)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
 # boxreel_install_printed(DESTINATION FILE ARGUMENT …): what the program prints when it is called so.
 function(boxreel_install_printed destination)
   set(file ${PROJECT_BINARY_DIR}/${destination})
   install(CODE "execute_process(COMMAND \"$<TARGET_FILE:boxreel>\" ${ARGN} OUTPUT_FILE \"${file}\"
-                                COMMAND_ERROR_IS_FATAL ANY)"
-          COMPONENT program)
+                                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
   get_filename_component(folder ${destination} DIRECTORY)
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
   install(FILES ${file} DESTINATION ${folder} COMPONENT program)

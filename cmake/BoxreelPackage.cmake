@@ -1,65 +1,70 @@
-# Debian packages: `cpack -G DEB` in the build's folder. boxreel has the program, boxreel-dev the
-# libraries for programs of others. What the program links dpkg-shlibdeps finds; what it loads when it
-# needs it (libav, OSMesa, Cairo, …) is named here.
-if(NOT PROJECT_IS_TOP_LEVEL OR NOT TARGET boxreel)
-  return() # a subproject leaves its parent's packages alone
-endif()
-
-# boxreel_soname(VARIABLE LIBRARY): the major version of the libav library whose headers are compiled.
-function(boxreel_soname variable library)
-  string(TOUPPER ${library} upper)
-  foreach(header version_major.h version.h)
-    set(file ${BOXREEL_${library}_INCLUDE_DIR}/lib${library}/${header})
-    if(EXISTS ${file})
-      file(STRINGS ${file} line REGEX "#define LIB${upper}_VERSION_MAJOR +[0-9]+")
-      if(line MATCHES "([0-9]+)$")
-        set(${variable} lib${library}${CMAKE_MATCH_1} PARENT_SCOPE)
-        return()
-      endif()
-    endif()
-  endforeach()
-endfunction()
-
-set(BOXREEL_LOADED libosmesa6 libwebp7 libwebpmux3 libwebpdemux2 libcairo2 libfreetype6 fonts-dejavu-core)
-foreach(library avcodec avformat avutil swscale)
-  boxreel_soname(package ${library})
-  list(APPEND BOXREEL_LOADED ${package})
-endforeach()
-list(SORT BOXREEL_LOADED)
-list(JOIN BOXREEL_LOADED ", " BOXREEL_LOADED)
-
-set(CPACK_GENERATOR DEB)
+# Two Debian packages, by `cmake --build BUILD --target deb` (cpack -G DEB once the program is built): `boxreel`
+# is the program, its manual page and completions; `libboxreel-dev` the static libraries, headers and the
+# files for CMake and pkg-config. Nobody who records films needs the second.
 set(CPACK_PACKAGE_NAME boxreel)
-set(CPACK_PACKAGE_VENDOR "The boxreel authors")
-set(BOXREEL_PACKAGE_CONTACT "boxreel maintainers <boxreel@example.org>" CACHE STRING
-    "Who answers for the Debian packages: name and address")
-set(CPACK_PACKAGE_CONTACT "${BOXREEL_PACKAGE_CONTACT}")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_VENDOR "The boxreel developers")
+set(CPACK_PACKAGE_CONTACT "The boxreel developers <boxreel@users.noreply.github.com>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS # whatever the builder's umask
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/DebianFiles.cmake)
+
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT) # NAME_VERSION_ARCHITECTURE.deb
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME boxreel)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION # the summary before it is the project's
+"boxreel simulates 2D rigid bodies and makes films, pictures, figures and
+approved references of what it sees, with no screen attached. The same
+input gives the same bits.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${BOXREEL_LOADED}")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libglfw3, libegl1, libegl-mesa0")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-"Simulates worlds with the API of the Box2D 2.3 manual and makes films,
-pictures and figures of them without a display, and compares them with
-approved ones.")
 
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME boxreel-dev)
+# What is loaded when it is first needed, so that dpkg-shlibdeps cannot see it. The names of libav's packages
+# hold the version of the headers compiled against (FFmpegLibrary.cpp).
+set(loaded)
+foreach(library avutil swscale avcodec avformat)
+  file(GLOB headers ${BOXREEL_${library}_INCLUDE_DIR}/lib${library}/version*.h)
+  set(major)
+  string(TOUPPER ${library} LIBRARY)
+  foreach(header IN LISTS headers)
+    file(STRINGS ${header} lines REGEX "define +LIB${LIBRARY}_VERSION_MAJOR +[0-9]+")
+    string(REGEX MATCH "[0-9]+" found "${lines}")
+    string(APPEND major "${found}")
+  endforeach()
+  if(library MATCHES "avcodec|avformat") # Debian builds these twice, with and without GPL's encoders
+    list(APPEND loaded "lib${library}${major} | lib${library}-extra${major}")
+  else()
+    list(APPEND loaded lib${library}${major})
+  endif()
+endforeach()
+# libosmesa6 draws (Context.h); libegl1 does where one asks for it. Cairo and FreeType write PDF, and DejaVu
+# is the one font; WebP's three write and read animations.
+list(APPEND loaded "libosmesa6 | libegl1" libcairo2 libfreetype6 fonts-dejavu-core libwebp7 libwebpmux3 libwebpdemux2)
+list(JOIN loaded ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libglfw3") # the window, where there is a screen
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libegl1, bash-completion, libboxreel-dev")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libboxreel-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libpng-dev, libimgui-dev, libstb-dev, zlib1g-dev")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-"The engine, the draw list, the renderer, the recorder and golden tests as
-static libraries, for CMake's find_package and for pkg-config.")
-
-# What Debian wants elsewhere, or in another form, than an installation has it.
-set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/BoxreelDebianFiles.cmake)
-set(CPACK_BOXREEL_LICENCE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION 
+"The libraries of boxreel for programs of one's own: an engine with the API of
+the Box2D 2.3 manual, draw lists, an off-screen renderer, a recorder of films
+and golden tests. For CMake and pkg-config.")
+# What the static libraries link (boxreelConfig.cmake.in), and load as the program does.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libpng-dev, libimgui-dev, libstb-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "${CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS}")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libgtest-dev, boxreel")
 include(CPack)
+
+add_custom_target(deb
+  COMMAND ${CMAKE_CPACK_COMMAND} -G DEB --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake -B ${PROJECT_BINARY_DIR}
+  WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
+foreach(target boxreel boxreel_engine boxreel_drawlist boxreel_debugdraw boxreel_render boxreel_recorder
+        boxreel_golden boxreel_goldenstate boxreel_goldenworld)
+  add_dependencies(deb ${target})
+endforeach()

@@ -20,9 +20,9 @@ tools='cpack dpkg-shlibdeps gzip'
 if command -v lintian >/dev/null; then
     # The libraries are static and of one architecture, so pkg-config's files need not be told apart.
     lintian --fail-on error,warning --suppress-tags pkg-config-unavailable-for-cross-compilation --no-tag-display-limit \
-        "$work"/packages/boxreel*.deb >"$work/lintian.log" 2>&1 || { cat "$work/lintian.log"; fail 'lintian'; }
+        "$work"/packages/*boxreel*.deb >"$work/lintian.log" 2>&1 || { cat "$work/lintian.log"; fail 'lintian'; }
 fi
-cp "$work"/packages/boxreel*.deb "$root/tmp/"
+cp "$work"/packages/*boxreel*.deb "$root/tmp/"
 apt='apt-get install -y -q --no-install-recommends'
 
 inside "apt-get update -q && $apt /tmp/boxreel_*.deb" >"$work/apt.log" 2>&1 || { tail "$work/apt.log"; fail 'the package cannot be installed'; }
@@ -37,7 +37,7 @@ inside 'zcat /usr/share/man/man1/boxreel.1.gz | grep -q "^.TH BOXREEL"' || fail 
 inside 'bash -c "source /usr/share/bash-completion/completions/boxreel && complete -p boxreel"' >/dev/null || fail 'completion for bash'
 inside 'test -s /usr/share/zsh/vendor-completions/_boxreel' || fail 'completion for zsh'
 
-inside "$apt g++ pkg-config libpng-dev libimgui-dev libstb-dev zlib1g-dev /tmp/boxreel-dev_*.deb" >"$work/apt.log" 2>&1 ||
+inside "$apt g++ pkg-config libpng-dev libimgui-dev libstb-dev zlib1g-dev /tmp/libboxreel-dev_*.deb" >"$work/apt.log" 2>&1 ||
     { tail "$work/apt.log"; fail 'the package for programs cannot be installed'; }
 cat >"$root/tmp/film.cpp" <<'END'
 #include <Box2D/Box2D.h>
@@ -59,7 +59,7 @@ END
 inside 'cd /tmp && c++ -std=c++20 film.cpp -o film $(pkg-config --static --cflags --libs boxreel-recorder boxreel-debugdraw) && ./film && test -s ball.mp4' ||
     fail 'a program that links the libraries'
 
-inside 'apt-get remove -y -q boxreel boxreel-dev' >"$work/apt.log" 2>&1 || fail 'the packages cannot be removed'
+inside 'apt-get remove -y -q boxreel libboxreel-dev' >"$work/apt.log" 2>&1 || fail 'the packages cannot be removed'
 left=$(find "$root/usr" -name '*boxreel*')
 [ -z "$left" ] || fail "removing them leaves $left"
 rm -rf "$root"

@@ -4,11 +4,13 @@
 #include <debugdraw/Camera.h>
 #include <debugdraw/DrawList.h>
 
+/// @file
 /// Arrows whose shaft is measured in metres and whose head in pixels, so that a head is as large
 /// in every view.
 namespace boxreel
 {
 
+/// How large an arrow's head is.
 struct ArrowHead
 {
     double length = 9.0;    ///< along the shaft [px]

@@ -8,12 +8,14 @@
 #include <span>
 #include <string_view>
 
+/// @file
 /// Files that appear under their name whole or not at all. What is written goes to NAME.part.EXT in
 /// the same folder and gets its name by Commit; what is not committed is removed. Used by
 /// everything that writes results: pictures, films, texts. Never asks, never prints.
 namespace boxreel
 {
 
+/// How a file is made and what becomes of one that is there.
 struct AtomicFileSettings
 {
     bool overwrite = false;         ///< false: an existing file is an Error
@@ -21,6 +23,7 @@ struct AtomicFileSettings
     bool replacesLeftover = true;   ///< false: a part file that somebody left is an Error, too
 };
 
+/// A file that appears under its name only when it is whole.
 class AtomicFile
 {
 public:
@@ -28,21 +31,26 @@ public:
     /// false, is not a regular file, lies in a folder that cannot be written, or is being written
     /// by someone else.
     static Result<AtomicFile> Create(const std::filesystem::path& path, bool overwrite);
+    /// The same, with more to say.
     static Result<AtomicFile> Create(const std::filesystem::path& path,
                                      const AtomicFileSettings& settings);
 
+    /// The other may only be assigned to or destroyed.
     AtomicFile(AtomicFile&& other) noexcept;
+    /// The other may only be assigned to or destroyed.
     AtomicFile& operator=(AtomicFile&& other) noexcept;
     ~AtomicFile(); ///< removes the part file unless it was committed
 
     /// Where the bytes are until then. A library that wants a name may open and write it itself.
     const std::filesystem::path& PartPath() const { return m_part; }
 
+    /// Appends all of the bytes. An Error (Failed) when the disk takes less.
     Result<void> Write(std::span<const std::uint8_t> bytes);
 
     /// For formats that go back to fill in what they know only at the end. Neither moves the place
     /// where Write goes on. ReadAt gives less than was asked for at the end of the file.
     Result<void> WriteAt(std::int64_t offset, std::span<const std::uint8_t> bytes);
+    /// How many bytes were read, from `offset` on [bytes].
     Result<std::size_t> ReadAt(std::int64_t offset, std::span<std::uint8_t> bytes) const;
 
     /// Flushes to the disk and renames. Nothing may follow.
@@ -73,6 +81,7 @@ bool IsBeingWritten(const std::filesystem::path& part);
 /// Create, Write and Commit in one.
 Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                         bool overwrite);
+/// The same for text.
 Result<void> WriteWhole(const std::filesystem::path& path, std::string_view text, bool overwrite);
 
 } // namespace boxreel

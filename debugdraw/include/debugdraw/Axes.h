@@ -6,6 +6,7 @@
 
 #include <vector>
 
+/// @file
 /// Axes with ticks and numbers in metres, beside a picture, where they hide nothing of it. Drawn
 /// into a list that `paper` looks at; the picture is what `view` shows, its top left corner at
 /// `corner` [px of paper]. A Figure's panels are such pictures.

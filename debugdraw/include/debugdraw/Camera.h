@@ -5,11 +5,13 @@
 
 #include <functional>
 
+/// @file
 /// Where a frame looks: metres to pixels and back. A Camera is one frame's view; FitCamera moves it
 /// over time. World y points up, pixel y down from the top left corner; pixel centres lie at .5.
 namespace boxreel
 {
 
+/// Which part of the world is seen, and how large; nothing turns it.
 struct Camera
 {
     int width = 1280;             ///< [px]
@@ -18,9 +20,12 @@ struct Camera
     double centerY = 20.0;        ///< [m]
     double pixelsPerMeter = 14.4; ///< the testbed's default: 50 m in a height of 720 px
 
+    /// From the world [m] to the picture [px, y down].
     Vec2 ToPixel(Vec2 world) const;
+    /// From the picture [px, y down] to the world [m].
     Vec2 ToWorld(Vec2 pixel) const;
     Rect VisibleArea() const; ///< [m]
+    /// Whether all members are equal.
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -58,6 +63,7 @@ public:
     /// move. Boxes that are empty or not finite are ignored.
     void Update(const std::vector<Rect>& movers, double dt);
 
+    /// What it looks at now.
     const Camera& View() const { return m_view; }
 
     /// All that Update changes. A camera that was made alike goes on from these numbers as this one

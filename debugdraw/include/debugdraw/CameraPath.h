@@ -6,17 +6,20 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// A camera that goes from one view to the next at given times. A function of the time alone: no
 /// frame rate and no step is in it. Plain arithmetic, so that every machine sees the same view.
 namespace boxreel
 {
 
+/// Where a camera is to be at a moment.
 struct CameraKey
 {
     double time = 0.0;    ///< simulated [s]
     double centerX = 0.0; ///< world point in the middle of the frame [m]
     double centerY = 0.0; ///< [m]
     double height = 50.0; ///< of the visible area [m], above 0
+    /// Whether all members are equal.
     friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 

@@ -6,18 +6,20 @@
 
 #include <string>
 
+/// @file
 /// Measures in a picture, as technical drawings have them: two extension lines, a line with arrows
 /// between them, and the distance.
 namespace boxreel
 {
 
+/// How a dimension is drawn, and what it says.
 struct DimensionSettings
 {
     double offset = 30.0; ///< of the measured points from the line with the arrows, on the side
                           ///< where there is room: above, else below; left, else right; the
                           ///< other way round when it is negative [px]
     std::string label;    ///< empty: the distance, such as "1.25 m"
-    Color color{255, 255, 255};
+    Color color{255, 255, 255}; ///< of lines and label
 };
 
 /// The distance between `a` and `b` [m], for a list that `view` looks at. Where the arrows do not

@@ -9,14 +9,17 @@
 
 class b2World;
 
+/// @file
 /// The engine's debug drawing as a DrawList: register it with b2World::SetDebugDraw, call
 /// DrawDebugData, read the list. What the engine does not draw itself is in the World* headers.
 namespace boxreel
 {
 
+/// A b2Draw that appends what the engine draws to a list.
 class DrawCollector : public b2Draw
 {
 public:
+    /// The list must outlive it.
     explicit DrawCollector(DrawList& list) : m_list(list) {}
 
     /// Only what this view may show is collected; everything unless said. The picture is the same.
@@ -25,9 +28,11 @@ public:
     void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override;
     /// With more corners than a DrawList fills (8): the outline alone.
     void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override;
+    /// The outline of a circle [m].
     void DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color) override;
     void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis,
                          const b2Color& color) override;
+    /// A line from p1 to p2 [m].
     void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override;
     void DrawTransform(const b2Transform& xf) override;
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 
+/// @file
 /// Lists over lists: several moments in one picture, earlier ones fainter. Stroboscopes and onion
 /// skins are made of it.
 namespace boxreel

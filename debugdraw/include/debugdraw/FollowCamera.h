@@ -5,6 +5,7 @@
 
 #include <optional>
 
+/// @file
 /// Keeps a subject (one body, or the box around several) in the middle of the frame. Called once a
 /// step of the simulation, never by frames, so that a film of any frame rate and a still show the
 /// same pixels. Knows no bodies; plain arithmetic, so that every machine sees the same view.
@@ -28,6 +29,7 @@ public:
     /// ignored: the view then settles where it was going.
     void Update(const Rect& subject, double dt);
 
+    /// What it looks at now.
     const Camera& View() const { return m_view; }
 
     /// All that Update changes. A camera that was made alike, of any subject, goes on from these

@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 
+/// @file
 /// Draws small signs whose size is given in pixels, at a place and in a direction of the world, so
 /// that they read at any zoom. Points are in pixels along the sign's own axes, x along the given
 /// direction, y a quarter turn to the left of it. Angles are counted in steps of 15 degrees, whose
@@ -13,9 +14,11 @@
 namespace boxreel
 {
 
+/// Draws small signs whose size is in pixels into a list.
 class GlyphPen
 {
 public:
+    /// A place in the picture [px].
     struct Point
     {
         double x = 0.0; ///< [px]
@@ -32,13 +35,17 @@ public:
     /// In pixels, along the sign's axes.
     Point Of(Vec2 world) const;
 
+    /// A line from one to the other.
     void Line(Point from, Point to);
     /// From each to the next.
     void Lines(std::initializer_list<Point> points);
     /// Every other stretch of about 5 px.
     void Dashes(Point from, Point to);
+    /// An outline, radius [px].
     void Circle(Point center, double radius);
+    /// A filled disc, diameter [px].
     void Dot(Point center, double diameter);
+    /// The outline of an upright box [px].
     void Box(Point center, double halfWidth, double halfHeight);
     /// Filled; corners counter-clockwise.
     void Triangle(Point a, Point b, Point c);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// What a mistyped word was probably meant to be, for the sentence that refuses it.
 namespace boxreel
 {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+/// @file
 /// Numbers for people: ticks, scale bars, measures. Plain arithmetic, whatever the locale.
 namespace boxreel
 {

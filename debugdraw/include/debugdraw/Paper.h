@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+/// @file
 /// Drawing by pixels into a list of metres: what stands at a place of the picture and not of the
 /// world, and text that is centred on something. Annotations are drawn with it.
 namespace boxreel
@@ -14,31 +15,36 @@ namespace boxreel
 /// y down from the top left corner [px].
 struct PixelPoint
 {
-    double x = 0.0;
-    double y = 0.0;
+    double x = 0.0; ///< from the left
+    double y = 0.0; ///< from above
 };
 
 /// Which point of a text's box lies at the given place: 0 the left or upper end, 1 the other.
 struct TextAnchor
 {
-    double x = 0.0;
-    double y = 0.0;
+    double x = 0.0; ///< 0 at the left end of the text, 1 at its right
+    double y = 0.0; ///< 0 at its top, 1 at its bottom
 };
 
 // Colours of the classic palette, which every theme has its own for.
 inline constexpr Color kInk{255, 255, 255};     ///< stands out most
 inline constexpr Color kNoteInk{230, 230, 230}; ///< a little less
 
+/// Draws in pixels of a camera's picture.
 class Paper
 {
 public:
     /// Adds to `list`, in the layer Annotations and without an owner, where `camera` sees pixels.
     Paper(DrawList& list, const Camera& camera);
 
+    /// From the world [m] to the picture.
     PixelPoint ToPixel(Vec2 world) const;
+    /// From the picture to the world [m].
     Vec2 ToWorld(PixelPoint pixel) const;
 
+    /// A line from one to the other.
     void Line(PixelPoint from, PixelPoint to, Color color) const;
+    /// An outline, radius [px].
     void Circle(PixelPoint center, double radius, Color color) const;
     /// The point of the arrow's head lies at `to`.
     void Arrow(PixelPoint from, PixelPoint to, Color color) const;

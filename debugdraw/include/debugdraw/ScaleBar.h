@@ -4,6 +4,7 @@
 #include <debugdraw/Camera.h>
 #include <debugdraw/DrawList.h>
 
+/// @file
 /// How long a metre is in a picture: a bar of a nice length, with that length.
 namespace boxreel
 {

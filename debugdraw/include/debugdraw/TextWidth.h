@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// How much room text takes in a picture at scale 1, for whoever puts it in the middle of something
 /// or beside it. A table of the pictures' font, so that it is the same on every machine, with the
 /// font or without; a letter that pictures lack is as wide as the '?' in its place.

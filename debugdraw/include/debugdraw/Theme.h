@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// Colours and line widths of a picture. A DrawList carries the colours that an engine's debug
 /// drawing asked for (the classic palette); a theme says what they become, on a screen and on paper
 /// alike. Colours that are not of that palette are the user's own and are kept.
@@ -35,7 +36,9 @@ enum class ColorRole : std::uint8_t
     Velocity,
     Ink, ///< white: labels, and whatever is meant to stand out most from the ground
 };
+/// How many roles there are.
 inline constexpr std::size_t kColorRoles = 16;
+/// A colour for each role, in the order of the roles.
 using Palette = std::array<Color, kColorRoles>;
 
 /// The colours every user of this debug drawing knows. Friction looks like impulses there; a step
@@ -57,15 +60,16 @@ inline constexpr Palette kClassicPalette{{{128, 230, 128},
                                           {90, 170, 255},
                                           {255, 255, 255}}};
 
+/// Colours and widths of a picture.
 struct Theme
 {
-    Color background{26, 26, 26, 255};
-    Color text{230, 230, 230, 255}; ///< of captions; a label has its own colour, usually Ink
-    Color xAxis{255, 64, 64, 255};  ///< of a drawn frame of reference
-    Color yAxis{64, 220, 64, 255};
-    float outlineWidth = 1.25f; ///< of shapes and segments [px]
-    float fillShade = 0.5f;     ///< a solid shape is filled with this share of its colour …
-    float fillAlpha = 0.5f;     ///< … at this opacity
+    Color background{26, 26, 26, 255}; ///< where nothing is drawn
+    Color text{230, 230, 230, 255};    ///< of captions; a label has its own colour, usually Ink
+    Color xAxis{255, 64, 64, 255};     ///< of a drawn frame of reference
+    Color yAxis{64, 220, 64, 255};     ///< likewise
+    float outlineWidth = 1.25f;        ///< of shapes and segments [px]
+    float fillShade = 0.5f; ///< a solid shape is filled with this share of its colour …
+    float fillAlpha = 0.5f; ///< … at this opacity
 
     /// False: every colour is drawn as it was asked for, and `palette` is not looked at.
     bool recolors = false;

@@ -6,15 +6,17 @@
 
 #include <span>
 
+/// @file
 /// The way that a point has gone, as a line: the caller samples it step by step, the centre of a
 /// body or any other point. Reads best beneath the shapes and above their earlier
 /// poses: add it to the list between them.
 namespace boxreel
 {
 
+/// How a trail looks.
 struct TrailSettings
 {
-    Color color{77, 230, 230};
+    Color color{77, 230, 230}; ///< of the line
     double oldest = 0.35; ///< the opacity where it begins; 1 where it ends. 1: it does not fade
 };
 

@@ -5,12 +5,14 @@
 
 #include <optional>
 
+/// @file
 /// What a picture can show of a world, asked by whoever collects a DrawList, so that what is not
 /// seen is not collected. A test errs on one side only: it may let something through that the
 /// renderer then leaves out, never the reverse.
 namespace boxreel
 {
 
+/// What a camera sees.
 struct View
 {
     Camera camera;            ///< whose pixels arrows, glyphs and letters are measured in
@@ -19,7 +21,9 @@ struct View
     /// May something be seen that lies in the box around these points [m], or at most so many
     /// pixels beside it?
     bool Shows(const Rect& box, double reachPixels = 0.0) const;
+    /// The same for a line from a to b [m].
     bool Shows(Vec2 a, Vec2 b, double reachPixels = 0.0) const;
+    /// The same for a point [m].
     bool Shows(Vec2 point, double reachPixels = 0.0) const;
 };
 

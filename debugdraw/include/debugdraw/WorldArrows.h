@@ -5,6 +5,7 @@
 #include <debugdraw/DrawList.h>
 #include <debugdraw/View.h>
 
+/// @file
 /// What moves and what pulls, as arrows in a world. Only reads the world.
 namespace boxreel
 {
@@ -20,6 +21,7 @@ void AddJointForces(const b2World& world, const View& view, double metersPerNewt
 /// How long a mean weight is, in mean sizes: joints of a bridge carry ten times the weight of its
 /// parts, of which a contact point in a pile carries about one.
 inline constexpr double kForceShare = 1.0 / 8.0;
+/// The same for arrows of impulses.
 inline constexpr double kImpulseShare = 1.0 / 3.0;
 
 /// A scale for arrows of forces that suits a world: the mean weight of the bodies that can move,

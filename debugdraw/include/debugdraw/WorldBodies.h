@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+/// @file
 /// What marks a body or a joint: its name, its centre of mass. Only reads the world. With a view, a
 /// body at rest that has nothing in the picture is not looked at.
 namespace boxreel

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+/// @file
 /// Where the things of a world are, for a camera that keeps them in view. Only reads the world.
 namespace boxreel
 {

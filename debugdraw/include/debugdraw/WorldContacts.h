@@ -7,11 +7,13 @@
 
 #include <vector>
 
+/// @file
 /// Where the bodies of a world touch, and what they do to each other there. Read from the contacts
 /// as the last step left them, without a listener; the world is never changed.
 namespace boxreel
 {
 
+/// What is drawn of contacts, and how large.
 struct ContactLook
 {
     bool points = false;   ///< dots: those that were not there before the last step are larger

@@ -5,6 +5,7 @@
 #include <debugdraw/DrawList.h>
 #include <debugdraw/View.h>
 
+/// @file
 /// The signs by which mechanisms are drawn in books, for the joints of a world: what kind each is,
 /// where it is, which way it gives. Their size is in pixels, so that they read at any zoom; what
 /// has a length in the world (springs, ropes, rails with limits) has it in the picture.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// How far two pictures differ, and whether that is too far. Called by the reference store, by
 /// tests and by `boxreel diff`. Knows no files and no scenes; the verdict has the same bits for the
 /// same pictures on every machine.
@@ -56,16 +57,18 @@ struct CompareSettings
     static CompareSettings CrossMachine();
     /// The preset of that name, or an Error that lists them and names `option`, the text's origin.
     static Result<CompareSettings> Preset(const std::string& option, const std::string& name);
+    /// What Preset takes.
     static std::vector<std::string> PresetNames();
 };
 
 /// The value of CompareSettings::maxPixels that sets no limit.
 inline constexpr std::int64_t kAnyNumberOfPixels = std::numeric_limits<std::int64_t>::max();
 
+/// What a comparison has found.
 struct Comparison
 {
-    bool equal = false;
-    bool sameSize = true;
+    bool equal = false;               ///< within the limits of the settings
+    bool sameSize = true;             ///< in width and height
     std::int64_t differentPixels = 0; ///< with any bit different, or in one picture only
     std::int64_t compared = 0;        ///< all pixels but those …
     std::int64_t ignored = 0;         ///< … in an ignored rectangle
@@ -73,7 +76,8 @@ struct Comparison
     std::int64_t excusedAtEdges = 0;  ///< over the tolerance, but no more than their edge explains
     std::int64_t worstWindow = 0;     ///< most pixels over the tolerance in any one window
     double largestDistance = 0.0;     ///< OKLab, of the pixels that both pictures have
-    int firstX = -1, firstY = -1;     ///< the first pixel over the tolerance, row by row; -1: none
+    int firstX = -1;     ///< of the first pixel over the tolerance, row by row [px]; -1: none
+    int firstY = -1;     ///< likewise [px]
     std::string verdict; ///< one line for a person, with the limits and where they came from
     /// The expected picture faded to dark gray, pixels over the tolerance in red inside one thin
     /// white box, pixels that differ within the tolerance, or as their edge explains, in dull blue,
@@ -81,6 +85,7 @@ struct Comparison
     Frame difference;
 };
 
+/// Two pictures, the first of which was approved.
 Comparison Compare(const Frame& expected, const Frame& actual,
                    const CompareSettings& settings = {});
 

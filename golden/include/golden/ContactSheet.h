@@ -9,12 +9,14 @@
 #include <filesystem>
 #include <vector>
 
+/// @file
 /// A film as one picture: what it shows at every so many simulation steps, small, row by row.
 /// Sampled by time, so films of one simulation with other frame rates have the same sheet. Made for
 /// golden tests; never judges.
 namespace boxreel
 {
 
+/// Which moments of a film are on its sheet, and how large.
 struct ContactSheetSettings
 {
     double stepsPerSecond = 60.0; ///< simulation steps in a second of the film, above 0
@@ -29,19 +31,23 @@ inline constexpr std::size_t kMostSheetPictures = 256;
 /// Where the pictures lie on a sheet.
 struct SheetLayout
 {
-    int columns = 0;
-    int width = 0, height = 0; ///< of a picture [px]
-    std::size_t pictures = 0;
-    std::int64_t every = 0; ///< steps from one to the next
+    int columns = 0;          ///< pictures in a row
+    int width = 0;            ///< of a picture [px]
+    int height = 0;           ///< of a picture [px]
+    std::size_t pictures = 0; ///< on the sheet
+    std::int64_t every = 0;   ///< steps from one to the next
 
+    /// Where a picture lies [px]; picture < pictures.
     PixelBounds Place(std::size_t picture) const;
+    /// The step that a picture shows.
     std::int64_t Step(std::size_t picture) const { return std::int64_t(picture) * every; }
 };
 
+/// A film in one picture.
 struct ContactSheet
 {
-    SheetLayout layout;
-    Frame frame; ///< opaque; gray between the pictures and where the last row ends
+    SheetLayout layout; ///< where each of its pictures lies
+    Frame frame;        ///< opaque; gray between the pictures and where the last row ends
 };
 
 /// What lies in a place that is all on the sheet.

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+/// @file
 /// What one golden test does, for any framework of tests: compares with the reference, or makes the
 /// candidate the reference when the environment asks for it. GoldenTest.h calls it for GoogleTest.
 /// Prints nothing; what should be printed is handed back.
@@ -24,11 +25,12 @@ enum class GoldenAccept
     All,     ///< both
 };
 
+/// What a golden test compares with, and what it may change.
 struct GoldenCheckSettings
 {
-    std::filesystem::path references;
-    std::filesystem::path output = "golden-output";
-    GoldenAccept accept = GoldenAccept::None;
+    std::filesystem::path references;               ///< the folder of what was approved
+    std::filesystem::path output = "golden-output"; ///< the folder for the pictures of a failure
+    GoldenAccept accept = GoldenAccept::None;       ///< what is taken over instead of compared
     bool attach = false; ///< name the pictures of a failure in lines that CTest sends to CDash
 };
 
@@ -37,9 +39,10 @@ struct GoldenCheckSettings
 /// attached under CTest and where CI is set. Unusable when no folder or no such word is given.
 Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const std::filesystem::path& references);
 
+/// What a golden test says.
 struct GoldenOutcome
 {
-    bool passed = false;
+    bool passed = false; ///< whether the test has passed
     std::string message; ///< a sentence or two, with the remedy when it has not passed
     std::string output;  ///< whole lines for standard output, or nothing
 };

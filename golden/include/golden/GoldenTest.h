@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+/// @file
 /// Golden tests with GoogleTest, in a program that links boxreel::golden and, for worlds,
 /// boxreel::goldenworld (the CMake function boxreel_add_golden_tests does both):
 ///
@@ -28,30 +29,35 @@
 namespace boxreel::golden_test
 {
 
+/// What EXPECT_GOLDEN compares with.
 struct FrameCheck
 {
-    std::string name;
-    CompareSettings compare;
+    std::string name;        ///< of the reference
+    CompareSettings compare; ///< presets and limits
 };
 
+/// EXPECT_GOLDEN's second argument: a name, and limits where they differ.
 inline FrameCheck CheckAs(std::string name, CompareSettings compare = {})
 {
     return {std::move(name), std::move(compare)};
 }
 
+/// What EXPECT_GOLDEN_WORLD compares with.
 struct WorldCheck
 {
-    std::string name;
-    GoldenWorldLook look;
-    CompareSettings compare;
+    std::string name;        ///< of the reference
+    GoldenWorldLook look;    ///< how the world is drawn
+    CompareSettings compare; ///< presets and limits
 };
 
+/// EXPECT_GOLDEN_WORLD's second argument: a name, a look and limits.
 inline WorldCheck CheckWorldAs(std::string name, GoldenWorldLook look = {},
                                CompareSettings compare = {})
 {
     return {std::move(name), std::move(look), std::move(compare)};
 }
 
+/// The folder that boxreel_add_golden_tests has named.
 inline std::filesystem::path CompiledReferences()
 {
 #ifdef BOXREEL_GOLDEN_REFERENCES
@@ -61,6 +67,7 @@ inline std::filesystem::path CompiledReferences()
 #endif
 }
 
+/// Compares what could be drawn; an Error fails the test with its sentence.
 inline testing::AssertionResult Check(const Result<GoldenCandidate>& candidate,
                                       const CompareSettings& compare)
 {
@@ -81,6 +88,7 @@ inline testing::AssertionResult Check(const Result<GoldenCandidate>& candidate,
            << outcome.message;
 }
 
+/// EXPECT_GOLDEN calls it.
 inline testing::AssertionResult IsGolden(const char* expression, const char*, const Frame& frame,
                                          const FrameCheck& check)
 {
@@ -95,25 +103,29 @@ inline testing::AssertionResult IsGolden(const char* expression, const char*, co
     return Check(candidate, check.compare);
 }
 
+/// EXPECT_GOLDEN_WORLD calls it.
 inline testing::AssertionResult IsGoldenWorld(const char*, const char*, b2World& world,
                                               const WorldCheck& check)
 {
     return Check(CandidateOf(world, check.name, check.look), check.compare);
 }
 
+/// What EXPECT_GOLDEN_FILM compares with.
 struct FilmCheck
 {
-    std::string name;
-    ContactSheetSettings sheet;
-    CompareSettings compare;
+    std::string name;           ///< of the reference
+    ContactSheetSettings sheet; ///< which moments are compared
+    CompareSettings compare;    ///< presets and limits
 };
 
+/// EXPECT_GOLDEN_FILM's second argument: a name, moments and limits.
 inline FilmCheck CheckFilmAs(std::string name, ContactSheetSettings sheet = {},
                              CompareSettings compare = {})
 {
     return {std::move(name), sheet, std::move(compare)};
 }
 
+/// EXPECT_GOLDEN_FILM calls it.
 inline testing::AssertionResult
 IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const FilmCheck& check)
 {
@@ -131,6 +143,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN(frame, ...)                                                                  \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
+/// The same, and the test ends where it fails.
 #define ASSERT_GOLDEN(frame, ...)                                                                  \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
@@ -139,6 +152,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN_WORLD(world, ...)                                                            \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
+/// The same, and the test ends where it fails.
 #define ASSERT_GOLDEN_WORLD(world, ...)                                                            \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
@@ -147,6 +161,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN_FILM(film, ...)                                                              \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))
+/// The same, and the test ends where it fails.
 #define ASSERT_GOLDEN_FILM(film, ...)                                                              \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))

@@ -14,9 +14,10 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// The folder of what was approved, at three depths: the state (state/NAME.txt, and the steps on
 /// the way to it, trace/NAME.txt), what was drawn (drawlist/NAME.txt) and the picture
-/// (frames/NAME.png, or frames/NAME@RENDERER.png where a renderer has one of its own). Long texts
+/// (frames/NAME.png, or `frames/NAME@RENDERER.png` where a renderer has one of its own). Long texts
 /// are packed (.txt.gz). Verify compares in that order, so that a failure says whether the motion,
 /// the geometry or only the pixels changed.
 namespace boxreel
@@ -26,10 +27,10 @@ namespace boxreel
 /// folder.
 struct GoldenCandidate
 {
-    std::string name;
+    std::string name;      ///< of the reference
     std::string stateHash; ///< 16 hex digits; empty: depth not used
-    DrawList list;
-    Frame frame;
+    DrawList list;         ///< what is drawn; empty: depth not used
+    Frame frame;           ///< the picture; empty: depth not used
     WorldState state = {}; ///< with a hash only: what differs, and by how much; no bodies: not kept
     StateTrace trace = {}; ///< the steps since the moment before; none: not kept
     std::string renderer = {};             ///< Renderer::Description(); empty: one picture for all
@@ -47,6 +48,7 @@ enum class AcceptAs
     ForThisRenderer, ///< one that only candidates of the same `renderer` are compared with
 };
 
+/// How a comparison ended.
 enum class GoldenStatus
 {
     Same,
@@ -56,14 +58,16 @@ enum class GoldenStatus
     Pixels,   ///< same geometry, other pixels
 };
 
+/// What comparing one candidate has found.
 struct GoldenVerdict
 {
-    std::string name;
-    GoldenStatus status = GoldenStatus::Missing;
+    std::string name;                            ///< of the reference
+    GoldenStatus status = GoldenStatus::Missing; ///< how it ended
     std::string message; ///< a sentence or two: what differs first, and where the pictures lie
-    Comparison pixels;
+    Comparison pixels;   ///< what comparing the pictures has found
 };
 
+/// A folder of what was approved.
 class ReferenceStore
 {
 public:

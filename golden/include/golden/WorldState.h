@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+/// @file
 /// A world's state as plain numbers, how it went there step by step, and how two of them differ in
 /// words. Knows no engine: <golden/StateHash.h> reads them from a world.
 namespace boxreel
@@ -18,7 +19,8 @@ namespace boxreel
 struct BodyState
 {
     int number = 0;            ///< its place in the order of creation, as `--labels` shows it
-    float x = 0, y = 0;        ///< [m]
+    float x = 0;               ///< of the origin [m]
+    float y = 0;               ///< likewise [m]
     float angle = 0;           ///< [rad]
     float velocityX = 0;       ///< [m/s]
     float velocityY = 0;       ///< [m/s]
@@ -29,7 +31,7 @@ struct BodyState
 /// All bodies, the oldest first.
 struct WorldState
 {
-    std::vector<BodyState> bodies;
+    std::vector<BodyState> bodies; ///< in the order of their creation
 };
 
 /// A line a body: number, x, y, angle and, unless they are all 0, the velocities. The shortest
@@ -46,18 +48,19 @@ std::string DescribeDifference(const WorldState& expected, const WorldState& act
 /// A step's state in few characters.
 struct TraceStep
 {
-    std::int64_t step = 0;
-    std::string world; ///< 8 hex digits of the whole state's hash
+    std::int64_t step = 0; ///< since the start
+    std::string world;     ///< 8 hex digits of the whole state's hash
     /// A hex digit of each body's hash, by number, '.' where there is none any more. Where more
     /// than 256 bodies have been made: digits of rows and of columns of them, see kLongestTrace.
     std::string bodies;
+    /// Whether all members are equal.
     friend bool operator==(const TraceStep&, const TraceStep&) = default;
 };
 
 /// The steps that a world went through, in order.
 struct StateTrace
 {
-    std::vector<TraceStep> steps;
+    std::vector<TraceStep> steps; ///< in their order
 };
 
 /// Up to so many bodies each has a digit of its own. More are thought of as a square, numbered row
@@ -65,7 +68,9 @@ struct StateTrace
 /// it: a single body that differs is found where its row and its column cross.
 inline constexpr int kLongestTrace = 256;
 
+/// A line a step.
 std::string ToText(const StateTrace& trace);
+/// What ToText wrote, or an Error that names the line.
 Result<StateTrace> ParseStateTrace(std::string_view text);
 
 /// Where two ways part.

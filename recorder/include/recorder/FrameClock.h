@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+/// @file
 /// Which simulation step a frame shows, in whole numbers, so that no film drifts however long.
 /// Used by whoever makes a film; knows no world and no file.
 namespace boxreel
@@ -20,7 +21,9 @@ struct Rational
     /// A decimal or a fraction of two whole numbers. An Error (Unusable) unless it is a number
     /// above zero with at most nine digits on either side of the point or the slash.
     static Result<Rational> Parse(std::string_view text);
+    /// The quotient, rounded.
     double ToDouble() const { return double(num) / double(den); }
+    /// Whether all members are equal.
     friend bool operator==(const Rational&, const Rational&) = default;
 };
 
@@ -28,9 +31,9 @@ struct Rational
 /// Exact for every frame up to 10^11 and any Rational.
 struct FrameClock
 {
-    Rational framesPerSecond{60, 1};
-    Rational stepsPerSecond{60, 1};
-    Rational speed{1, 1}; ///< simulated seconds per second of film
+    Rational framesPerSecond{60, 1}; ///< of the film
+    Rational stepsPerSecond{60, 1};  ///< of the world
+    Rational speed{1, 1};            ///< simulated seconds per second of film
 
     std::int64_t StepOfFrame(std::int64_t frame) const;  ///< frame >= 0
     double FractionOfFrame(std::int64_t frame) const;    ///< of the step after that one, below 1

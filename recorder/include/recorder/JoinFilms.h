@@ -8,14 +8,16 @@
 #include <functional>
 #include <vector>
 
+/// @file
 /// Parts of a film become the whole, without encoding a frame again; of a gif, apng or webp, which
 /// lose nothing by it, with. libav is loaded when called.
 namespace boxreel
 {
 
+/// A film that is part of another.
 struct FilmPart
 {
-    std::filesystem::path path;
+    std::filesystem::path path;  ///< of its file
     std::int64_t firstFrame = 0; ///< its number in the whole film
     std::int64_t frames = 0;     ///< how many; 0: as many as it says, or up to the next part
 };

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 
+/// @file
 /// Making a film: draw, read, encode, overlapped with the caller's steps over bounded queues so
 /// that memory does not grow with the film. Record is the loop itself, Recording is for programs
 /// that have one. Knows no engine: the caller says what each frame shows.
@@ -20,21 +21,23 @@ namespace boxreel
 /// left.
 struct FrameContent
 {
-    DrawList list;
-    Camera camera;
-    Overlay overlay;
+    DrawList list;       ///< what is drawn
+    Camera camera;       ///< which part of it is seen
+    Overlay overlay;     ///< drawn above all; empty: nothing
     bool isLast = false; ///< the film ends with this frame, however many were asked for
     bool stops = false;  ///< the recording stops before this frame, which need not be filled
 };
 
+/// How far a recording is.
 struct RecordingProgress
 {
-    std::int64_t framesDone = 0; ///< encoded
-    std::int64_t framesTotal = 0;
+    std::int64_t framesDone = 0;     ///< encoded
+    std::int64_t framesTotal = 0;    ///< that were asked for
     std::int64_t framesRepeated = 0; ///< so far not drawn, being equal to the one before
     std::int64_t framesKept = 0;     ///< of those done: they were there before this recording
 };
 
+/// What is recorded, and who is told.
 struct RecordingSettings
 {
     std::int64_t frameCount = 600; ///< at least 1
@@ -49,6 +52,7 @@ struct RecordingSettings
     std::function<void(std::int64_t frame, const Frame& pixels)> seen;
 };
 
+/// Why a recording ended.
 enum class RecordingEnd
 {
     Complete, ///< the writer is closed
@@ -77,7 +81,9 @@ public:
     /// VideoWriter::Open.
     static Result<Recording> Open(const std::filesystem::path& path, const VideoSettings& film = {},
                                   const RendererSettings& drawing = {});
+    /// The other may only be assigned to or destroyed.
     Recording(Recording&&) noexcept;
+    /// The other may only be assigned to or destroyed.
     Recording& operator=(Recording&&) noexcept;
     ~Recording(); ///< without Close no film is left
 

@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 
+/// @file
 /// Where the time of a film goes: each stage adds up what it takes on the thread that does it. A
 /// timer without a StageTimes looks at no clock, so a film that nobody asks about pays nothing.
 namespace boxreel
 {
 
+/// What time is spent on.
 enum class Stage
 {
     Simulate, ///< the caller's: its world is advanced
@@ -24,8 +26,10 @@ enum class Stage
     Encode,         ///< but for threads of the codec's own
     Write,          ///< container and file
 };
+/// How many stages there are.
 inline constexpr std::size_t kStageCount = 10;
 
+/// What a stage has taken.
 struct StageTime
 {
     double cpu = 0.0;  ///< of the threads that did it [s]
@@ -36,7 +40,9 @@ struct StageTime
 class StageTimes
 {
 public:
+    /// Adds to what a stage has taken [ns]; from any thread.
     void Add(Stage stage, std::int64_t cpuNanoseconds, std::int64_t wallNanoseconds);
+    /// What a stage has taken so far.
     StageTime At(Stage stage) const;
 
 private:

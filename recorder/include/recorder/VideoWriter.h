@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+/// @file
 /// Frames into a film: Open, Append each, Close. The format follows from the name:
 ///
 /// | name            | what is written                                                          |
@@ -58,6 +59,7 @@
 namespace boxreel
 {
 
+/// How much of a frame survives.
 enum class Quality
 {
     Draft,    ///< fastest to encode
@@ -73,13 +75,14 @@ enum class Chroma
     Full, ///< 4:4:4: coloured lines stay sharp, browsers do not play it as H.264
 };
 
+/// What a film is to be like.
 struct VideoSettings
 {
-    int width = 1280;                ///< 1 to 8192, even where colours are halved [px]
-    int height = 720;                ///< likewise [px]
-    Rational framesPerSecond{60, 1}; ///< at most 1000
-    Quality quality = Quality::Standard;
-    Chroma chroma = Chroma::Half;
+    int width = 1280;                    ///< 1 to 8192, even where colours are halved [px]
+    int height = 720;                    ///< likewise [px]
+    Rational framesPerSecond{60, 1};     ///< at most 1000
+    Quality quality = Quality::Standard; ///< how much survives
+    Chroma chroma = Chroma::Half;        ///< how much colour survives
     std::string codec{};  ///< h264, vp9, av1 or ffv1; empty: the first of the format's
     std::string format{}; ///< of the standard output: y4m, nut, mkv or webm; empty for files
     /// Options of libav's encoder, by its names, over those that the quality sets.
@@ -115,12 +118,17 @@ Rational StoredFrameRate(const std::filesystem::path& path, const Rational& fram
 
 class VideoSink;
 
+/// Frames into a film.
 class VideoWriter
 {
 public:
+    /// Starts the film; an Error when settings and format contradict, the file exists, or libav is
+    /// absent.
     static Result<VideoWriter> Open(const std::filesystem::path& path,
                                     const VideoSettings& settings);
+    /// The other may only be assigned to or destroyed.
     VideoWriter(VideoWriter&&) noexcept;
+    /// The other may only be assigned to or destroyed.
     VideoWriter& operator=(VideoWriter&&) noexcept;
     ~VideoWriter();
 

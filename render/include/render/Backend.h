@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// Which library draws off-screen. All software back ends give the same bits; a GPU's are its own,
 /// so one is used only when it is asked for by name.
 namespace boxreel
 {
 
+/// Who draws.
 enum class Backend
 {
     Auto,   ///< what the variable BOXREEL_BACKEND says; else the first that works, in this order

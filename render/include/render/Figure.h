@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// Drawings for documents: what a Renderer shows, as SVG or PDF, sharp at any size. Text stays
 /// text, each body is a group with a name, and the same figure gives the same bytes. Needs no GL;
 /// Cairo and FreeType are loaded when a PDF is asked for, and SVG needs nothing at all.
@@ -25,10 +26,10 @@ inline constexpr int kLargestFigure = 131072;
 /// One view of one list, in a rectangle of the figure. What lies outside is cut off.
 struct FigurePanel
 {
-    DrawList list;
+    DrawList list;  ///< what is drawn
     Camera camera;  ///< its width and height are the panel's [px]
     double x = 0.0; ///< of the panel's top left corner in the figure [px]
-    double y = 0.0;
+    double y = 0.0; ///< likewise
     /// What bodies are called in the groups' names, by their number: "body-17-left-wheel", or
     /// "body-17" where it has none.
     std::map<std::uint32_t, std::string> bodyNames;
@@ -37,12 +38,13 @@ struct FigurePanel
     std::string name = {};
 };
 
+/// A figure of one or several panels.
 struct Figure
 {
     int width = 1280;   ///< before the scale [px]; a pixel is 1/96 inch
     int height = 720;   ///< [px]
     double scale = 1.0; ///< how much larger all of it is: paper, lines, letters; 0.1 to 16
-    Theme theme = Theme::Classic();
+    Theme theme = Theme::Classic();  ///< colours and widths
     std::string title;               ///< for readers of screens and for catalogues; not drawn
     std::vector<FigurePanel> panels; ///< painter's order
 };
@@ -69,6 +71,7 @@ Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure);
 /// Whether PDFs can be written on this machine: asked before long work is done for one.
 Result<void> PreparePdf();
 
+/// What becomes of a file that is there.
 struct FigureFileSettings
 {
     bool overwrite = false; ///< false: an existing file is an error
@@ -77,6 +80,7 @@ struct FigureFileSettings
 /// Whole or not at all.
 Result<void> WriteSvg(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
+/// The same as PDF. An Error (Absent) without Cairo, FreeType or the font.
 Result<void> WritePdf(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// A figure of any number of panels as pixels: the picture that its SVG and PDF show.
 namespace boxreel
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
 /// The keyboard as windows report it and panels read it.
 namespace boxreel
 {

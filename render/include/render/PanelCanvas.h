@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// Panels that answer to mouse and keyboard, laid out with Dear ImGui and drawn as an Overlay: in a
 /// window, or in pictures without one. Same input, same triangles.
 namespace boxreel
@@ -25,18 +26,21 @@ struct PanelInput
     float wheel = 0.0f;            ///< notches
     std::string text;              ///< that was typed, UTF-8
     std::vector<Key> keys;         ///< that are down
-    bool shift = false;
-    bool control = false;
-    double seconds = 1.0 / 60.0; ///< since the frame before
+    bool shift = false;            ///< whether it is down
+    bool control = false;          ///< whether it is down
+    double seconds = 1.0 / 60.0;   ///< since the frame before
 };
 
+/// Panels of Dear ImGui as an overlay.
 class PanelCanvas
 {
 public:
     /// `width`, `height`: of the picture [px]; `scale`: how much larger than usual letters and
     /// distances are, 0.1 to 16, the renderer's.
     static Result<PanelCanvas> Create(int width, int height, double scale = 1.0);
+    /// The other may only be assigned to or destroyed.
     PanelCanvas(PanelCanvas&&) noexcept;
+    /// The other may only be assigned to or destroyed.
     PanelCanvas& operator=(PanelCanvas&&) noexcept;
     ~PanelCanvas();
 
@@ -49,6 +53,7 @@ public:
 
     /// Whether what the mouse does is meant for a panel, as of the last frame; likewise keys.
     bool WantsPointer() const;
+    /// Whether keys are meant for a panel, as of the last frame.
     bool WantsKeys() const;
 
 private:

@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <vector>
 
+/// @file
 /// Frames to and from PNG files, through libpng. Only Png.cpp knows that library.
 namespace boxreel
 {
 
+/// What a PNG is to be like.
 struct PngSettings
 {
     int compressionLevel = 3; ///< zlib, 1 (fast) to 9 (small); the pixels are the same

@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 
+/// @file
 /// Turns a DrawList into pixels, off-screen. Owns the GL context, so use one per thread.
 /// Knows nothing of worlds: what is not in the list is not drawn. The GL library is loaded by
 /// Create, not before.
@@ -23,12 +24,13 @@ namespace boxreel
 
 class Window;
 
+/// How a renderer draws.
 struct RendererSettings
 {
-    int width = 1280; ///< 1 to 8192 [px]
-    int height = 720; ///< 1 to 8192 [px]
-    Theme theme = Theme::Classic();
-    Backend backend = Backend::Auto;
+    int width = 1280;                ///< 1 to 8192 [px]
+    int height = 720;                ///< 1 to 8192 [px]
+    Theme theme = Theme::Classic();  ///< colours and widths
+    Backend backend = Backend::Auto; ///< who draws
     double scale = 1.0; ///< of all lengths in pixels: outlines, points, letters; 0.1 to 16. The
                         ///< camera and the overlay are given at their full size.
     bool redrawsWhole = false; ///< draws every frame that changes as a whole: to test and to
@@ -52,7 +54,7 @@ struct RenderStatistics
 /// The sum over all Submits so far.
 struct RenderTotals
 {
-    std::int64_t frames = 0;
+    std::int64_t frames = 0;          ///< that were drawn
     std::int64_t framesUnchanged = 0; ///< of the frames
     std::int64_t framesInPart = 0;    ///< of the frames; the others were drawn as a whole
     std::int64_t pixels = 0;          ///< of all frames
@@ -62,9 +64,11 @@ struct RenderTotals
     std::int64_t itemsOutside = 0;    ///< … or outside the picture …
     std::int64_t itemsReused = 0;     ///< … and how many were known from the frame before
     std::int64_t drawCalls = 0;       ///< without the overlays'
+    /// Adds each of the numbers.
     RenderTotals& operator+=(const RenderTotals& other);
 };
 
+/// Turns draw lists into frames.
 class Renderer
 {
 public:
@@ -74,7 +78,9 @@ public:
     /// The same in a window's GL context, whatever back end the settings name: one renderer a
     /// window at a time, which must not outlive it.
     static Result<Renderer> CreateIn(Window& window, const RendererSettings& settings);
+    /// The other may only be assigned to or destroyed.
     Renderer(Renderer&&) noexcept;
+    /// The other may only be assigned to or destroyed.
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
@@ -106,7 +112,9 @@ public:
     /// Shows the picture of the last Submit in its window, and waits for the display.
     Result<void> Show();
 
+    /// Of the last frame.
     const RenderStatistics& Statistics() const;
+    /// Of all frames so far.
     const RenderTotals& Totals() const;
 
     /// Which library drew it, e.g. "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 Mesa 22.3.6".

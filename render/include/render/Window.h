@@ -9,14 +9,17 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// A window on a display, and what is done in it. A Renderer made for it (Renderer::CreateIn) draws
 /// in its GL context. GLFW is loaded by Create, not before; only WindowGlfw.cpp knows it. To be
 /// used by the thread that began the program, one window at a time.
 namespace boxreel
 {
 
+/// What a person did at the window.
 struct WindowEvent
 {
+    /// What was done.
     enum class Kind
     {
         KeyDown,
@@ -32,17 +35,18 @@ struct WindowEvent
         LostFocus, ///< keys that are down will not be heard to go up
         Close,     ///< it is asked to
     };
-    Kind kind = Kind::Pointer;
-    Key key = Key::None;
-    std::string text;       ///< of Text, UTF-8
-    int button = 0;         ///< 0 left, 1 right, 2 middle
-    Vec2 point{0.0f, 0.0f}; ///< where the mouse is, at every event [px], y down
-    float wheel = 0.0f;     ///< notches, up and away is above zero
-    bool shift = false;     ///< at keys and buttons, likewise the other two
-    bool control = false;
-    bool alt = false;
+    Kind kind = Kind::Pointer; ///< what was done
+    Key key = Key::None;       ///< of keys that went down or up
+    std::string text;          ///< of Text, UTF-8
+    int button = 0;            ///< 0 left, 1 right, 2 middle
+    Vec2 point{0.0f, 0.0f};    ///< where the mouse is, at every event [px], y down
+    float wheel = 0.0f;        ///< notches, up and away is above zero
+    bool shift = false;        ///< at keys and buttons, likewise the other two
+    bool control = false;      ///< likewise
+    bool alt = false;          ///< likewise
 };
 
+/// A window with a GL context.
 class Window
 {
 public:
@@ -50,7 +54,9 @@ public:
     /// No larger than the display has room for.
     /// An Error (Absent) when there is no display, no GL 3.3 or no GLFW.
     static Result<Window> Create(const std::string& title, int width, int height);
+    /// The other may only be assigned to or destroyed.
     Window(Window&&) noexcept;
+    /// The other may only be assigned to or destroyed.
     Window& operator=(Window&&) noexcept;
     ~Window();
 
@@ -60,6 +66,7 @@ public:
     int Width() const;    ///< of its picture [px]; 0 while it is minimised
     int Height() const;   ///< [px]
     double Scale() const; ///< of letters and lines, 1 on an ordinary display
+    /// What stands above the window, UTF-8.
     void SetTitle(const std::string& title);
 
     struct Impl;

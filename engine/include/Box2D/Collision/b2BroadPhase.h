@@ -8,8 +8,8 @@
 /// A pair of proxies, the smaller number first.
 struct b2Pair
 {
-    int32 proxyIdA;
-    int32 proxyIdB;
+    int32 proxyIdA; ///< the smaller number
+    int32 proxyIdB; ///< the larger number
 };
 
 /// Finds the pairs of proxies that may touch, looking only at those that moved. It does not
@@ -38,7 +38,9 @@ public:
     /// Has all pairs of this proxy told again by the next UpdatePairs.
     void TouchProxy(int32 proxyId);
 
+    /// The stored box [m].
     const b2AABB& GetFatAABB(int32 proxyId) const { return m_tree.GetFatAABB(proxyId); }
+    /// What CreateProxy was given.
     void* GetUserData(int32 proxyId) const { return m_tree.GetUserData(proxyId); }
 
     /// Do the stored boxes overlap?
@@ -47,7 +49,7 @@ public:
         return b2TestOverlap(GetFatAABB(proxyIdA), GetFatAABB(proxyIdB));
     }
 
-    int32 GetProxyCount() const { return m_tree.GetProxyCount(); }
+    int32 GetProxyCount() const { return m_tree.GetProxyCount(); } ///< how many proxies there are
 
     /// Calls `void callback->AddPair(void* userDataA, void* userDataB)` once for every pair that
     /// has a proxy which moved since the last time, in the order of their numbers.
@@ -60,16 +62,21 @@ public:
     {
         m_tree.Query(callback, aabb);
     }
+    /// As in b2DynamicTree.
     template <typename T>
     void RayCast(T* callback, const b2RayCastInput& input) const
     {
         m_tree.RayCast(callback, input);
     }
 
+    /// Of the tree; 0: one proxy or none.
     int32 GetTreeHeight() const { return m_tree.GetHeight(); }
+    /// As b2DynamicTree::GetMaxBalance.
     int32 GetTreeBalance() const { return m_tree.GetMaxBalance(); }
+    /// As b2DynamicTree::GetAreaRatio.
     float32 GetTreeQuality() const { return m_tree.GetAreaRatio(); }
 
+    /// What was at newOrigin [m] is at zero.
     void ShiftOrigin(const b2Vec2& newOrigin) { m_tree.ShiftOrigin(newOrigin); }
 
 private:

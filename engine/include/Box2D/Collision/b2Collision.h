@@ -20,6 +20,7 @@ inline constexpr uint8 b2_nullFeature = UCHAR_MAX;
 /// touch, so that a point keeps its impulses from step to step.
 struct b2ContactFeature
 {
+    /// What a number counts.
     enum Type
     {
         e_vertex = 0,
@@ -36,8 +37,8 @@ struct b2ContactFeature
 union b2ContactID {
     constexpr b2ContactID() : key(0) {}
 
-    b2ContactFeature cf;
-    uint32 key;
+    b2ContactFeature cf; ///< the pair
+    uint32 key;          ///< the same bits as a number
 };
 
 /// One point of a manifold. What localPoint means depends on the manifold's type.
@@ -46,7 +47,7 @@ struct b2ManifoldPoint
     b2Vec2 localPoint;             ///< see b2Manifold::Type [m]
     float32 normalImpulse = 0.0f;  ///< that keeps the shapes apart, kept for warm starting [N s]
     float32 tangentImpulse = 0.0f; ///< of friction [N s]
-    b2ContactID id;
+    b2ContactID id;                ///< which features it comes from
 };
 
 /// How two convex shapes touch: a normal and up to two points, in local coordinates so that the
@@ -54,6 +55,7 @@ struct b2ManifoldPoint
 /// shapes' skins overlap.
 struct b2Manifold
 {
+    /// What a number counts.
     enum Type
     {
         e_circles, ///< localPoint: centre of A; points[0].localPoint: centre of B; no localNormal
@@ -61,11 +63,11 @@ struct b2Manifold
         e_faceB    ///< localNormal, localPoint: a face of B, in B's frame; points in A's frame
     };
 
-    b2ManifoldPoint points[b2_maxManifoldPoints];
-    b2Vec2 localNormal;
-    b2Vec2 localPoint;
-    Type type = e_circles;
-    int32 pointCount = 0;
+    b2ManifoldPoint points[b2_maxManifoldPoints]; ///< how many count says pointCount
+    b2Vec2 localNormal;                           ///< unit vector; see Type
+    b2Vec2 localPoint;                            ///< see Type [m]
+    Type type = e_circles;                        ///< what the members mean
+    int32 pointCount = 0;                         ///< 0 to b2_maxManifoldPoints
 };
 
 /// A manifold in world coordinates, for those who look at it.
@@ -98,23 +100,23 @@ void b2GetPointStates(b2PointState state1[b2_maxManifoldPoints],
 /// An end of a segment that is being clipped, and where it came from.
 struct b2ClipVertex
 {
-    b2Vec2 v;
-    b2ContactID id;
+    b2Vec2 v;       ///< where it is [m]
+    b2ContactID id; ///< which features it comes from
 };
 
 /// A ray is the segment from p1 to p1 + maxFraction * (p2 - p1).
 struct b2RayCastInput
 {
-    b2Vec2 p1;
-    b2Vec2 p2;
-    float32 maxFraction = 1.0f;
+    b2Vec2 p1;                  ///< where the ray starts [m]
+    b2Vec2 p2;                  ///< where it ends at a fraction of 1 [m]
+    float32 maxFraction = 1.0f; ///< >= 0
 };
 
 /// The ray hits at p1 + fraction * (p2 - p1).
 struct b2RayCastOutput
 {
-    b2Vec2 normal; ///< of the surface that was hit, against the ray
-    float32 fraction = 0.0f;
+    b2Vec2 normal;           ///< of the surface that was hit, against the ray
+    float32 fraction = 0.0f; ///< 0 to b2RayCastInput::maxFraction
 };
 
 /// An axis-aligned box.
@@ -127,9 +129,10 @@ struct b2AABB
                lowerBound.IsValid() && upperBound.IsValid();
     }
 
-    constexpr b2Vec2 GetCenter() const { return 0.5f * (lowerBound + upperBound); }
+    constexpr b2Vec2 GetCenter() const { return 0.5f * (lowerBound + upperBound); } ///< [m]
     /// Half the widths.
     constexpr b2Vec2 GetExtents() const { return 0.5f * (upperBound - lowerBound); }
+    /// The length of its outline [m].
     constexpr float32 GetPerimeter() const
     {
         return 2.0f * ((upperBound.x - lowerBound.x) + (upperBound.y - lowerBound.y));

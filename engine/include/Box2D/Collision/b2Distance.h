@@ -10,7 +10,9 @@ class b2Shape;
 struct b2DistanceProxy
 {
     b2DistanceProxy() = default;
+    /// Looks at the same shape.
     b2DistanceProxy(const b2DistanceProxy& other) { *this = other; }
+    /// Looks at the same shape.
     b2DistanceProxy& operator=(const b2DistanceProxy& other);
 
     /// Looks at the shape, or at the given child of a chain.
@@ -22,17 +24,18 @@ struct b2DistanceProxy
     /// The vertex furthest in direction d.
     const b2Vec2& GetSupportVertex(const b2Vec2& d) const { return m_vertices[GetSupport(d)]; }
 
-    int32 GetVertexCount() const { return m_count; }
+    int32 GetVertexCount() const { return m_count; } ///< 1 or more
+    /// A vertex [m]; 0 <= index < GetVertexCount().
     const b2Vec2& GetVertex(int32 index) const
     {
         b2Assert(0 <= index && index < m_count);
         return m_vertices[index];
     }
 
-    b2Vec2 m_buffer[2]; ///< the vertices of an edge
-    const b2Vec2* m_vertices = nullptr;
-    int32 m_count = 0;
-    float32 m_radius = 0.0f;
+    b2Vec2 m_buffer[2];                 ///< the vertices of an edge
+    const b2Vec2* m_vertices = nullptr; ///< the shape's, or m_buffer [m]
+    int32 m_count = 0;                  ///< of vertices
+    float32 m_radius = 0.0f;            ///< around the vertices' hull [m]
 };
 
 inline int32 b2DistanceProxy::GetSupport(const b2Vec2& d) const
@@ -56,20 +59,22 @@ inline int32 b2DistanceProxy::GetSupport(const b2Vec2& d) const
 struct b2SimplexCache
 {
     float32 metric = 0.0f; ///< length or area of the simplex, to tell when it has gone stale
-    uint16 count = 0;
-    uint8 indexA[3] = {}; ///< vertices of A
-    uint8 indexB[3] = {}; ///< vertices of B
+    uint16 count = 0;      ///< of vertices in use, 0 to 3
+    uint8 indexA[3] = {};  ///< vertices of A
+    uint8 indexB[3] = {};  ///< vertices of B
 };
 
+/// Two shapes and where they are.
 struct b2DistanceInput
 {
-    b2DistanceProxy proxyA;
-    b2DistanceProxy proxyB;
-    b2Transform transformA;
-    b2Transform transformB;
-    bool useRadii = false; ///< measure from the skins rather than from the cores
+    b2DistanceProxy proxyA; ///< the first shape
+    b2DistanceProxy proxyB; ///< the second shape
+    b2Transform transformA; ///< from its frame to the world
+    b2Transform transformB; ///< from its frame to the world
+    bool useRadii = false;  ///< measure from the skins rather than from the cores
 };
 
+/// What b2Distance has found.
 struct b2DistanceOutput
 {
     b2Vec2 pointA;           ///< the closest point of A, in the world [m]

@@ -29,6 +29,7 @@ public:
     /// Adds a proxy whose box is the given one, made b2_aabbExtension larger on every side.
     int32 CreateProxy(const b2AABB& aabb, void* userData);
 
+    /// Removes a proxy; its number may be given to another.
     void DestroyProxy(int32 proxyId);
 
     /// Follows a proxy that moves: while its box stays inside the stored one nothing happens and
@@ -38,6 +39,7 @@ public:
     /// The same three steps for callers with a margin of their own: the box is stored as it is.
     /// User data is a pointer or a number, at the caller's choice.
     int32 CreateProxyExact(const b2AABB& fatAABB, void* userData);
+    /// The same with a number.
     int32 CreateProxyExact(const b2AABB& fatAABB, int32 userIndex);
     /// Moves the proxy to where its box belongs in the tree.
     void SetProxyAABB(int32 proxyId, const b2AABB& fatAABB);
@@ -46,8 +48,11 @@ public:
     /// box must contain the stored one.
     void EnlargeProxy(int32 proxyId, const b2AABB& fatAABB);
 
+    /// What CreateProxy was given.
     void* GetUserData(int32 proxyId) const { return GetLeaf(proxyId).link.userData; }
+    /// What CreateProxyExact was given.
     int32 GetUserIndex(int32 proxyId) const { return GetLeaf(proxyId).link.userIndex; }
+    /// The stored box [m].
     const b2AABB& GetFatAABB(int32 proxyId) const { return GetLeaf(proxyId).aabb; }
 
     /// Is this the number of a proxy that has been created and not destroyed?
@@ -56,7 +61,7 @@ public:
         return 0 <= proxyId && proxyId < m_nodeCapacity && m_nodes[proxyId].height == 0;
     }
 
-    int32 GetProxyCount() const { return m_proxyCount; }
+    int32 GetProxyCount() const { return m_proxyCount; } ///< how many proxies there are
 
     /// Calls `bool callback->QueryCallback(int32 proxyId)` for every proxy whose box overlaps the
     /// given one, until it returns false.

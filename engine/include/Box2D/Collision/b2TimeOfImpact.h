@@ -4,17 +4,20 @@
 #include <Box2D/Collision/b2Distance.h>
 #include <Box2D/Common/b2Math.h>
 
+/// Two shapes and how they move.
 struct b2TOIInput
 {
-    b2DistanceProxy proxyA;
-    b2DistanceProxy proxyB;
-    b2Sweep sweepA; ///< only the motion between the two counts, so both may share any origin
-    b2Sweep sweepB;
+    b2DistanceProxy proxyA; ///< the first shape
+    b2DistanceProxy proxyB; ///< the second shape
+    b2Sweep sweepA;      ///< only the motion between the two counts, so both may share any origin
+    b2Sweep sweepB;      ///< of the second; see sweepA
     float32 tMax = 1.0f; ///< the sweeps are looked at from 0 to here
 };
 
+/// What b2TimeOfImpact has found.
 struct b2TOIOutput
 {
+    /// How the search ended.
     enum State
     {
         e_unknown,
@@ -24,8 +27,8 @@ struct b2TOIOutput
         e_separated   ///< they stay apart up to tMax
     };
 
-    State state = e_unknown;
-    float32 t = 0.0f;
+    State state = e_unknown; ///< how the search ended
+    float32 t = 0.0f;        ///< 0 to b2TOIInput::tMax
 };
 
 /// When two moving shapes first come so close that their skins overlap by about a slop. With fixed

@@ -7,19 +7,20 @@
 struct b2Color
 {
     b2Color() = default;
+    /// From red, green, blue and opacity, each 0 to 1.
     b2Color(float32 red, float32 green, float32 blue, float32 alpha = 1.0f)
         : r(red), g(green), b(blue), a(alpha)
-    {
-    }
+    {}
+    /// To red, green, blue and opacity, each 0 to 1.
     void Set(float32 red, float32 green, float32 blue, float32 alpha = 1.0f)
     {
         *this = b2Color(red, green, blue, alpha);
     }
 
-    float32 r = 0.0f;
-    float32 g = 0.0f;
-    float32 b = 0.0f;
-    float32 a = 1.0f;
+    float32 r = 0.0f; ///< red, 0 to 1
+    float32 g = 0.0f; ///< green, 0 to 1
+    float32 b = 0.0f; ///< blue, 0 to 1
+    float32 a = 1.0f; ///< opacity, 0 to 1
 };
 
 /// Derive from this, register it with b2World::SetDebugDraw and b2World::DrawDebugData calls back
@@ -38,10 +39,10 @@ public:
         e_centerOfMassBit = 0x0010, ///< centre of mass frame
     };
 
-    void SetFlags(uint32 flags) { m_drawFlags = flags; }
-    uint32 GetFlags() const { return m_drawFlags; }
-    void AppendFlags(uint32 flags) { m_drawFlags |= flags; }
-    void ClearFlags(uint32 flags) { m_drawFlags &= ~flags; }
+    void SetFlags(uint32 flags) { m_drawFlags = flags; }     ///< bits that replace all
+    uint32 GetFlags() const { return m_drawFlags; }          ///< which bits are set
+    void AppendFlags(uint32 flags) { m_drawFlags |= flags; } ///< bits to be set
+    void ClearFlags(uint32 flags) { m_drawFlags &= ~flags; } ///< bits to be cleared
 
     /// Only what lies, in whole or in part, between these two corners [m] has to be drawn: what the
     /// world does not show costs next to nothing then. Calls whose points' box misses the view may
@@ -57,23 +58,27 @@ public:
     }
     /// Everything is drawn, as from the start. An addition to the manual's interface.
     void ClearView() { m_hasView = false; }
-    bool HasView() const { return m_hasView; }
-    const b2Vec2& GetViewLower() const { return m_viewLower; }
-    const b2Vec2& GetViewUpper() const { return m_viewUpper; }
+    bool HasView() const { return m_hasView; }                 ///< whether there is a view
+    const b2Vec2& GetViewLower() const { return m_viewLower; } ///< as SetView was given [m]
+    const b2Vec2& GetViewUpper() const { return m_viewUpper; } ///< as SetView was given [m]
 
     /// A closed outline, counter-clockwise.
     virtual void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) = 0;
     /// A filled convex polygon, counter-clockwise.
-    virtual void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) = 0;
+    virtual void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount,
+                                  const b2Color& color) = 0;
+    /// Red, 0 to 1.
     virtual void DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color) = 0;
     /// `axis` is the unit vector that shows how the circle has turned.
-    virtual void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis, const b2Color& color) = 0;
+    virtual void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis,
+                                 const b2Color& color) = 0;
+    /// A line from p1 to p2 [m].
     virtual void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) = 0;
     /// A frame of reference; how long its axes are drawn is the drawer's choice.
     virtual void DrawTransform(const b2Transform& xf) = 0;
 
-    /// What the calls that follow show: one of the bits above. An addition to the manual's interface;
-    /// may be left as it is.
+    /// What the calls that follow show: one of the bits above. An addition to the manual's
+    /// interface; may be left as it is.
     virtual void BeginLayer(uint32 flag) { (void)flag; }
     /// Which body the calls that follow belong to: its number in order of creation, or -1 for none.
     /// An addition to the manual's interface; may be left as it is.

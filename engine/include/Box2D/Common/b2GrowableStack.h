@@ -25,6 +25,7 @@ public:
     b2GrowableStack(const b2GrowableStack&) = delete;
     b2GrowableStack& operator=(const b2GrowableStack&) = delete;
 
+    /// Puts an element on top, with more memory when it is needed.
     void Push(const T& element)
     {
         if (m_count == m_capacity)
@@ -45,13 +46,14 @@ public:
         m_count += condition ? 1 : 0;
     }
 
+    /// Takes the top element off; the stack must not be empty.
     T Pop()
     {
         b2Assert(m_count > 0);
         return m_stack[--m_count];
     }
 
-    int32 GetCount() const { return m_count; }
+    int32 GetCount() const { return m_count; } ///< of elements
 
 private:
     void Grow()

@@ -10,21 +10,31 @@
 struct b2Vec2
 {
     constexpr b2Vec2() = default;
+    /// From its components.
     constexpr b2Vec2(float32 x_, float32 y_) : x(x_), y(y_) {}
 
+    /// All components become 0.
     constexpr void SetZero() { *this = b2Vec2(); }
+    /// Replaces its components.
     constexpr void Set(float32 x_, float32 y_) { *this = b2Vec2(x_, y_); }
 
+    /// The opposite vector.
     constexpr b2Vec2 operator-() const { return {-x, -y}; }
     /// Component 0 or 1.
     constexpr float32 operator()(int32 i) const { return i == 0 ? x : y; }
+    /// Component 0 or 1, to be written.
     constexpr float32& operator()(int32 i) { return i == 0 ? x : y; }
 
+    /// Adds, component by component.
     constexpr void operator+=(const b2Vec2& v) { Set(x + v.x, y + v.y); }
+    /// Subtracts, component by component.
     constexpr void operator-=(const b2Vec2& v) { Set(x - v.x, y - v.y); }
+    /// Multiplies each component.
     constexpr void operator*=(float32 a) { Set(a * x, a * y); }
 
+    /// In the unit of its components.
     float32 Length() const { return b2Sqrt(LengthSquared()); }
+    /// Without a root, and so cheaper.
     constexpr float32 LengthSquared() const { return x * x + y * y; }
 
     /// Makes this a unit vector and returns the former length. A vector shorter than b2_epsilon
@@ -40,32 +50,40 @@ struct b2Vec2
         return length;
     }
 
+    /// Whether all components are finite.
     bool IsValid() const { return b2IsValid(x) && b2IsValid(y); }
 
     /// The vector turned by a quarter to the left: b2Dot(v.Skew(), w) == b2Cross(v, w).
     constexpr b2Vec2 Skew() const { return {-y, x}; }
 
-    float32 x = 0.0f;
-    float32 y = 0.0f;
+    float32 x = 0.0f; ///< first component
+    float32 y = 0.0f; ///< second component
 };
 
 /// A column vector with three components.
 struct b2Vec3
 {
     constexpr b2Vec3() = default;
+    /// From its components.
     constexpr b2Vec3(float32 x_, float32 y_, float32 z_) : x(x_), y(y_), z(z_) {}
 
+    /// All components become 0.
     constexpr void SetZero() { *this = b2Vec3(); }
+    /// Replaces its components.
     constexpr void Set(float32 x_, float32 y_, float32 z_) { *this = b2Vec3(x_, y_, z_); }
 
+    /// The opposite vector.
     constexpr b2Vec3 operator-() const { return {-x, -y, -z}; }
+    /// Adds, component by component.
     constexpr void operator+=(const b2Vec3& v) { Set(x + v.x, y + v.y, z + v.z); }
+    /// Subtracts, component by component.
     constexpr void operator-=(const b2Vec3& v) { Set(x - v.x, y - v.y, z - v.z); }
+    /// Multiplies each component.
     constexpr void operator*=(float32 a) { Set(a * x, a * y, a * z); }
 
-    float32 x = 0.0f;
-    float32 y = 0.0f;
-    float32 z = 0.0f;
+    float32 x = 0.0f; ///< first component
+    float32 y = 0.0f; ///< second component
+    float32 z = 0.0f; ///< third component
 };
 
 inline constexpr b2Vec2 b2Vec2_zero{};
@@ -157,14 +175,18 @@ constexpr float32 b2DistanceSquared(const b2Vec2& a, const b2Vec2& b)
 struct b2Mat22
 {
     constexpr b2Mat22() = default;
+    /// From its columns.
     constexpr b2Mat22(const b2Vec2& c1, const b2Vec2& c2) : ex(c1), ey(c2) {}
     /// Given by rows, as it is written on paper.
     constexpr b2Mat22(float32 a11, float32 a12, float32 a21, float32 a22)
         : ex(a11, a21), ey(a12, a22)
     {}
 
+    /// Replaces its columns.
     constexpr void Set(const b2Vec2& c1, const b2Vec2& c2) { *this = b2Mat22(c1, c2); }
+    /// Becomes what changes nothing.
     constexpr void SetIdentity() { *this = b2Mat22(1.0f, 0.0f, 0.0f, 1.0f); }
+    /// All components become 0.
     constexpr void SetZero() { *this = b2Mat22(); }
 
     /// The inverse; zero when the matrix is singular.
@@ -191,9 +213,11 @@ struct b2Mat22
 struct b2Mat33
 {
     constexpr b2Mat33() = default;
+    /// From its columns.
     constexpr b2Mat33(const b2Vec3& c1, const b2Vec3& c2, const b2Vec3& c3) : ex(c1), ey(c2), ez(c3)
     {}
 
+    /// All components become 0.
     constexpr void SetZero() { *this = b2Mat33(); }
 
     /// x with A x = b; zero when the matrix is singular.
@@ -218,17 +242,22 @@ struct b2Rot
 {
     /// No rotation.
     constexpr b2Rot() = default;
+    /// By an angle [rad].
     explicit b2Rot(float32 angle) { Set(angle); }
 
+    /// To an angle [rad].
     void Set(float32 angle) { box2d::SinCos(angle, &s, &c); }
+    /// Becomes what changes nothing.
     constexpr void SetIdentity() { *this = b2Rot(); }
     /// From -pi to pi [rad].
     float32 GetAngle() const { return b2Atan2(s, c); }
+    /// The x axis, turned.
     constexpr b2Vec2 GetXAxis() const { return {c, s}; }
+    /// The y axis, turned.
     constexpr b2Vec2 GetYAxis() const { return {-s, c}; }
 
-    float32 s = 0.0f;
-    float32 c = 1.0f;
+    float32 s = 0.0f; ///< sine of the angle
+    float32 c = 1.0f; ///< cosine of the angle
 };
 
 constexpr b2Vec2 b2Mul(const b2Mat22& A, const b2Vec2& v)
@@ -303,10 +332,13 @@ struct b2Transform
 {
     /// The identity.
     constexpr b2Transform() = default;
+    /// First turns, then moves [m].
     constexpr b2Transform(const b2Vec2& position, const b2Rot& rotation) : p(position), q(rotation)
     {}
 
+    /// Becomes what changes nothing.
     constexpr void SetIdentity() { *this = b2Transform(); }
+    /// To a place [m] and an angle [rad].
     void Set(const b2Vec2& position, float32 angle)
     {
         p = position;
@@ -314,7 +346,7 @@ struct b2Transform
     }
 
     b2Vec2 p; ///< origin of the frame [m]
-    b2Rot q;
+    b2Rot q;  ///< the rotation
 };
 
 /// From the frame T to the world.

@@ -29,20 +29,20 @@ enum b2BodyType
 /// All that is needed to create a body. Can be reused.
 struct b2BodyDef
 {
-    b2BodyType type = b2_staticBody;
+    b2BodyType type = b2_staticBody;            ///< what moves it
     b2Vec2 position = b2Vec2(0.0f, 0.0f);       ///< of the body's origin [m]
     float32 angle = 0.0f;                       ///< [rad]
     b2Vec2 linearVelocity = b2Vec2(0.0f, 0.0f); ///< of the body's origin [m/s]
     float32 angularVelocity = 0.0f;             ///< [rad/s]
     float32 linearDamping = 0.0f;               ///< [1/s], >= 0; infinity: no motion
     float32 angularDamping = 0.0f;              ///< [1/s], >= 0; infinity: no motion
-    bool allowSleep = true;
-    bool awake = true;
-    bool fixedRotation = false;
-    bool bullet = false; ///< continuous collision against moving bodies too
-    bool active = true;
-    void* userData = nullptr;
-    float32 gravityScale = 1.0f;
+    bool allowSleep = true;                     ///< whether it may fall asleep
+    bool awake = true;                          ///< whether it starts awake
+    bool fixedRotation = false;                 ///< whether it never turns
+    bool bullet = false;                        ///< continuous collision against moving bodies too
+    bool active = true;                         ///< whether it takes part in collision and dynamics
+    void* userData = nullptr;                   ///< anything of the program's
+    float32 gravityScale = 1.0f;                ///< times the world's gravity; 0: none
 };
 
 /// A rigid body. Created by b2World::CreateBody, destroyed by b2World::DestroyBody.
@@ -52,104 +52,125 @@ public:
     /// Attaches a copy of the definition's shape and updates the mass. nullptr while the world is
     /// locked.
     b2Fixture* CreateFixture(const b2FixtureDef* def);
+    /// The same from a shape and a density [kg/m^2], >= 0; all else as in b2FixtureDef.
     b2Fixture* CreateFixture(const b2Shape* shape, float32 density);
+    /// Removes it and its contacts, and updates the mass; not while the world is locked.
     void DestroyFixture(b2Fixture* fixture);
 
     /// Moves the body's origin. Contacts are updated in the next step. False, and nothing is moved,
     /// while the world is locked.
     bool SetTransform(const b2Vec2& position, float32 angle);
+    /// From the body's frame to the world.
     const b2Transform& GetTransform() const { return m_data.transform; }
-    const b2Vec2& GetPosition() const { return m_data.transform.p; }
+    const b2Vec2& GetPosition() const { return m_data.transform.p; } ///< of the origin [m]
     /// Not normalised: grows with every turn.
     float32 GetAngle() const { return float32(m_data.pose.angle); }
-    void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); }
-    const b2Vec2& GetWorldCenter() const { return m_data.worldCenter; }
-    const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; }
+    void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); } ///< of the origin [m]
+    const b2Vec2& GetWorldCenter() const { return m_data.worldCenter; }  ///< the centre of mass [m]
+    const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; } ///< the same [m]
+    /// Of mass, in its frame [m].
     const b2Vec2& GetLocalCenter() const { return m_data.localCenter; }
 
     /// Of the centre of mass.
     void SetLinearVelocity(const b2Vec2& v);
-    const b2Vec2& GetLinearVelocity() const { return m_data.linearVelocity; }
-    void SetAngularVelocity(float32 omega);
-    float32 GetAngularVelocity() const { return m_data.angularVelocity; }
+    const b2Vec2& GetLinearVelocity() const { return m_data.linearVelocity; } ///< [m/s]
+    void SetAngularVelocity(float32 omega);                                   ///< [rad/s]
+    float32 GetAngularVelocity() const { return m_data.angularVelocity; }     ///< [rad/s]
 
     /// At a world point [N]; off the centre of mass it turns the body. `wake` false leaves a
     /// sleeping body alone.
     void ApplyForce(const b2Vec2& force, const b2Vec2& point, bool wake = true);
-    void ApplyForceToCenter(const b2Vec2& force, bool wake = true);
-    void ApplyTorque(float32 torque, bool wake = true); ///< [N m]
+    void ApplyForceToCenter(const b2Vec2& force, bool wake = true); ///< to the centre of mass [N]
+    void ApplyTorque(float32 torque, bool wake = true);             ///< [N m]
     void ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point,
                             bool wake = true);                   ///< [N s]
     void ApplyAngularImpulse(float32 impulse, bool wake = true); ///< [N m s]
 
-    float32 GetMass() const { return m_data.mass; }
+    float32 GetMass() const { return m_data.mass; } ///< [kg]
     /// About the body's origin [kg m^2].
     float32 GetInertia() const;
+    /// Mass, centre of mass and moment of inertia about the origin.
     void GetMassData(b2MassData* data) const;
     /// Replaces what the fixtures give. Dynamic bodies only.
     void SetMassData(const b2MassData* data);
+    /// To what the fixtures give.
     void ResetMassData();
 
+    /// From the body's frame to the world [m].
     b2Vec2 GetWorldPoint(const b2Vec2& localPoint) const
     {
         return b2Mul(m_data.transform, localPoint);
     }
+    /// From the body's frame to the world, turned only.
     b2Vec2 GetWorldVector(const b2Vec2& localVector) const
     {
         return b2Mul(m_data.transform.q, localVector);
     }
+    /// From the world to the body's frame [m].
     b2Vec2 GetLocalPoint(const b2Vec2& worldPoint) const
     {
         return b2MulT(m_data.transform, worldPoint);
     }
+    /// From the world to the body's frame, turned only.
     b2Vec2 GetLocalVector(const b2Vec2& worldVector) const
     {
         return b2MulT(m_data.transform.q, worldVector);
     }
+    /// Of the body at a world point [m/s].
     b2Vec2 GetLinearVelocityFromWorldPoint(const b2Vec2& worldPoint) const;
+    /// Of a point of the body [m/s].
     b2Vec2 GetLinearVelocityFromLocalPoint(const b2Vec2& localPoint) const;
 
-    float32 GetLinearDamping() const { return m_data.linearDamping; }
+    float32 GetLinearDamping() const { return m_data.linearDamping; } ///< [1/s]
     void SetLinearDamping(float32 damping); ///< [1/s], >= 0; infinity stops it
-    float32 GetAngularDamping() const { return m_data.angularDamping; }
-    void SetAngularDamping(float32 damping); ///< [1/s], >= 0
+    float32 GetAngularDamping() const { return m_data.angularDamping; } ///< [1/s]
+    void SetAngularDamping(float32 damping);                            ///< [1/s], >= 0
+    /// Times the world's gravity; 0: none.
     float32 GetGravityScale() const { return m_data.gravityScale; }
-    void SetGravityScale(float32 scale);
+    void SetGravityScale(float32 scale); ///< times the world's gravity
 
     /// Costs as much as creating the body anew.
     void SetType(b2BodyType type);
+    /// What moves it.
     b2BodyType GetType() const { return static_cast<b2BodyType>(m_data.mobility); }
-    void SetBullet(bool flag);
-    bool IsBullet() const { return (m_data.flags & box2d::kBodyBullet) != 0; }
-    void SetSleepingAllowed(bool flag);
+    void SetBullet(bool flag); ///< continuous collision against moving bodies too
+    bool IsBullet() const { return (m_data.flags & box2d::kBodyBullet) != 0; } ///< see SetBullet
+    void SetSleepingAllowed(bool flag);                                        ///< false wakes it
+    /// Whether it may fall asleep.
     bool IsSleepingAllowed() const { return (m_data.flags & box2d::kBodyAutoSleep) != 0; }
     /// Waking wakes everything the body touches or is joined to.
     void SetAwake(bool flag);
-    bool IsAwake() const { return m_data.IsAwake(); }
+    bool IsAwake() const { return m_data.IsAwake(); } ///< whether it does not sleep
     /// An inactive body takes no part in collision or dynamics.
     void SetActive(bool flag);
-    bool IsActive() const { return m_data.IsActive(); }
+    bool IsActive() const { return m_data.IsActive(); } ///< see SetActive
+    /// Whether it never turns; a change stops its rotation.
     void SetFixedRotation(bool flag);
+    /// Whether it never turns.
     bool IsFixedRotation() const { return (m_data.flags & box2d::kBodyFixedRotation) != 0; }
 
-    b2Fixture* GetFixtureList() { return m_data.fixtureList; }
+    b2Fixture* GetFixtureList() { return m_data.fixtureList; } ///< the newest; nullptr: none
+    /// The newest; nullptr: none.
     const b2Fixture* GetFixtureList() const { return m_data.fixtureList; }
-    b2JointEdge* GetJointList() { return m_data.jointList; }
+    b2JointEdge* GetJointList() { return m_data.jointList; } ///< the newest; nullptr: none
+    /// The newest; nullptr: none.
     const b2JointEdge* GetJointList() const { return m_data.jointList; }
     /// Changes during a step; b2ContactListener tells more.
     b2ContactEdge* GetContactList() { return m_data.contactList; }
+    /// The same, to be read.
     const b2ContactEdge* GetContactList() const { return m_data.contactList; }
-    b2Body* GetNext() { return m_data.next; }
+    b2Body* GetNext() { return m_data.next; } ///< of the world's list; nullptr: this is the last
+    /// Of the world's list; nullptr: this is the last.
     const b2Body* GetNext() const { return m_data.next; }
 
     /// In the order of creation, from 0, and never used again: what b2Draw::BeginBody is told. An
     /// addition to the manual's interface.
     int32 GetNumber() const { return m_data.number; }
 
-    void* GetUserData() const { return m_data.userData; }
-    void SetUserData(void* data) { m_data.userData = data; }
-    b2World* GetWorld();
-    const b2World* GetWorld() const;
+    void* GetUserData() const { return m_data.userData; }    ///< anything of the program's
+    void SetUserData(void* data) { m_data.userData = data; } ///< anything of the program's
+    b2World* GetWorld();                                     ///< to which it belongs
+    const b2World* GetWorld() const;                         ///< to which it belongs
 
     /// Writes the body as code to the log.
     void Dump();

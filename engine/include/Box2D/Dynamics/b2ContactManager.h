@@ -11,8 +11,8 @@ class b2ContactListener;
 /// writing to it changes nothing.
 struct b2ContactManager
 {
-    b2Contact* m_contactList = nullptr; ///< newest first
-    int32 m_contactCount = 0;
+    b2Contact* m_contactList = nullptr;             ///< newest first
+    int32 m_contactCount = 0;                       ///< of all contacts, touching or not
     b2ContactFilter* m_contactFilter = nullptr;     ///< the default one unless another is set
     b2ContactListener* m_contactListener = nullptr; ///< null: none
 };

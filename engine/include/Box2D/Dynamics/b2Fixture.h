@@ -24,21 +24,21 @@ struct b2Filter
 struct b2FixtureDef
 {
     const b2Shape* shape = nullptr; ///< must be set
-    void* userData = nullptr;
-    float32 friction = 0.2f;    ///< usually 0 to 1
-    float32 restitution = 0.0f; ///< usually 0 to 1
-    float32 density = 0.0f;     ///< [kg/m^2], >= 0
-    bool isSensor = false;      ///< notices contacts without responding
-    b2Filter filter;
+    void* userData = nullptr;       ///< anything of the program's
+    float32 friction = 0.2f;        ///< usually 0 to 1
+    float32 restitution = 0.0f;     ///< usually 0 to 1
+    float32 density = 0.0f;         ///< [kg/m^2], >= 0
+    bool isSensor = false;          ///< notices contacts without responding
+    b2Filter filter;                ///< what it collides with
 };
 
 /// The broad phase's view of one child of a fixture's shape.
 struct b2FixtureProxy
 {
-    b2AABB aabb; ///< what the tree holds: the shape's box with a margin
-    b2Fixture* fixture = nullptr;
-    int32 childIndex = 0;
-    int32 proxyId = -1;
+    b2AABB aabb;                  ///< what the tree holds: the shape's box with a margin
+    b2Fixture* fixture = nullptr; ///< to which it belongs
+    int32 childIndex = 0;         ///< of the shape, from 0
+    int32 proxyId = -1;           ///< in the broad phase; -1: none
 };
 
 /// Binds a shape to a body and adds material and filtering. Created by b2Body::CreateFixture,
@@ -46,40 +46,43 @@ struct b2FixtureProxy
 class b2Fixture
 {
 public:
-    b2Shape::Type GetType() const { return m_shape->GetType(); }
+    b2Shape::Type GetType() const { return m_shape->GetType(); } ///< which class the shape is
     /// Changing a shape that is in use is not supported.
     b2Shape* GetShape() { return m_shape; }
-    const b2Shape* GetShape() const { return m_shape; }
+    const b2Shape* GetShape() const { return m_shape; } ///< the same, to be read
 
-    void SetSensor(bool sensor);
-    bool IsSensor() const { return m_isSensor; }
+    void SetSensor(bool sensor);                 ///< whether it notices contacts without responding
+    bool IsSensor() const { return m_isSensor; } ///< whether it notices contacts without responding
 
     /// Takes effect in the next step.
     void SetFilterData(const b2Filter& filter);
-    const b2Filter& GetFilterData() const { return m_filter; }
+    const b2Filter& GetFilterData() const { return m_filter; } ///< what it collides with
     /// Makes the next step ask the contact filter again.
     void Refilter();
 
-    b2Body* GetBody() { return m_body; }
-    const b2Body* GetBody() const { return m_body; }
-    b2Fixture* GetNext() { return m_next; }
+    b2Body* GetBody() { return m_body; }             ///< to which it belongs
+    const b2Body* GetBody() const { return m_body; } ///< to which it belongs
+    b2Fixture* GetNext() { return m_next; } ///< of the body's list; nullptr: this is the last
+    /// Of the body's list; nullptr: this is the last.
     const b2Fixture* GetNext() const { return m_next; }
 
-    void* GetUserData() const { return m_userData; }
-    void SetUserData(void* data) { m_userData = data; }
+    void* GetUserData() const { return m_userData; }    ///< what was set
+    void SetUserData(void* data) { m_userData = data; } ///< anything of the program's
 
     /// A world point inside the shape?
     bool TestPoint(const b2Vec2& p) const;
+    /// Where a ray of the world first meets a child of the shape.
     bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, int32 childIndex) const;
+    /// Of the shape with its density, in the body's frame.
     void GetMassData(b2MassData* massData) const { m_shape->ComputeMass(massData, m_density); }
 
     /// Does not change the body's mass: call b2Body::ResetMassData.
     void SetDensity(float32 density);
-    float32 GetDensity() const { return m_density; }
-    float32 GetFriction() const { return m_friction; }
+    float32 GetDensity() const { return m_density; }   ///< [kg/m^2]
+    float32 GetFriction() const { return m_friction; } ///< usually 0 to 1
     /// Existing contacts keep theirs.
     void SetFriction(float32 friction);
-    float32 GetRestitution() const { return m_restitution; }
+    float32 GetRestitution() const { return m_restitution; } ///< usually 0 to 1
     /// Existing contacts keep theirs.
     void SetRestitution(float32 restitution);
 

@@ -16,12 +16,12 @@ inline constexpr int32 b2IterationsOfASubStep(int32 iterations, int32 subSteps)
 /// on.
 struct b2Profile
 {
-    float32 step = 0.0f;
-    float32 collide = 0.0f;
-    float32 solve = 0.0f;
-    float32 solveInit = 0.0f;
-    float32 solveVelocity = 0.0f;
-    float32 solvePosition = 0.0f;
-    float32 broadphase = 0.0f;
-    float32 solveTOI = 0.0f;
+    float32 step = 0.0f;          ///< all of it
+    float32 collide = 0.0f;       ///< updating contacts
+    float32 solve = 0.0f;         ///< velocities and positions, the three below and more
+    float32 solveInit = 0.0f;     ///< preparing constraints
+    float32 solveVelocity = 0.0f; ///< solving velocities
+    float32 solvePosition = 0.0f; ///< solving positions
+    float32 broadphase = 0.0f;    ///< finding new pairs
+    float32 solveTOI = 0.0f;      ///< continuous collision
 };

@@ -27,6 +27,7 @@ struct SnapshotAccess;
 class b2World
 {
 public:
+    /// Empty. Gravity [m/s^2]; `doSleep`: whether bodies may fall asleep.
     explicit b2World(const b2Vec2& gravity, bool doSleep = true);
     ~b2World();
     b2World(const b2World&) = delete;
@@ -34,16 +35,19 @@ public:
 
     /// Each listener must outlive the world or be replaced by nullptr.
     void SetDestructionListener(b2DestructionListener* listener);
+    /// The same.
     void SetListener(b2DestructionListener* listener) { SetDestructionListener(listener); }
-    void SetContactFilter(b2ContactFilter* filter);
-    void SetContactListener(b2ContactListener* listener);
-    void SetDebugDraw(b2Draw* debugDraw);
+    void SetContactFilter(b2ContactFilter* filter);       ///< nullptr: the default
+    void SetContactListener(b2ContactListener* listener); ///< nullptr: none
+    void SetDebugDraw(b2Draw* debugDraw);                 ///< nullptr: none
 
     /// nullptr while the world is locked. The definition is copied.
     b2Body* CreateBody(const b2BodyDef* def);
     /// With its fixtures, joints and contacts.
     void DestroyBody(b2Body* body);
+    /// nullptr while the world is locked. The definition is copied.
     b2Joint* CreateJoint(const b2JointDef* def);
+    /// Not while the world is locked.
     void DestroyJoint(b2Joint* joint);
 
     /// Moves time on. `timeStep` in seconds, should not vary; 8 and 3 are good iteration counts.
@@ -55,34 +59,38 @@ public:
 
     /// Every fixture whose broad-phase box overlaps `aabb`, in no particular order.
     void QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const;
+    /// The same.
     void Query(b2QueryCallback* callback, const b2AABB& aabb) const { QueryAABB(callback, aabb); }
+    /// Every fixture that the ray from point1 to point2 [m] meets, in no particular order.
     void RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b2Vec2& point2) const;
 
     /// Newest first.
     b2Body* GetBodyList();
-    const b2Body* GetBodyList() const;
-    b2Joint* GetJointList();
-    const b2Joint* GetJointList() const;
-    b2Contact* GetContactList();
-    const b2Contact* GetContactList() const;
+    const b2Body* GetBodyList() const;       ///< newest first
+    b2Joint* GetJointList();                 ///< newest first
+    const b2Joint* GetJointList() const;     ///< newest first
+    b2Contact* GetContactList();             ///< newest first
+    const b2Contact* GetContactList() const; ///< newest first
     /// The active kinematic and dynamic bodies that do not sleep, GetAwakeBodyCount() of them, in
     /// no particular order: what can move, without a look at what rests. Valid until the world is
     /// changed or stepped. An addition to the manual's interface.
     const b2Body* const* GetAwakeBodies() const;
-    int32 GetAwakeBodyCount() const;
+    int32 GetAwakeBodyCount() const; ///< how many GetAwakeBodies has
     /// Bodies that are not active, and so in no tree and no list of what is awake. An addition to
     /// the manual's interface.
     int32 GetInactiveBodyCount() const;
 
-    void SetAllowSleeping(bool flag);
-    bool GetAllowSleeping() const;
+    void SetAllowSleeping(bool flag); ///< false wakes all
+    bool GetAllowSleeping() const;    ///< whether bodies may fall asleep
+    /// Whether impulses of the last step are where the next begins.
     void SetWarmStarting(bool flag);
-    bool GetWarmStarting() const;
+    bool GetWarmStarting() const; ///< whether impulses of the last step are where the next begins
+    /// Whether fast bodies are stopped at what they would pass.
     void SetContinuousPhysics(bool flag);
-    bool GetContinuousPhysics() const;
+    bool GetContinuousPhysics() const; ///< whether fast bodies are stopped at what they would pass
     /// One time of impact a step, for watching them.
     void SetSubStepping(bool flag);
-    bool GetSubStepping() const;
+    bool GetSubStepping() const; ///< see SetSubStepping
 
     /// How many small steps a step takes, 1 to 64, and 1 unless said: the scheme of the manual.
     /// With more, contacts are found once a step, and the bodies then move in small steps of a
@@ -90,32 +98,33 @@ public:
     /// The iterations given to Step are shared out over the small steps, at least one to each:
     /// b2IterationsOfASubStep.
     void SetSubStepCount(int32 count);
-    int32 GetSubStepCount() const;
+    int32 GetSubStepCount() const; ///< 1 to 64
 
     /// How many threads share the work of a step, the calling one included; 1 to 64, and 1 unless
     /// said. The results are the same to the last bit whatever the number. Callbacks come from the
     /// calling thread, in the same order. While a step lasts the others wait busily, callbacks
     /// included: small worlds, and more threads than processors, only cost.
     void SetThreadCount(int32 count);
-    int32 GetThreadCount() const;
+    int32 GetThreadCount() const; ///< 1 to 64
 
-    int32 GetProxyCount() const;
-    int32 GetBodyCount() const;
-    int32 GetJointCount() const;
-    int32 GetContactCount() const;
-    int32 GetTreeHeight() const;
-    int32 GetTreeBalance() const;
-    float32 GetTreeQuality() const;
+    int32 GetProxyCount() const;    ///< of the broad phase
+    int32 GetBodyCount() const;     ///< of all bodies
+    int32 GetJointCount() const;    ///< of all joints
+    int32 GetContactCount() const;  ///< of all contacts, touching or not
+    int32 GetTreeHeight() const;    ///< of the broad phase's largest tree
+    int32 GetTreeBalance() const;   ///< as b2DynamicTree::GetMaxBalance
+    float32 GetTreeQuality() const; ///< as b2DynamicTree::GetAreaRatio
 
-    void SetGravity(const b2Vec2& gravity);
-    b2Vec2 GetGravity() const;
+    void SetGravity(const b2Vec2& gravity); ///< [m/s^2]
+    b2Vec2 GetGravity() const;              ///< [m/s^2]
     /// True while a callback may run, in a step or a query: nothing may be created or destroyed
     /// then.
     bool IsLocked() const;
-    void SetAutoClearForces(bool flag);
-    bool GetAutoClearForces() const;
+    void SetAutoClearForces(bool flag); ///< whether forces last for one step only
+    bool GetAutoClearForces() const;    ///< whether forces last for one step only
     /// Moves the origin of the whole world; what was at `newOrigin` is at zero afterwards.
     void ShiftOrigin(const b2Vec2& newOrigin);
+    /// Where the time of the last step went; switches measuring on.
     const b2Profile& GetProfile() const;
     /// As things stand: a copy, filled by this call.
     const b2ContactManager& GetContactManager() const;

@@ -17,7 +17,9 @@ class b2DestructionListener
 {
 public:
     virtual ~b2DestructionListener() = default;
+    /// The joint will be destroyed right after.
     virtual void SayGoodbye(b2Joint* joint) { (void)joint; }
+    /// The fixture will be destroyed right after.
     virtual void SayGoodbye(b2Fixture* fixture) { (void)fixture; }
 };
 
@@ -33,9 +35,9 @@ public:
 /// The impulses of a contact's points in one step, for b2ContactListener::PostSolve [N s].
 struct b2ContactImpulse
 {
-    float32 normalImpulses[b2_maxManifoldPoints] = {};
-    float32 tangentImpulses[b2_maxManifoldPoints] = {};
-    int32 count = 0;
+    float32 normalImpulses[b2_maxManifoldPoints] = {};  ///< that keep the shapes apart
+    float32 tangentImpulses[b2_maxManifoldPoints] = {}; ///< of friction
+    int32 count = 0;                                    ///< of points
 };
 
 /// Told about contacts. The world is locked inside these functions: it cannot be changed from

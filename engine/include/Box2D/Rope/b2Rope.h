@@ -31,7 +31,8 @@ public:
     /// Moves time on [s]; nothing happens for a step of zero.
     void Step(float32 timeStep, int32 iterations);
 
-    int32 GetVertexCount() const { return static_cast<int32>(m_points.size()); }
+    int32 GetVertexCount() const { return static_cast<int32>(m_points.size()); } ///< of vertices
+    /// GetVertexCount() world points [m].
     const b2Vec2* GetVertices() const { return m_positions.data(); }
 
     /// A segment between every two points.

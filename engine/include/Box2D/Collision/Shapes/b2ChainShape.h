@@ -12,7 +12,9 @@ class b2ChainShape final : public b2Shape
 public:
     b2ChainShape() : b2Shape(e_chain, b2_polygonRadius) {}
     ~b2ChainShape() override;
+    /// With vertices of its own.
     b2ChainShape(const b2ChainShape& other);
+    /// With vertices of its own.
     b2ChainShape& operator=(const b2ChainShape& other);
 
     /// Takes all vertices away, so that the chain can be made anew.
@@ -47,10 +49,10 @@ public:
 
     b2Vec2* m_vertices = nullptr; ///< owned, from b2Alloc
     int32 m_count = 0;            ///< of vertices; in a loop the last equals the first
-    b2Vec2 m_prevVertex;
-    b2Vec2 m_nextVertex;
-    bool m_hasPrevVertex = false;
-    bool m_hasNextVertex = false;
+    b2Vec2 m_prevVertex;          ///< ghost vertex before the first [m]
+    b2Vec2 m_nextVertex;          ///< ghost vertex after the last [m]
+    bool m_hasPrevVertex = false; ///< whether there is one
+    bool m_hasNextVertex = false; ///< whether there is one
 
 private:
     /// Copies the vertices that are finite and far enough apart, with room for one more; none when

@@ -11,7 +11,7 @@ public:
     b2CircleShape() : b2Shape(e_circle, 0.0f) {}
 
     b2Shape* Clone(b2BlockAllocator* allocator) const override;
-    int32 GetChildCount() const override { return 1; }
+    int32 GetChildCount() const override { return 1; } ///< always 1
     bool TestPoint(const b2Transform& transform, const b2Vec2& p) const override;
     bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, const b2Transform& transform,
                  int32 childIndex) const override;
@@ -24,12 +24,14 @@ public:
         B2_NOT_USED(d);
         return 0;
     }
+    /// The centre [m], whatever the direction.
     const b2Vec2& GetSupportVertex(const b2Vec2& d) const
     {
         B2_NOT_USED(d);
         return m_p;
     }
-    int32 GetVertexCount() const { return 1; }
+    int32 GetVertexCount() const { return 1; } ///< always 1
+    /// The centre [m]; the index is 0.
     const b2Vec2& GetVertex(int32 index) const
     {
         B2_REQUIRE(index == 0, "A circle has only vertex 0.");

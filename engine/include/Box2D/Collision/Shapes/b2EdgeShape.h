@@ -15,17 +15,17 @@ public:
     void Set(const b2Vec2& v1, const b2Vec2& v2);
 
     b2Shape* Clone(b2BlockAllocator* allocator) const override;
-    int32 GetChildCount() const override { return 1; }
+    int32 GetChildCount() const override { return 1; } ///< always 1
     bool TestPoint(const b2Transform& transform, const b2Vec2& p) const override;
     bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, const b2Transform& transform,
                  int32 childIndex) const override;
     void ComputeAABB(b2AABB* aabb, const b2Transform& transform, int32 childIndex) const override;
     void ComputeMass(b2MassData* massData, float32 density) const override;
 
-    b2Vec2 m_vertex1; ///< one end [m]
-    b2Vec2 m_vertex2; ///< the other end [m]
-    b2Vec2 m_vertex0; ///< the neighbour's vertex before m_vertex1, if m_hasVertex0 [m]
-    b2Vec2 m_vertex3; ///< the neighbour's vertex after m_vertex2, if m_hasVertex3 [m]
-    bool m_hasVertex0 = false;
-    bool m_hasVertex3 = false;
+    b2Vec2 m_vertex1;          ///< one end [m]
+    b2Vec2 m_vertex2;          ///< the other end [m]
+    b2Vec2 m_vertex0;          ///< the neighbour's vertex before m_vertex1, if m_hasVertex0 [m]
+    b2Vec2 m_vertex3;          ///< the neighbour's vertex after m_vertex2, if m_hasVertex3 [m]
+    bool m_hasVertex0 = false; ///< whether m_vertex0 counts
+    bool m_hasVertex3 = false; ///< whether m_vertex3 counts
 };

@@ -12,7 +12,7 @@ public:
     b2PolygonShape() : b2Shape(e_polygon, b2_polygonRadius) {}
 
     b2Shape* Clone(b2BlockAllocator* allocator) const override;
-    int32 GetChildCount() const override { return 1; }
+    int32 GetChildCount() const override { return 1; } ///< always 1
 
     /// Becomes the convex hull of the points, in whatever order they come. Points closer to
     /// another than b2_linearSlop and points on the line between their neighbours are left out.
@@ -35,7 +35,8 @@ public:
     void ComputeAABB(b2AABB* aabb, const b2Transform& transform, int32 childIndex) const override;
     void ComputeMass(b2MassData* massData, float32 density) const override;
 
-    int32 GetVertexCount() const { return m_count; }
+    int32 GetVertexCount() const { return m_count; } ///< 3 to b2_maxPolygonVertices
+    /// A corner [m]; 0 <= index < GetVertexCount().
     const b2Vec2& GetVertex(int32 index) const
     {
         b2Assert(0 <= index && index < m_count);
@@ -45,8 +46,8 @@ public:
     /// Is this convex, counter-clockwise and not degenerate? For those who wrote the members.
     bool Validate() const;
 
-    b2Vec2 m_centroid;
-    b2Vec2 m_vertices[b2_maxPolygonVertices];
-    b2Vec2 m_normals[b2_maxPolygonVertices]; ///< outward, of the side from vertex i to i + 1
-    int32 m_count = 0;
+    b2Vec2 m_centroid;                        ///< centre of the area [m]
+    b2Vec2 m_vertices[b2_maxPolygonVertices]; ///< corners, counter-clockwise [m]
+    b2Vec2 m_normals[b2_maxPolygonVertices];  ///< outward, of the side from vertex i to i + 1
+    int32 m_count = 0;                        ///< of corners
 };

@@ -18,6 +18,7 @@ struct b2MassData
 class b2Shape
 {
 public:
+    /// Which class a shape is.
     enum Type
     {
         e_circle = 0,
@@ -33,9 +34,9 @@ public:
     /// b2BlockAllocator::Free with the size of the concrete class.
     virtual b2Shape* Clone(b2BlockAllocator* allocator) const = 0;
 
-    Type GetType() const { return m_type; }
+    Type GetType() const { return m_type; } ///< which class it is
 
-    virtual int32 GetChildCount() const = 0;
+    virtual int32 GetChildCount() const = 0; ///< 0 or more; 1 for all but chains
 
     /// Is the world point p inside? Edges and chains have no inside: always false.
     virtual bool TestPoint(const b2Transform& xf, const b2Vec2& p) const = 0;
@@ -51,7 +52,7 @@ public:
     /// not count.
     virtual void ComputeMass(b2MassData* massData, float32 density) const = 0;
 
-    Type m_type;
+    Type m_type;      ///< which class it is
     float32 m_radius; ///< of a circle, or the skin around anything else [m]
 
 protected:

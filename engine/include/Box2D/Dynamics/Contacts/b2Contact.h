@@ -16,34 +16,38 @@ class b2Contact
 public:
     /// In the frames of the bodies; see b2WorldManifold.
     b2Manifold* GetManifold() { return &m_data.manifold; }
-    const b2Manifold* GetManifold() const { return &m_data.manifold; }
+    const b2Manifold* GetManifold() const { return &m_data.manifold; } ///< the same, to be read
+    /// In the world, at the bodies' present transforms.
     void GetWorldManifold(b2WorldManifold* worldManifold) const;
 
-    bool IsTouching() const { return m_data.IsTouching(); }
+    bool IsTouching() const { return m_data.IsTouching(); } ///< whether the shapes overlap
     /// Inside b2ContactListener::PreSolve: false switches the contact off for this step.
     void SetEnabled(bool flag);
-    bool IsEnabled() const { return m_data.IsEnabled(); }
+    bool IsEnabled() const { return m_data.IsEnabled(); } ///< false: switched off for this step
 
-    b2Contact* GetNext() { return m_data.next; }
+    b2Contact* GetNext() { return m_data.next; } ///< of the world's list; nullptr: this is the last
+    /// Of the world's list; nullptr: this is the last.
     const b2Contact* GetNext() const { return m_data.next; }
-    b2Fixture* GetFixtureA() { return m_data.fixtureA; }
-    const b2Fixture* GetFixtureA() const { return m_data.fixtureA; }
-    b2Fixture* GetFixtureB() { return m_data.fixtureB; }
-    const b2Fixture* GetFixtureB() const { return m_data.fixtureB; }
-    int32 GetChildIndexA() const { return m_data.childA; }
-    int32 GetChildIndexB() const { return m_data.childB; }
+    b2Fixture* GetFixtureA() { return m_data.fixtureA; }             ///< the first fixture
+    const b2Fixture* GetFixtureA() const { return m_data.fixtureA; } ///< the first fixture
+    b2Fixture* GetFixtureB() { return m_data.fixtureB; }             ///< the second fixture
+    const b2Fixture* GetFixtureB() const { return m_data.fixtureB; } ///< the second fixture
+    int32 GetChildIndexA() const { return m_data.childA; }           ///< of the first shape, from 0
+    int32 GetChildIndexB() const { return m_data.childB; } ///< of the second shape, from 0
 
     /// Overrides the mixed friction until reset.
     void SetFriction(float32 friction);
-    float32 GetFriction() const { return m_data.friction; }
+    float32 GetFriction() const { return m_data.friction; } ///< mixed or set, >= 0
+    /// To the mixture of the fixtures' values.
     void ResetFriction();
     /// Overrides the mixed restitution until reset.
     void SetRestitution(float32 restitution);
-    float32 GetRestitution() const { return m_data.restitution; }
+    float32 GetRestitution() const { return m_data.restitution; } ///< mixed or set, >= 0
+    /// To the mixture of the fixtures' values.
     void ResetRestitution();
     /// The surface speed of a conveyor belt [m/s].
     void SetTangentSpeed(float32 speed);
-    float32 GetTangentSpeed() const { return m_data.tangentSpeed; }
+    float32 GetTangentSpeed() const { return m_data.tangentSpeed; } ///< [m/s]
 
     /// The manifold of the two shapes at the given transforms.
     void Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB);

@@ -17,24 +17,25 @@ struct b2DistanceJointDef : public b2JointDef
     float32 dampingRatio = 0.0f; ///< 0: none, 1: critical
 };
 
+/// Keeps two anchors at a length, rigid or as a spring.
 class b2DistanceJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    void SetLength(float32 length);
-    float32 GetLength() const { return m_length; }
-    void SetFrequency(float32 hz);
-    float32 GetFrequency() const { return m_frequencyHz; }
-    void SetDampingRatio(float32 ratio);
-    float32 GetDampingRatio() const { return m_dampingRatio; }
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    void SetLength(float32 length);                ///< [m]; not shorter than the slop
+    float32 GetLength() const { return m_length; } ///< [m]
+    void SetFrequency(float32 hz);                 ///< [Hz], less than half the step rate; 0: rigid
+    float32 GetFrequency() const { return m_frequencyHz; }     ///< [Hz]; 0: rigid
+    void SetDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
+    float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
     void Dump() override;
 
 protected:
@@ -52,5 +53,5 @@ protected:
     float32 m_frequencyHz;
     float32 m_dampingRatio;
     float32 m_impulse = 0.0f; ///< along the joint, of the last step [N s]
-    b2Vec2 m_axis;             ///< unit vector from anchor A to anchor B, of the last step
+    b2Vec2 m_axis;            ///< unit vector from anchor A to anchor B, of the last step
 };

@@ -17,22 +17,23 @@ struct b2FrictionJointDef : public b2JointDef
     float32 maxTorque = 0.0f;                 ///< [N m]
 };
 
+/// Slows body B down relative to body A, as a surface does that both lie on.
 class b2FrictionJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    void SetMaxForce(float32 force);
-    float32 GetMaxForce() const { return m_maxForce; }
-    void SetMaxTorque(float32 torque);
-    float32 GetMaxTorque() const { return m_maxTorque; }
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    void SetMaxForce(float32 force);                                 ///< [N], >= 0
+    float32 GetMaxForce() const { return m_maxForce; }               ///< [N]
+    void SetMaxTorque(float32 torque);                               ///< [N m], >= 0
+    float32 GetMaxTorque() const { return m_maxTorque; }             ///< [N m]
     void Dump() override;
 
 protected:

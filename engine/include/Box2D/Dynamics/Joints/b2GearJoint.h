@@ -16,20 +16,21 @@ struct b2GearJointDef : public b2JointDef
                           ///< length or its inverse
 };
 
+/// Couples two joints: one moves as the other does, times a ratio.
 class b2GearJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    b2Joint* GetJoint1() { return m_joint1; }
-    b2Joint* GetJoint2() { return m_joint2; }
-    void SetRatio(float32 ratio);
-    float32 GetRatio() const { return m_ratio; }
+    b2Joint* GetJoint1() { return m_joint1; } ///< revolute or prismatic
+    b2Joint* GetJoint2() { return m_joint2; } ///< revolute or prismatic
+    void SetRatio(float32 ratio); ///< may be negative; its unit is that of the definition
+    float32 GetRatio() const { return m_ratio; } ///< as it was set
     void Dump() override;
 
 protected:

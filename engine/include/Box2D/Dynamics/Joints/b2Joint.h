@@ -42,20 +42,20 @@ enum b2LimitState
 /// Connects bodies and joints: a node of each body's list of joints.
 struct b2JointEdge
 {
-    b2Body* other = nullptr; ///< the other body
-    b2Joint* joint = nullptr;
-    b2JointEdge* prev = nullptr;
-    b2JointEdge* next = nullptr;
+    b2Body* other = nullptr;     ///< the other body
+    b2Joint* joint = nullptr;    ///< the joint of this node
+    b2JointEdge* prev = nullptr; ///< of the body's list; nullptr: this is its first
+    b2JointEdge* next = nullptr; ///< of the body's list; nullptr: this is its last
 };
 
 /// The base of every joint's definition.
 struct b2JointDef
 {
     b2JointType type = e_unknownJoint; ///< set by the derived definition
-    void* userData = nullptr;
-    b2Body* bodyA = nullptr;
-    b2Body* bodyB = nullptr;
-    bool collideConnected = false; ///< whether the two bodies still collide with each other
+    void* userData = nullptr;          ///< anything of the program's
+    b2Body* bodyA = nullptr;           ///< must be set
+    b2Body* bodyB = nullptr;           ///< must be set, and differ from bodyA
+    bool collideConnected = false;     ///< whether the two bodies still collide with each other
 };
 
 /// Constrains two bodies to each other. Created by b2World::CreateJoint, destroyed by
@@ -63,13 +63,13 @@ struct b2JointDef
 class b2Joint
 {
 public:
-    b2JointType GetType() const { return m_type; }
-    b2Body* GetBodyA() { return m_bodyA; }
-    const b2Body* GetBodyA() const { return m_bodyA; }
-    b2Body* GetBodyB() { return m_bodyB; }
-    const b2Body* GetBodyB() const { return m_bodyB; }
-    virtual b2Vec2 GetAnchorA() const = 0; ///< world point
-    virtual b2Vec2 GetAnchorB() const = 0; ///< world point
+    b2JointType GetType() const { return m_type; }     ///< which class it is
+    b2Body* GetBodyA() { return m_bodyA; }             ///< the first body
+    const b2Body* GetBodyA() const { return m_bodyA; } ///< the first body
+    b2Body* GetBodyB() { return m_bodyB; }             ///< the second body
+    const b2Body* GetBodyB() const { return m_bodyB; } ///< the second body
+    virtual b2Vec2 GetAnchorA() const = 0;             ///< world point
+    virtual b2Vec2 GetAnchorB() const = 0;             ///< world point
 
     /// On body B at its anchor [N]; `inv_dt` is one over the time step.
     virtual b2Vec2 GetReactionForce(float32 inv_dt) const = 0;
@@ -77,14 +77,16 @@ public:
     virtual float32 GetReactionTorque(float32 inv_dt) const = 0;
     /// For the length of the last step.
     b2Vec2 GetReactionForce() const;
-    float32 GetReactionTorque() const;
+    float32 GetReactionTorque() const; ///< likewise [N m]
 
-    b2Joint* GetNext() { return m_next; }
+    b2Joint* GetNext() { return m_next; } ///< of the world's list; nullptr: this is the last
+    /// Of the world's list; nullptr: this is the last.
     const b2Joint* GetNext() const { return m_next; }
-    void* GetUserData() const { return m_userData; }
-    void SetUserData(void* data) { m_userData = data; }
+    void* GetUserData() const { return m_userData; }    ///< what was set
+    void SetUserData(void* data) { m_userData = data; } ///< anything of the program's
     /// Both bodies take part in the simulation?
     bool IsActive() const;
+    /// Whether the two bodies still collide with each other.
     bool GetCollideConnected() const { return m_collideConnected; }
 
     /// Writes the joint as code to the log.

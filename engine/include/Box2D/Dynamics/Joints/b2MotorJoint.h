@@ -18,25 +18,29 @@ struct b2MotorJointDef : public b2JointDef
     float32 correctionFactor = 0.3f;          ///< share of the error made good in a step, 0 to 1
 };
 
+/// Drives body B to a place and an angle relative to body A, with limited force.
 class b2MotorJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    void SetLinearOffset(const b2Vec2& linearOffset);
+    void SetLinearOffset(const b2Vec2& linearOffset); ///< body B's origin in body A's frame [m]
+    /// Body B's origin in body A's frame [m].
     const b2Vec2& GetLinearOffset() const { return m_linearOffset; }
-    void SetAngularOffset(float32 angularOffset);
+    void SetAngularOffset(float32 angularOffset); ///< body B's angle minus body A's [rad]
+    /// Body B's angle minus body A's [rad].
     float32 GetAngularOffset() const { return m_angularOffset; }
-    void SetMaxForce(float32 force);
-    float32 GetMaxForce() const { return m_maxForce; }
-    void SetMaxTorque(float32 torque);
-    float32 GetMaxTorque() const { return m_maxTorque; }
-    void SetCorrectionFactor(float32 factor);
+    void SetMaxForce(float32 force);                     ///< [N], >= 0
+    float32 GetMaxForce() const { return m_maxForce; }   ///< [N]
+    void SetMaxTorque(float32 torque);                   ///< [N m], >= 0
+    float32 GetMaxTorque() const { return m_maxTorque; } ///< [N m]
+    void SetCorrectionFactor(float32 factor); ///< share of the error made good in a step, 0 to 1
+    /// Share of the error made good in a step, 0 to 1.
     float32 GetCorrectionFactor() const { return m_correctionFactor; }
     void Dump() override;
 

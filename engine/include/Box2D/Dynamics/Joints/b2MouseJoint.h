@@ -16,24 +16,25 @@ struct b2MouseJointDef : public b2JointDef
     float32 dampingRatio = 0.7f; ///< 0: none, 1: critical
 };
 
+/// Pulls a point of body B to a target in the world, softly.
 class b2MouseJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    void SetTarget(const b2Vec2& target);
-    const b2Vec2& GetTarget() const { return m_target; }
-    void SetMaxForce(float32 force);
-    float32 GetMaxForce() const { return m_maxForce; }
-    void SetFrequency(float32 hz);
-    float32 GetFrequency() const { return m_frequencyHz; }
-    void SetDampingRatio(float32 ratio);
-    float32 GetDampingRatio() const { return m_dampingRatio; }
+    void SetTarget(const b2Vec2& target);                      ///< world point [m]
+    const b2Vec2& GetTarget() const { return m_target; }       ///< world point [m]
+    void SetMaxForce(float32 force);                           ///< [N], >= 0
+    float32 GetMaxForce() const { return m_maxForce; }         ///< [N]
+    void SetFrequency(float32 hz);                             ///< [Hz], > 0
+    float32 GetFrequency() const { return m_frequencyHz; }     ///< [Hz]
+    void SetDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
+    float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
     void ShiftOrigin(const b2Vec2& newOrigin) override;
     void Dump() override;
 

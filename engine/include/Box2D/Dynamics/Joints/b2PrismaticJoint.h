@@ -16,46 +16,48 @@ struct b2PrismaticJointDef : public b2JointDef
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
     float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
-    bool enableLimit = false;
-    float32 lowerTranslation = 0.0f; ///< [m]
-    float32 upperTranslation = 0.0f; ///< [m], >= lowerTranslation
-    bool enableMotor = false;
-    float32 maxMotorForce = 0.0f; ///< [N]
-    float32 motorSpeed = 0.0f;    ///< [m/s]
+    bool enableLimit = false;                 ///< whether the limits hold
+    float32 lowerTranslation = 0.0f;          ///< [m]
+    float32 upperTranslation = 0.0f;          ///< [m], >= lowerTranslation
+    bool enableMotor = false;                 ///< whether the motor runs
+    float32 maxMotorForce = 0.0f;             ///< [N]
+    float32 motorSpeed = 0.0f;                ///< [m/s]
 };
 
+/// Lets body B slide along an axis of body A, and not turn.
 class b2PrismaticJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    const b2Vec2& GetLocalAxisA() const { return m_localAxisA; }
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    const b2Vec2& GetLocalAxisA() const { return m_localAxisA; } ///< unit vector in body A's frame
+    /// Body B's angle minus body A's where the joint is at rest [rad].
     float32 GetReferenceAngle() const { return m_referenceAngle; }
     float32 GetJointTranslation() const; ///< [m]
     float32 GetJointSpeed() const;       ///< [m/s]
 
-    bool IsLimitEnabled() const { return m_enableLimit; }
-    void EnableLimit(bool flag);
-    float32 GetLowerLimit() const { return m_lowerTranslation; }
-    float32 GetUpperLimit() const { return m_upperTranslation; }
-    void SetLimits(float32 lower, float32 upper);
+    bool IsLimitEnabled() const { return m_enableLimit; }        ///< whether the limits hold
+    void EnableLimit(bool flag);                                 ///< whether the limits hold
+    float32 GetLowerLimit() const { return m_lowerTranslation; } ///< [m]
+    float32 GetUpperLimit() const { return m_upperTranslation; } ///< [m]
+    void SetLimits(float32 lower, float32 upper);                ///< [m], lower <= upper
 
-    bool IsMotorEnabled() const { return m_enableMotor; }
-    void EnableMotor(bool flag);
-    void SetMotorSpeed(float32 speed);
-    float32 GetMotorSpeed() const { return m_motorSpeed; }
-    void SetMaxMotorForce(float32 force);
-    void SetMotorForce(float32 force) { SetMaxMotorForce(force); }
-    float32 GetMaxMotorForce() const { return m_maxMotorForce; }
-    float32 GetMotorForce(float32 inv_dt) const; ///< [N]
-    float32 GetMotorForce() const;               ///< for the length of the last step
+    bool IsMotorEnabled() const { return m_enableMotor; }          ///< whether the motor runs
+    void EnableMotor(bool flag);                                   ///< whether the motor runs
+    void SetMotorSpeed(float32 speed);                             ///< [m/s]
+    float32 GetMotorSpeed() const { return m_motorSpeed; }         ///< [m/s]
+    void SetMaxMotorForce(float32 force);                          ///< [N], >= 0
+    void SetMotorForce(float32 force) { SetMaxMotorForce(force); } ///< the same
+    float32 GetMaxMotorForce() const { return m_maxMotorForce; }   ///< [N]
+    float32 GetMotorForce(float32 inv_dt) const;                   ///< [N]
+    float32 GetMotorForce() const; ///< for the length of the last step
     void Dump() override;
 
 protected:

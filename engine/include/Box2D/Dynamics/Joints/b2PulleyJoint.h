@@ -9,6 +9,7 @@
 inline constexpr float32 b2_minPulleyLength =
     2.0f; ///< for users who want to keep clear of that [m]
 
+/// What a pulley joint is made from.
 struct b2PulleyJointDef : public b2JointDef
 {
     b2PulleyJointDef()
@@ -30,27 +31,28 @@ struct b2PulleyJointDef : public b2JointDef
     float32 ratio = 1.0f;                       ///< > 0
 };
 
+/// A rope over two fixed points: what one body goes down, the other goes up, times a ratio.
 class b2PulleyJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    b2Vec2 GetGroundAnchorA() const { return m_groundAnchorA; }
-    b2Vec2 GetGroundAnchorB() const { return m_groundAnchorB; }
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    float32 GetDefinedLengthA() const { return m_lengthA; } ///< that of the definition [m]
-    float32 GetDefinedLengthB() const { return m_lengthB; } ///< that of the definition [m]
-    float32 GetLengthA() const { return GetCurrentLengthA(); } ///< of the rope at present [m]
-    float32 GetLengthB() const { return GetCurrentLengthB(); }
-    float32 GetRatio() const { return m_ratio; }
-    float32 GetCurrentLengthA() const; ///< [m]
-    float32 GetCurrentLengthB() const;
+    b2Vec2 GetGroundAnchorA() const { return m_groundAnchorA; }      ///< world point [m]
+    b2Vec2 GetGroundAnchorB() const { return m_groundAnchorB; }      ///< world point [m]
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    float32 GetDefinedLengthA() const { return m_lengthA; }          ///< that of the definition [m]
+    float32 GetDefinedLengthB() const { return m_lengthB; }          ///< that of the definition [m]
+    float32 GetLengthA() const { return GetCurrentLengthA(); }       ///< of the rope at present [m]
+    float32 GetLengthB() const { return GetCurrentLengthB(); }       ///< of the rope at present [m]
+    float32 GetRatio() const { return m_ratio; }                     ///< > 0
+    float32 GetCurrentLengthA() const;                               ///< [m]
+    float32 GetCurrentLengthB() const;                               ///< [m]
     void ShiftOrigin(const b2Vec2& newOrigin) override;
     void Dump() override;
 
@@ -72,6 +74,6 @@ protected:
     float32 m_lengthB;
     float32 m_ratio;
     float32 m_impulse = 0.0f; ///< of the last step, in A's rope [N s]
-    b2Vec2 m_axisA;           ///< unit vector from the ground anchor to the body's, of the last step
+    b2Vec2 m_axisA; ///< unit vector from the ground anchor to the body's, of the last step
     b2Vec2 m_axisB;
 };

@@ -13,45 +13,47 @@ struct b2RevoluteJointDef : public b2JointDef
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     float32 referenceAngle =
-        0.0f; ///< body B's angle minus body A's where the joint angle is zero [rad]
-    bool enableLimit = false;
-    float32 lowerAngle = 0.0f; ///< [rad]
-    float32 upperAngle = 0.0f; ///< [rad], >= lowerAngle
-    bool enableMotor = false;
+        0.0f;                 ///< body B's angle minus body A's where the joint angle is zero [rad]
+    bool enableLimit = false; ///< whether the limits hold
+    float32 lowerAngle = 0.0f;     ///< [rad]
+    float32 upperAngle = 0.0f;     ///< [rad], >= lowerAngle
+    bool enableMotor = false;      ///< whether the motor runs
     float32 motorSpeed = 0.0f;     ///< [rad/s]
     float32 maxMotorTorque = 0.0f; ///< [N m]
 };
 
+/// A hinge: both bodies share a point and turn about it.
 class b2RevoluteJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    /// Body B's angle minus body A's where the joint is at rest [rad].
     float32 GetReferenceAngle() const { return m_referenceAngle; }
     float32 GetJointAngle() const; ///< [rad], positive when B turns counter-clockwise
     float32 GetJointSpeed() const; ///< [rad/s]
 
-    bool IsLimitEnabled() const { return m_enableLimit; }
-    void EnableLimit(bool flag);
-    float32 GetLowerLimit() const { return m_lowerAngle; }
-    float32 GetUpperLimit() const { return m_upperAngle; }
-    void SetLimits(float32 lower, float32 upper);
+    bool IsLimitEnabled() const { return m_enableLimit; }  ///< whether the limits hold
+    void EnableLimit(bool flag);                           ///< whether the limits hold
+    float32 GetLowerLimit() const { return m_lowerAngle; } ///< [rad]
+    float32 GetUpperLimit() const { return m_upperAngle; } ///< [rad]
+    void SetLimits(float32 lower, float32 upper);          ///< [rad], lower <= upper
 
-    bool IsMotorEnabled() const { return m_enableMotor; }
-    void EnableMotor(bool flag);
-    void SetMotorSpeed(float32 speed);
-    float32 GetMotorSpeed() const { return m_motorSpeed; }
-    void SetMaxMotorTorque(float32 torque);
-    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
-    float32 GetMotorTorque(float32 inv_dt) const; ///< [N m]
-    float32 GetMotorTorque() const;               ///< for the length of the last step
+    bool IsMotorEnabled() const { return m_enableMotor; }          ///< whether the motor runs
+    void EnableMotor(bool flag);                                   ///< whether the motor runs
+    void SetMotorSpeed(float32 speed);                             ///< [rad/s]
+    float32 GetMotorSpeed() const { return m_motorSpeed; }         ///< [rad/s]
+    void SetMaxMotorTorque(float32 torque);                        ///< [N m], >= 0
+    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; } ///< [N m]
+    float32 GetMotorTorque(float32 inv_dt) const;                  ///< [N m]
+    float32 GetMotorTorque() const; ///< for the length of the last step
     void Dump() override;
 
 protected:

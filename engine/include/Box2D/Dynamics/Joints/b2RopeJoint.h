@@ -14,20 +14,21 @@ struct b2RopeJointDef : public b2JointDef
     float32 maxLength = 0.0f;                  ///< [m], longer than the slop
 };
 
+/// Keeps two anchors from getting farther apart than a length.
 class b2RopeJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    void SetMaxLength(float32 length);
-    float32 GetMaxLength() const { return m_maxLength; }
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    void SetMaxLength(float32 length);                               ///< [m], longer than the slop
+    float32 GetMaxLength() const { return m_maxLength; }             ///< [m]
     b2LimitState GetLimitState() const; ///< e_atUpperLimit while the rope is taut
     void Dump() override;
 

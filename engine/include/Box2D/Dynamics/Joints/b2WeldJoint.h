@@ -18,23 +18,25 @@ struct b2WeldJointDef : public b2JointDef
     float32 dampingRatio = 0.0f;              ///< 0: none, 1: critical
 };
 
+/// Glues two bodies together; the angle can be a spring.
 class b2WeldJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    /// Body B's angle minus body A's where the joint is at rest [rad].
     float32 GetReferenceAngle() const { return m_referenceAngle; }
-    void SetFrequency(float32 hz);
-    float32 GetFrequency() const { return m_frequencyHz; }
-    void SetDampingRatio(float32 ratio);
-    float32 GetDampingRatio() const { return m_dampingRatio; }
+    void SetFrequency(float32 hz);                         ///< of the angle's spring [Hz]; 0: rigid
+    float32 GetFrequency() const { return m_frequencyHz; } ///< of the angle's spring [Hz]; 0: rigid
+    void SetDampingRatio(float32 ratio);                   ///< 0: none, 1: critical
+    float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
     void Dump() override;
 
 protected:

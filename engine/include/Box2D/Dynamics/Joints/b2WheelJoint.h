@@ -14,41 +14,43 @@ struct b2WheelJointDef : public b2JointDef
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
-    bool enableMotor = false;
-    float32 maxMotorTorque = 0.0f; ///< [N m]
-    float32 motorSpeed = 0.0f;     ///< [rad/s]
-    float32 frequencyHz = 2.0f;    ///< of the suspension; 0: none
-    float32 dampingRatio = 0.7f;   ///< 0: none, 1: critical
+    bool enableMotor = false;                 ///< whether the motor runs
+    float32 maxMotorTorque = 0.0f;            ///< [N m]
+    float32 motorSpeed = 0.0f;                ///< [rad/s]
+    float32 frequencyHz = 2.0f;               ///< of the suspension; 0: none
+    float32 dampingRatio = 0.7f;              ///< 0: none, 1: critical
 };
 
+/// A wheel with its suspension: body B turns freely and springs along an axis of body A.
 class b2WheelJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque;
+    using b2Joint::GetReactionTorque; ///< also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; }
-    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; }
-    const b2Vec2& GetLocalAxisA() const { return m_localAxisA; }
-    float32 GetJointTranslation() const; ///< along the axis [m]
-    float32 GetJointSpeed() const;       ///< of the wheel [rad/s]
+    const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
+    const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
+    const b2Vec2& GetLocalAxisA() const { return m_localAxisA; } ///< unit vector in body A's frame
+    float32 GetJointTranslation() const;                         ///< along the axis [m]
+    float32 GetJointSpeed() const;                               ///< of the wheel [rad/s]
 
-    bool IsMotorEnabled() const { return m_enableMotor; }
-    void EnableMotor(bool flag);
-    void SetMotorSpeed(float32 speed);
-    float32 GetMotorSpeed() const { return m_motorSpeed; }
-    void SetMaxMotorTorque(float32 torque);
-    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
-    float32 GetMotorTorque(float32 inv_dt) const; ///< [N m]
-    float32 GetMotorTorque() const;               ///< for the length of the last step
-    void SetSpringFrequencyHz(float32 hz);
+    bool IsMotorEnabled() const { return m_enableMotor; }          ///< whether the motor runs
+    void EnableMotor(bool flag);                                   ///< whether the motor runs
+    void SetMotorSpeed(float32 speed);                             ///< [rad/s]
+    float32 GetMotorSpeed() const { return m_motorSpeed; }         ///< [rad/s]
+    void SetMaxMotorTorque(float32 torque);                        ///< [N m], >= 0
+    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; } ///< [N m]
+    float32 GetMotorTorque(float32 inv_dt) const;                  ///< [N m]
+    float32 GetMotorTorque() const;        ///< for the length of the last step
+    void SetSpringFrequencyHz(float32 hz); ///< of the suspension [Hz], >= 0; 0: none
+    /// Of the suspension [Hz]; 0: none.
     float32 GetSpringFrequencyHz() const { return m_frequencyHz; }
-    void SetSpringDampingRatio(float32 ratio);
-    float32 GetSpringDampingRatio() const { return m_dampingRatio; }
+    void SetSpringDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
+    float32 GetSpringDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
     void Dump() override;
 
 protected:

@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""site.py CHECKOUT OUTPUT_FOLDER
+
+Makes a static site of the Markdown pages (docs/, and those at the top) with pandoc, one template and one
+style sheet. Links between pages become links between the site's pages; a file that a page links to or
+shows is copied beside it, a folder without a page of its own is named and not linked. Called by the target
+`site`, which puts the API reference into OUTPUT_FOLDER/api first. Exit codes: 0, or 1 with a sentence for
+each link that leads nowhere.
+"""
+import html
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+# Title, and the pages below it in this order.
+GROUPS = [
+    ("boxreel", ["README.md"]),
+    ("Manual", ["docs/manual/**/*.md"]),
+    ("Guides", ["docs/*.md", "docs/farms/**/*.md"]),
+    ("Examples and figures", ["docs/examples/**/*.md", "docs/figures/**/*.md", "docs/**/*.md"]),
+    ("Project", ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]),
+]
+ELSEWHERE = re.compile(r"^([a-z][a-z0-9+.-]*:|//|#)", re.IGNORECASE)
+LINK = re.compile(r'<a href="([^"]*)"[^>]*>(.*?)</a>', re.DOTALL)
+PICTURE = re.compile(r'\b(src|srcset)="([^"]*)"')
+
+
+def title_of(page):
+    """The first heading outside a block of code; pages without one are called like their file."""
+    in_code = False
+    for line in page.read_text(encoding="utf-8").splitlines():
+        in_code ^= line.startswith("```")
+        if line.startswith("# ") and not in_code:
+            return re.sub(r"[`*]", "", line[2:]).strip()
+    return page.stem
+
+
+def url_of(page):
+    """Of a page's path in the checkout: its path in the site."""
+    return page.with_name("index.html") if page.name == "README.md" else page.with_suffix(".html")
+
+
+class Site:
+    def __init__(self, checkout, output):
+        self.checkout, self.output = checkout, output
+        self.groups, self.problems = [], []
+        seen = set()
+        for title, patterns in GROUPS:
+            pages = []
+            for pattern in patterns:
+                # README first: it is the contents of its folder.
+                found = sorted(checkout.glob(pattern), key=lambda p: (p.parent, p.name != "README.md", p.name))
+                for path in found:
+                    page = path.relative_to(checkout)
+                    if page not in seen:
+                        seen.add(page)
+                        pages.append((page, title_of(path)))
+            if pages:
+                self.groups.append((title, pages))
+        self.pages = seen
+
+    def navigation(self, current):
+        lines = []
+        for title, pages in self.groups:
+            lines.append(f"<p>{html.escape(title)}</p>\n<ul>")
+            for page, name in pages:
+                here = ' aria-current="page"' if page == current else ""
+                name = "Overview" if page == pathlib.Path("README.md") else name
+                lines.append(f'<li><a href="{self.relative(url_of(page), current)}"{here}>{html.escape(name)}</a></li>')
+            lines.append("</ul>")
+        if (self.output / "api" / "index.html").exists():
+            lines.append(f'<p>Reference</p>\n<ul><li><a href="{self.relative("api/index.html", current)}">API</a></li></ul>')
+        return "\n".join(lines)
+
+    @staticmethod
+    def relative(target, page):
+        return os.path.relpath(target, page.parent)
+
+    def target(self, link, page):
+        """Where a link of a page leads in the site; None: to a folder that has no page."""
+        if ELSEWHERE.match(link) or not link:
+            return link
+        path, mark, anchor = html.unescape(link).partition("#")
+        found = pathlib.Path(os.path.normpath(page.parent / path))
+        source = self.checkout / found
+        if source.is_dir() and found / "README.md" in self.pages:
+            found /= "README.md"
+        if found in self.pages:
+            return html.escape(self.relative(url_of(found), page) + mark + anchor)
+        if source.is_dir():
+            return None
+        if found.parts[0] == ".." or not source.is_file():
+            self.problems.append(f"{page} links to {path}, which is not there; mend the link.")
+            return None
+        copy = self.output / found
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(source, copy)
+        return html.escape(self.relative(found, page) + mark + anchor)
+
+    def link(self, match, page):
+        target = self.target(match[1], page)
+        return match[2] if target is None else match[0].replace(f'"{match[1]}"', f'"{target}"', 1)
+
+    def make(self, page, title):
+        made = subprocess.run(
+            ["pandoc", "--from=gfm", "--to=html5", "--standalone", "--toc", "--toc-depth=2", "--wrap=preserve",
+             f"--template={self.checkout}/docs/site/template.html", f"--metadata=pagetitle:{title}",
+             f"--variable=root:{self.relative('.', page)}/", f"--variable=navigation:{self.navigation(page)}",
+             str(self.checkout / page)],
+            check=True, capture_output=True, text=True, encoding="utf-8").stdout
+        head, start, body = made.partition("<main>")
+        body = LINK.sub(lambda match: self.link(match, page), body)
+        body = PICTURE.sub(lambda match: f'{match[1]}="{self.target(match[2], page)}"', body)
+        target = self.output / url_of(page)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(head + start + body, encoding="utf-8")
+
+
+def mend_api(folder):
+    """Doxygen 1.9.4 links to the list of a class's nested classes also where all are private and there is none."""
+    for page in folder.glob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        if 'name="nested-classes"' not in text and 'href="#nested-classes"' in text:
+            page.write_text(re.sub(r'<a href="#nested-classes">[^<]*</a>(\s*&#124;)?', "", text), encoding="utf-8")
+
+
+def main():
+    checkout, output = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    output.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(checkout / "docs/site/style.css", output / "style.css")
+    mend_api(output / "api")
+    site = Site(checkout, output)
+    for _, pages in site.groups:
+        for page, title in pages:
+            site.make(page, title)
+    for problem in site.problems:
+        print(problem, file=sys.stderr)
+    return 1 if site.problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
