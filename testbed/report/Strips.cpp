@@ -2,6 +2,7 @@
 #include "Strips.h"
 
 #include "GoldenScenes.h"
+#include "WorkFolder.h"
 
 #include <bench/ChildProcess.h>
 #include <debugdraw/NiceNumbers.h>
@@ -13,9 +14,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <system_error>
-
-#include <unistd.h>
 
 namespace boxreel
 {
@@ -93,35 +91,16 @@ Result<std::string> Drawn(Renderer& renderer, const DrawList& list, const Camera
                : Result<std::string>(png.GetError());
 }
 
-/// A folder that goes with it.
-class PassingFolder
-{
-public:
-    PassingFolder()
-    {
-        std::error_code code;
-        std::string name = (fs::temp_directory_path(code) / "boxreel-report-XXXXXX").string();
-        m_path = mkdtemp(name.data()) != nullptr ? name : "";
-    }
-    PassingFolder(const PassingFolder&) = delete;
-    PassingFolder& operator=(const PassingFolder&) = delete;
-    ~PassingFolder()
-    {
-        std::error_code ignored;
-        fs::remove_all(m_path, ignored);
-    }
-    const fs::path& Path() const { return m_path; }
-
-private:
-    fs::path m_path;
-};
-
 /// The same step by another program. `close`: what is seen; none: as the scene is shown.
 Result<std::string> PictureBy(const fs::path& program, const std::string& scene, std::int64_t step,
                               const std::optional<Camera>& close)
 {
-    const PassingFolder folder;
-    const fs::path picture = folder.Path() / "shot.png";
+    const Result<WorkFolder> folder = WorkFolder::Create();
+    if (!folder)
+    {
+        return folder.GetError();
+    }
+    const fs::path picture = folder->Path() / "shot.png";
     const std::string size = std::to_string(kWidth) + "x" + std::to_string(kHeight);
     std::vector<std::string> arguments{"shot",   scene, "--step", std::to_string(step),
                                        "--size", size,  "-o",     picture.string()};
