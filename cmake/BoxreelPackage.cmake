@@ -42,12 +42,12 @@ foreach(library avutil swscale avcodec avformat)
     list(APPEND loaded lib${library}${major})
   endif()
 endforeach()
-# libosmesa6 draws (Context.h); libegl1 does where one asks for it. Cairo and FreeType write PDF, and DejaVu
+# libosmesa6 and EGL draw (Context.h). Cairo and FreeType write PDF, and DejaVu
 # is the one font; WebP's three write and read animations.
-list(APPEND loaded "libosmesa6 | libegl1" libcairo2 libfreetype6 fonts-dejavu-core libwebp7 libwebpmux3 libwebpdemux2)
+list(APPEND loaded libosmesa6 libegl1 libegl-mesa0 libcairo2 libfreetype6 fonts-dejavu-core libwebp7 libwebpmux3 libwebpdemux2)
 list(JOIN loaded ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libglfw3") # the window, where there is a screen
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libegl1, bash-completion, libboxreel-dev")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "bash-completion, libboxreel-dev")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libboxreel-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -55,7 +55,7 @@ struct b2ManifoldPoint
 /// shapes' skins overlap.
 struct b2Manifold
 {
-    /// What a number counts.
+    /// How the members are to be read.
     enum Type
     {
         e_circles, ///< localPoint: centre of A; points[0].localPoint: centre of B; no localNormal

@@ -67,7 +67,7 @@ public:
     /// A filled convex polygon, counter-clockwise.
     virtual void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount,
                                   const b2Color& color) = 0;
-    /// Red, 0 to 1.
+    /// An outline; centre and radius [m].
     virtual void DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color) = 0;
     /// `axis` is the unit vector that shows how the circle has turned.
     virtual void DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis,

@@ -65,7 +65,7 @@ public:
     const b2Vec2& GetPosition() const { return m_data.transform.p; } ///< of the origin [m]
     /// Not normalised: grows with every turn.
     float32 GetAngle() const { return float32(m_data.pose.angle); }
-    void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); } ///< of the origin [m]
+    void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); } ///< [rad]
     const b2Vec2& GetWorldCenter() const { return m_data.worldCenter; }  ///< the centre of mass [m]
     const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; } ///< the same [m]
     /// Of mass, in its frame [m].
