@@ -417,12 +417,16 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
         }
         else
         {
-            const Result<GoldenVerdict> verdict = store.Verify(*candidate);
+            Result<GoldenVerdict> verdict = store.Judge(*candidate);
+            const bool isSame = verdict && verdict->status == GoldenStatus::Same;
+            if (!isSame) // only a failure leaves files to look at
+            {
+                verdict = store.Verify(*candidate);
+            }
             if (!verdict)
             {
                 return play.script.At(golden.line, verdict.GetError());
             }
-            const bool isSame = verdict->status == GoldenStatus::Same;
             failures += isSame ? 0 : 1;
             const std::string why = verdict->status == GoldenStatus::Missing
                                         ? golden.name + ": there is no reference; look at " +
