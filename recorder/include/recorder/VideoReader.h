@@ -19,8 +19,8 @@ namespace boxreel
 /// What a film's file says of it.
 struct VideoInfo
 {
-    int width = 0;              ///< [px]
-    int height = 0;             ///< [px]
+    int width = 0;              ///< of its pictures [px]
+    int height = 0;             ///< of its pictures [px]
     Rational framesPerSecond;   ///< of what is shown; fewer may be stored
     std::string container;      ///< libav's name, e.g. "mov,mp4,m4a,3gp,3g2,mj2"
     std::string codec;          ///< "h264", "ffv1", "vp9", "gif", …

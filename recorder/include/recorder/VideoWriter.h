@@ -79,7 +79,7 @@ enum class Chroma
 struct VideoSettings
 {
     int width = 1280;                    ///< 1 to 8192, even where colours are halved [px]
-    int height = 720;                    ///< likewise [px]
+    int height = 720;                    ///< 1 to 8192, even where colours are halved [px]
     Rational framesPerSecond{60, 1};     ///< at most 1000
     Quality quality = Quality::Standard; ///< how much survives
     Chroma chroma = Chroma::Half;        ///< how much colour survives

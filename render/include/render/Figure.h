@@ -28,8 +28,8 @@ struct FigurePanel
 {
     DrawList list;  ///< what is drawn
     Camera camera;  ///< its width and height are the panel's [px]
-    double x = 0.0; ///< of the panel's top left corner in the figure [px]
-    double y = 0.0; ///< likewise
+    double x = 0.0; ///< from the figure's left edge to the panel's [px]
+    double y = 0.0; ///< from the figure's upper edge to the panel's [px]
     /// What bodies are called in the groups' names, by their number: "body-17-left-wheel", or
     /// "body-17" where it has none.
     std::map<std::uint32_t, std::string> bodyNames;
@@ -42,7 +42,7 @@ struct FigurePanel
 struct Figure
 {
     int width = 1280;   ///< before the scale [px]; a pixel is 1/96 inch
-    int height = 720;   ///< [px]
+    int height = 720;   ///< before the scale [px]
     double scale = 1.0; ///< how much larger all of it is: paper, lines, letters; 0.1 to 16
     Theme theme = Theme::Classic();  ///< colours and widths
     std::string title;               ///< for readers of screens and for catalogues; not drawn

@@ -27,8 +27,8 @@ class Window;
 /// How a renderer draws.
 struct RendererSettings
 {
-    int width = 1280;                ///< 1 to 8192 [px]
-    int height = 720;                ///< 1 to 8192 [px]
+    int width = 1280;                ///< of the picture, 1 to 8192 [px]
+    int height = 720;                ///< of the picture, 1 to 8192 [px]
     Theme theme = Theme::Classic();  ///< colours and widths
     Backend backend = Backend::Auto; ///< who draws
     double scale = 1.0; ///< of all lengths in pixels: outlines, points, letters; 0.1 to 16. The

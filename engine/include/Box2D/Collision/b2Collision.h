@@ -129,8 +129,9 @@ struct b2AABB
                lowerBound.IsValid() && upperBound.IsValid();
     }
 
-    constexpr b2Vec2 GetCenter() const { return 0.5f * (lowerBound + upperBound); } ///< [m]
-    /// Half the widths.
+    /// The middle [m].
+    constexpr b2Vec2 GetCenter() const { return 0.5f * (lowerBound + upperBound); }
+    /// Half the width and half the height [m].
     constexpr b2Vec2 GetExtents() const { return 0.5f * (upperBound - lowerBound); }
     /// The length of its outline [m].
     constexpr float32 GetPerimeter() const

@@ -115,8 +115,8 @@ public:
     int32 GetTreeBalance() const;   ///< as b2DynamicTree::GetMaxBalance
     float32 GetTreeQuality() const; ///< as b2DynamicTree::GetAreaRatio
 
-    void SetGravity(const b2Vec2& gravity); ///< [m/s^2]
-    b2Vec2 GetGravity() const;              ///< [m/s^2]
+    void SetGravity(const b2Vec2& gravity); ///< acceleration of all dynamic bodies [m/s^2]
+    b2Vec2 GetGravity() const;              ///< acceleration of all dynamic bodies [m/s^2]
     /// True while a callback may run, in a step or a query: nothing may be created or destroyed
     /// then.
     bool IsLocked() const;

@@ -12,7 +12,7 @@ struct b2DistanceJointDef : public b2JointDef
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 length = 1.0f;                    ///< [m]; not shorter than the slop
+    float32 length = 1.0f;       ///< at rest, between the anchors [m]; not shorter than the slop
     float32 frequencyHz = 0.0f;  ///< of the spring; 0: rigid. Less than half the step rate
     float32 dampingRatio = 0.0f; ///< 0: none, 1: critical
 };
@@ -30,10 +30,10 @@ public:
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    void SetLength(float32 length);                ///< [m]; not shorter than the slop
-    float32 GetLength() const { return m_length; } ///< [m]
-    void SetFrequency(float32 hz);                 ///< [Hz], less than half the step rate; 0: rigid
-    float32 GetFrequency() const { return m_frequencyHz; }     ///< [Hz]; 0: rigid
+    void SetLength(float32 length); ///< at rest, between the anchors [m]; not shorter than the slop
+    float32 GetLength() const { return m_length; } ///< at rest, between the anchors [m]
+    void SetFrequency(float32 hz); ///< of the spring [Hz], less than half the step rate; 0: rigid
+    float32 GetFrequency() const { return m_frequencyHz; }     ///< of the spring [Hz]; 0: rigid
     void SetDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
     float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
     void Dump() override;

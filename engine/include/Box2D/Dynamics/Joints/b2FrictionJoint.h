@@ -13,8 +13,8 @@ struct b2FrictionJointDef : public b2JointDef
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 maxForce = 0.0f;                  ///< [N]
-    float32 maxTorque = 0.0f;                 ///< [N m]
+    float32 maxForce = 0.0f;                  ///< the most it pulls or pushes with [N]
+    float32 maxTorque = 0.0f;                 ///< the most it turns with [N m]
 };
 
 /// Slows body B down relative to body A, as a surface does that both lie on.
@@ -30,10 +30,10 @@ public:
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    void SetMaxForce(float32 force);                                 ///< [N], >= 0
-    float32 GetMaxForce() const { return m_maxForce; }               ///< [N]
-    void SetMaxTorque(float32 torque);                               ///< [N m], >= 0
-    float32 GetMaxTorque() const { return m_maxTorque; }             ///< [N m]
+    void SetMaxForce(float32 force); ///< the most it pulls or pushes with [N], >= 0
+    float32 GetMaxForce() const { return m_maxForce; }   ///< the most it pulls or pushes with [N]
+    void SetMaxTorque(float32 torque);                   ///< the most it turns with [N m], >= 0
+    float32 GetMaxTorque() const { return m_maxTorque; } ///< the most it turns with [N m]
     void Dump() override;
 
 protected:

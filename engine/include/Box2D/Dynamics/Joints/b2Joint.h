@@ -77,7 +77,7 @@ public:
     virtual float32 GetReactionTorque(float32 inv_dt) const = 0;
     /// For the length of the last step.
     b2Vec2 GetReactionForce() const;
-    float32 GetReactionTorque() const; ///< likewise [N m]
+    float32 GetReactionTorque() const; ///< of the last step, on body B [N m]
 
     b2Joint* GetNext() { return m_next; } ///< of the world's list; nullptr: this is the last
     /// Of the world's list; nullptr: this is the last.

@@ -51,8 +51,8 @@ public:
     float32 GetLengthA() const { return GetCurrentLengthA(); }       ///< of the rope at present [m]
     float32 GetLengthB() const { return GetCurrentLengthB(); }       ///< of the rope at present [m]
     float32 GetRatio() const { return m_ratio; }                     ///< > 0
-    float32 GetCurrentLengthA() const;                               ///< [m]
-    float32 GetCurrentLengthB() const;                               ///< [m]
+    float32 GetCurrentLengthA() const; ///< of the rope on A's side at present [m]
+    float32 GetCurrentLengthB() const; ///< of the rope on B's side at present [m]
     void ShiftOrigin(const b2Vec2& newOrigin) override;
     void Dump() override;
 
