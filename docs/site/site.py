@@ -28,7 +28,7 @@ GROUPS = [
 ]
 ELSEWHERE = re.compile(r"^([a-z][a-z0-9+.-]*:|//|#)", re.IGNORECASE)
 LINK = re.compile(r'<a href="([^"]*)"[^>]*>(.*?)</a>', re.DOTALL)
-CHAPTER = re.compile(r"^\d+\. \[[^]]*\]\(([^)]+)\)", re.MULTILINE)
+CHAPTER = re.compile(r"^(\d+\.) \[([^]]*)\]\(([^)]+)\)", re.MULTILINE)
 PICTURE = re.compile(r'\b(src|srcset)="([^"]*)"')
 
 
@@ -48,15 +48,16 @@ def url_of(page):
 
 
 def chapters_of(checkout):
-    """All pages of the manual, as its contents list them."""
-    links = CHAPTER.findall((checkout / CONTENTS).read_text(encoding="utf-8"))
-    return [pathlib.Path(os.path.normpath(CONTENTS.parent / link)) for link in links]
+    """The pages of the manual in the order of its contents, with the number and name that each has there."""
+    found = CHAPTER.findall((checkout / CONTENTS).read_text(encoding="utf-8"))
+    return {pathlib.Path(os.path.normpath(CONTENTS.parent / link)): f"{number} {name}" for number, name, link in found}
 
 
 class Site:
     def __init__(self, checkout, output):
         self.checkout, self.output = checkout, output
-        self.chapters = chapters_of(checkout)
+        self.names = chapters_of(checkout)
+        self.chapters = list(self.names)
         places = {page: place for place, page in enumerate([CONTENTS] + self.chapters)}
         self.groups, self.problems = [], []
         seen = set()
@@ -79,7 +80,7 @@ class Site:
             lines.append(f"<p>{html.escape(title)}</p>\n<ul>")
             for page, name in pages:
                 here = ' aria-current="page"' if page == current else ""
-                name = "Overview" if page == pathlib.Path("README.md") else name
+                name = "Overview" if page == pathlib.Path("README.md") else self.names.get(page, name)
                 lines.append(f'<li><a href="{self.relative(url_of(page), current)}"{here}>{html.escape(name)}</a></li>')
             lines.append("</ul>")
         if (self.output / "api" / "index.html").exists():
@@ -96,7 +97,7 @@ class Site:
             if 0 <= there < len(self.chapters):
                 other = self.chapters[there]
                 links += (f'<a rel="{kind}" href="{self.relative(url_of(other), page)}"><span>{words}</span> '
-                          f'{html.escape(title_of(self.checkout / other))}</a>\n')
+                          f'{html.escape(self.names[other])}</a>\n')
         return f'<p class="turn">\n{links}</p>\n'
 
     @staticmethod
@@ -146,11 +147,15 @@ class Site:
 
 
 def mend_api(folder):
-    """Doxygen 1.9.4 links to the list of a class's nested classes also where all are private and there is none."""
+    """Of each page of Doxygen's: the project's name leads back to the site, and there is no link to a list of
+    nested classes where all are private (Doxygen 1.9.4 has one to a list that is not there)."""
     for page in folder.glob("*.html"):
-        text = page.read_text(encoding="utf-8")
-        if 'name="nested-classes"' not in text and 'href="#nested-classes"' in text:
-            page.write_text(re.sub(r'<a href="#nested-classes">[^<]*</a>(\s*&#124;)?', "", text), encoding="utf-8")
+        made = page.read_text(encoding="utf-8")
+        text = re.sub(r'(<div id="projectname">)(\w+)', r'\1<a href="../index.html">\2</a>', made)
+        if 'name="nested-classes"' not in text:
+            text = re.sub(r'<a href="#nested-classes">[^<]*</a>(\s*&#124;)?', "", text)
+        if text != made:
+            page.write_text(text, encoding="utf-8")
 
 
 def main():

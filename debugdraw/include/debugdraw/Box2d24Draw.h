@@ -22,6 +22,7 @@ namespace boxreel::box2d24
 class DrawCollector : public b2Draw
 {
 public:
+    /// The list must outlive it.
     explicit DrawCollector(DrawList& list) : m_list(list) {}
 
     void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override
@@ -65,6 +66,7 @@ public:
         constexpr float axisLength = 0.4f; // [m], as of our engine's frames
         m_list.AddTransform(From(xf.p), From(xf.q.GetXAxis()), axisLength);
     }
+    /// At a world point [m]; its diameter [px].
     void DrawPoint(const b2Vec2& p, float size, const b2Color& color) override
     {
         m_list.AddPoint(From(p), size, From(color));
