@@ -5,6 +5,9 @@
 #include <Box2D/Common/b2Math.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
+/// @file
+/// Bodies, and what they are made from.
+
 class b2Contact;
 class b2Fixture;
 class b2Joint;
@@ -19,6 +22,7 @@ BodyData& Data(b2Body& body);
 const BodyData& Data(const b2Body& body);
 } // namespace box2d
 
+/// What moves a body.
 enum b2BodyType
 {
     b2_staticBody = 0, ///< zero mass and velocity, moved by hand only

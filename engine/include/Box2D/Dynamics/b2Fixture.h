@@ -4,6 +4,9 @@
 #include <Box2D/Collision/Shapes/b2Shape.h>
 #include <Box2D/Collision/b2Collision.h>
 
+/// @file
+/// Fixtures, and what they are made from.
+
 class b2Body;
 class b2Fixture;
 

@@ -8,6 +8,9 @@
 
 #include <memory>
 
+/// @file
+/// The world.
+
 struct b2AABB;
 struct b2BodyDef;
 struct b2JointDef;

@@ -5,6 +5,9 @@
 #include <Box2D/Common/b2BlockAllocator.h>
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// What all shapes have in common.
+
 /// Mass, centre and rotational inertia of a shape.
 struct b2MassData
 {

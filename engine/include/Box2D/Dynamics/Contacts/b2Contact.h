@@ -4,6 +4,9 @@
 #include <Box2D/Dynamics/Internal/ContactData.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
+/// @file
+/// Contacts, and the ways to them.
+
 namespace box2d
 {
 ContactData& Data(b2Contact& contact);

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Pulleys.
+
 /// Two bodies on a rope over two fixed points: length A + ratio * length B stays constant, so one
 /// goes up as the other goes down; the ratio makes a block and tackle. An equation, so it pushes
 /// too, as a rod does; it becomes singular where a length is zero.
@@ -38,7 +41,7 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
