@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+/// @file
 /// The debug drawing of Box2D 2.4, such as Debian's libbox2d-dev, as a DrawList, for programs that
 /// simulate with that library and draw, film or compare with this toolkit. All of it is in this
 /// header, so the toolkit never links that library. Its classes are called as those of our engine

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+/// @file
 /// The engine's growing arrays: std::vector over b2Alloc, so that a program that replaces the
 /// allocator sees all of the engine's memory. Engine code only; a program may use what it likes.
 namespace box2d

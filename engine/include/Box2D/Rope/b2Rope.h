@@ -4,6 +4,9 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// A rope without bodies.
+
 class b2Draw;
 
 /// A rope by itself: a chain of points for ornaments, much cheaper than bodies and joints. It

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Distance joints.
+
 /// Keeps two points at a distance, rigidly or like a spring.
 struct b2DistanceJointDef : public b2JointDef
 {

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Friction joints.
+
 /// Friction seen from above: slows the relative motion and turning of two bodies with at most a
 /// force and a torque.
 struct b2FrictionJointDef : public b2JointDef

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Gear joints.
+
 /// Couples two joints, each a revolute or a prismatic one: coordinate 1 + ratio * coordinate 2
 /// stays constant. The two joints must have two different bodies between them; bodyA and bodyB are
 /// any one of each. Destroy it before its joints, else it goes with the first of them.

@@ -21,27 +21,27 @@ struct SolverContext;
 /// The kinds of joints.
 enum b2JointType
 {
-    e_unknownJoint, ///< of a definition that is none's
-    e_revoluteJoint, ///< b2RevoluteJoint
+    e_unknownJoint,   ///< of a definition that is none's
+    e_revoluteJoint,  ///< b2RevoluteJoint
     e_prismaticJoint, ///< b2PrismaticJoint
-    e_distanceJoint, ///< b2DistanceJoint
-    e_pulleyJoint, ///< b2PulleyJoint
-    e_mouseJoint, ///< b2MouseJoint
-    e_gearJoint, ///< b2GearJoint
-    e_wheelJoint, ///< b2WheelJoint
-    e_weldJoint, ///< b2WeldJoint
-    e_frictionJoint, ///< b2FrictionJoint
-    e_ropeJoint, ///< b2RopeJoint
-    e_motorJoint, ///< b2MotorJoint
+    e_distanceJoint,  ///< b2DistanceJoint
+    e_pulleyJoint,    ///< b2PulleyJoint
+    e_mouseJoint,     ///< b2MouseJoint
+    e_gearJoint,      ///< b2GearJoint
+    e_wheelJoint,     ///< b2WheelJoint
+    e_weldJoint,      ///< b2WeldJoint
+    e_frictionJoint,  ///< b2FrictionJoint
+    e_ropeJoint,      ///< b2RopeJoint
+    e_motorJoint,     ///< b2MotorJoint
 };
 
 /// Where a joint is between its limits.
 enum b2LimitState
 {
     e_inactiveLimit, ///< between them, or there are none
-    e_atLowerLimit, ///< at the lower one
-    e_atUpperLimit, ///< at the upper one
-    e_equalLimits, ///< both are one: it cannot move
+    e_atLowerLimit,  ///< at the lower one
+    e_atUpperLimit,  ///< at the upper one
+    e_equalLimits,   ///< both are one: it cannot move
 };
 
 /// Connects bodies and joints: a node of each body's list of joints.

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Motor joints.
+
 /// Drives body B towards a place and angle relative to body A, with at most a force and a torque:
 /// for moving a body against what is in its way.
 struct b2MotorJointDef : public b2JointDef

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Mouse joints.
+
 /// Pulls a point of body B towards a world point like a spring, with at most a force. Made for
 /// dragging bodies with the mouse; body A is only there because every joint has one.
 struct b2MouseJointDef : public b2JointDef

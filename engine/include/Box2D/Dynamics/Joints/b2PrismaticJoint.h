@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Prismatic joints: sliders.
+
 /// A slider: body B moves along an axis fixed in body A and does not turn against it, with an
 /// optional limit and motor.
 struct b2PrismaticJointDef : public b2JointDef

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Revolute joints: hinges.
+
 /// A hinge: two bodies share a point and turn about it, with an optional limit and motor.
 struct b2RevoluteJointDef : public b2JointDef
 {

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Rope joints.
+
 /// Keeps two points from being farther apart than a length. Put beside a chain of bodies, it keeps
 /// the chain from stretching.
 struct b2RopeJointDef : public b2JointDef

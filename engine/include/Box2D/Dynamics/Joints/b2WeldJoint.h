@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Weld joints.
+
 /// Glues two bodies together. The glue may be soft against turning; a chain of them bends, for the
 /// solver is iterative.
 struct b2WeldJointDef : public b2JointDef

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Wheel joints.
+
 /// A wheel on a suspension: body B's anchor stays on a line fixed in body A, sprung along it, free
 /// to turn, with an optional motor.
 struct b2WheelJointDef : public b2JointDef
