@@ -112,7 +112,7 @@ struct b2RayCastInput
 {
     b2Vec2 p1;                  ///< where the ray starts [m]
     b2Vec2 p2;                  ///< where it ends at a fraction of 1 [m]
-    float32 maxFraction = 1.0f; ///< >= 0
+    float32 maxFraction = 1.0f; ///< how far it goes, in ways from p1 to p2; >= 0
 };
 
 /// The ray hits at p1 + fraction * (p2 - p1).

@@ -74,7 +74,8 @@ public:
     /// Turns it about its origin [rad].
     void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); }
     const b2Vec2& GetWorldCenter() const { return m_data.worldCenter; } ///< the centre of mass [m]
-    const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; } ///< the same [m]
+    /// As GetWorldCenter [m].
+    const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; }
     /// Of mass, in its frame [m].
     const b2Vec2& GetLocalCenter() const { return m_data.localCenter; }
 
@@ -147,7 +148,7 @@ public:
     b2BodyType GetType() const { return static_cast<b2BodyType>(m_data.mobility); }
     void SetBullet(bool flag); ///< continuous collision against moving bodies too
     bool IsBullet() const { return (m_data.flags & box2d::kBodyBullet) != 0; } ///< see SetBullet
-    void SetSleepingAllowed(bool flag);                                        ///< false wakes it
+    void SetSleepingAllowed(bool flag); ///< whether it may sleep; false wakes it
     /// Whether it may fall asleep.
     bool IsSleepingAllowed() const { return (m_data.flags & box2d::kBodyAutoSleep) != 0; }
     /// Waking wakes everything the body touches or is joined to.

@@ -17,7 +17,7 @@ struct b2DistanceJointDef : public b2JointDef
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     float32 length = 1.0f;       ///< at rest, between the anchors [m]; not shorter than the slop
     float32 frequencyHz = 0.0f;  ///< of the spring; 0: rigid. Less than half the step rate
-    float32 dampingRatio = 0.0f; ///< 0: none, 1: critical
+    float32 dampingRatio = 0.0f; ///< of the spring; 0: none, 1: critical
 };
 
 /// Keeps two anchors at a length, rigid or as a spring.
@@ -36,9 +36,10 @@ public:
     void SetLength(float32 length); ///< at rest, between the anchors [m]; not shorter than the slop
     float32 GetLength() const { return m_length; } ///< at rest, between the anchors [m]
     void SetFrequency(float32 hz); ///< of the spring [Hz], less than half the step rate; 0: rigid
-    float32 GetFrequency() const { return m_frequencyHz; }     ///< of the spring [Hz]; 0: rigid
-    void SetDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
-    float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
+    float32 GetFrequency() const { return m_frequencyHz; } ///< of the spring [Hz]; 0: rigid
+    void SetDampingRatio(float32 ratio);                   ///< of the spring; 0: none, 1: critical
+    /// Of the spring; 0: none, 1: critical.
+    float32 GetDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 
 protected:

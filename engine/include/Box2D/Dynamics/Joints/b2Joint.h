@@ -73,8 +73,8 @@ public:
     const b2Body* GetBodyA() const { return m_bodyA; } ///< the first body
     b2Body* GetBodyB() { return m_bodyB; }             ///< the second body
     const b2Body* GetBodyB() const { return m_bodyB; } ///< the second body
-    virtual b2Vec2 GetAnchorA() const = 0;             ///< world point
-    virtual b2Vec2 GetAnchorB() const = 0;             ///< world point
+    virtual b2Vec2 GetAnchorA() const = 0;             ///< where it holds body A, in the world [m]
+    virtual b2Vec2 GetAnchorB() const = 0;             ///< where it holds body B, in the world [m]
 
     /// On body B at its anchor [N]; `inv_dt` is one over the time step.
     virtual b2Vec2 GetReactionForce(float32 inv_dt) const = 0;

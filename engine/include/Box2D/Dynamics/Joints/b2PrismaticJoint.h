@@ -57,7 +57,7 @@ public:
     void SetMotorSpeed(float32 speed);                     ///< that the motor wants [m/s]
     float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [m/s]
     void SetMaxMotorForce(float32 force); ///< the most the motor pushes with [N], >= 0
-    void SetMotorForce(float32 force) { SetMaxMotorForce(force); } ///< the same
+    void SetMotorForce(float32 force) { SetMaxMotorForce(force); } ///< as SetMaxMotorForce
     /// The most the motor pushes with [N].
     float32 GetMaxMotorForce() const { return m_maxMotorForce; }
     /// What the motor did in a step of 1/inv_dt seconds [N].

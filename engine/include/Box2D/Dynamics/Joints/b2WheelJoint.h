@@ -21,7 +21,7 @@ struct b2WheelJointDef : public b2JointDef
     float32 maxMotorTorque = 0.0f;            ///< the most the motor turns with [N m]
     float32 motorSpeed = 0.0f;                ///< that the motor wants [rad/s]
     float32 frequencyHz = 2.0f;               ///< of the suspension; 0: none
-    float32 dampingRatio = 0.7f;              ///< 0: none, 1: critical
+    float32 dampingRatio = 0.7f;              ///< of the spring; 0: none, 1: critical
 };
 
 /// A wheel with its suspension: body B turns freely and springs along an axis of body A.
@@ -54,8 +54,9 @@ public:
     void SetSpringFrequencyHz(float32 hz); ///< of the suspension [Hz], >= 0; 0: none
     /// Of the suspension [Hz]; 0: none.
     float32 GetSpringFrequencyHz() const { return m_frequencyHz; }
-    void SetSpringDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
-    float32 GetSpringDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
+    void SetSpringDampingRatio(float32 ratio); ///< of the spring; 0: none, 1: critical
+    /// Of the spring; 0: none, 1: critical.
+    float32 GetSpringDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 
 protected:
