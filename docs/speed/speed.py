@@ -106,7 +106,8 @@ def case_of(figures, name):
 
 
 def drawing_rows(figures):
-    methods = [m for m in case_of(figures, "1500-720p")["methods"] if "failure" not in m and m["rasterThreads"] == "0"]
+    methods = [m for m in case_of(figures, "1500-720p")["methods"]
+               if "failure" not in m and not m["wrong"] and m["rasterThreads"] == "0"]
     ours = next((m for m in methods if m["ours"]), None)
     cairo = next((m for m in methods if re.fullmatch(r"Cairo [\d.]+", m["method"])), None)
     if ours and cairo:
@@ -122,7 +123,7 @@ def recording_rows(figures):
                             ("tumbler", "film of tumbler", "{} frames of the tumbler to MP4"),
                             ("asleep", "film asleep", "{} frames of the pyramid at rest to MP4"),
                             ("pictures", "pictures", "{} frames of the tumbler to PNG files")):
-        methods = {m["role"]: m for m in case_of(figures, case)["methods"] if "wallSeconds" in m}
+        methods = {m["role"]: m for m in case_of(figures, case)["methods"] if m.get("verdict") == "sound"}
         for role, words in (("encodeOnly", "{}, which only encodes"), ("immediate", "{}")):
             if "boxreel" in methods and role in methods:
                 peer = methods[role]

@@ -64,5 +64,22 @@ scene["engines"] = [{**ours, "verdict": "sound"}, {**peer, "cpuRatio": 2.0}]
 assert "| a grid | 1.00 ms | 2.00 ms (2.00×) |" in speed.engine_table({"engine": {"scenes": [scene]}})
 scene["engines"][1] = {"engine": "Box2D 2.4.1", "failure": "it crashed", "verdict": "it crashed"}
 assert "| a grid | 1.00 ms | it crashed |" in speed.engine_table({"engine": {"scenes": [scene]}})
+
+# Films and pictures that are not sound are not compared.
+films = [{"role": "boxreel", "method": "boxreel record", "frames": 60, "verdict": "sound", "wallSeconds": 1.0},
+         {"role": "encodeOnly", "method": "ffmpeg 5", "frames": 60, "verdict": "sound", "wallSeconds": 2.0},
+         {"role": "immediate", "method": "immediate mode", "frames": 60, "verdict": "7 off", "wallSeconds": 3.0}]
+cases = {"cases": [{"case": "pyramid", "methods": films}]}
+assert [row[3:] for row in speed.recording_rows(cases)] == [("ffmpeg 5, which only encodes", 2.0)]
+films[0]["verdict"] = "grey"
+assert not list(speed.recording_rows(cases))
+frames = {work: {"cpuSeconds": 0.01} for work in ("full", "together")}
+drawn = [{"method": name, "ours": name == "boxreel", "rasterThreads": "0", "wrong": "", "frames": frames}
+         for name in ("boxreel", "Cairo 1.16.0")]
+cases = {"cases": [{"case": "1500-720p", "methods": drawn}]}
+assert [row[0] for row in speed.drawing_rows(cases)] == ["frame", "frame changed"]
+drawn[1]["wrong"] = "empty"
+assert not list(speed.drawing_rows(cases))
+
 assert [speed.time_text(t) for t in (2.5e-8, 3.5e-4, 0.00726, 3.22)] == ["0.025 µs", "350 µs", "7.26 ms", "3.22 s"]
 assert [speed.times_text(t) for t in (0.284, 6.95, 31.42, 12345.0)] == ["0.28×", "6.95×", "31.4×", "12,300×"]
