@@ -85,7 +85,8 @@ struct Comparison
     Frame difference;
 };
 
-/// Two pictures, the first of which was approved.
+/// Compares two pictures, the first of which was approved; never fails: other sizes are a
+/// difference.
 Comparison Compare(const Frame& expected, const Frame& actual,
                    const CompareSettings& settings = {});
 

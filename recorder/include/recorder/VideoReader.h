@@ -43,7 +43,7 @@ enum class Frames
 class VideoReader
 {
 public:
-    /// An Error when the file is not there or is no film, or libav is absent.
+    /// Opens a film; an Error when the file is not there or is no film, or libav is absent.
     static Result<VideoReader> Open(const std::filesystem::path& path,
                                     Frames frames = Frames::Shown);
     /// The other may only be assigned to or destroyed.
@@ -55,7 +55,7 @@ public:
     /// What the file says.
     const VideoInfo& Info() const;
 
-    /// The next frame and, when asked, its time [s]; false after the last.
+    /// Reads the next frame and, when asked, its time [s]; false after the last.
     Result<bool> Next(Frame& frame, double* seconds = nullptr);
 
 private:

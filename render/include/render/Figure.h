@@ -58,7 +58,7 @@ Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme = Theme:
 /// in the picture, is left out, and circles that reach half a million pixels away.
 Result<std::string> ToSvg(const Figure& figure);
 
-/// The same drawing as a PDF of one page. Text can be searched and copied; the groups are sections
+/// The figure as a PDF of one page. Text can be searched and copied; the groups are sections
 /// of its structure, and named destinations. Absent when Cairo, FreeType or the font is.
 Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure);
 
@@ -77,10 +77,11 @@ struct FigureFileSettings
     bool overwrite = false; ///< false: an existing file is an error
 };
 
-/// Whole or not at all.
+/// Writes the figure as an SVG file, whole or not at all.
 Result<void> WriteSvg(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
-/// The same as PDF. An Error (Absent) without Cairo, FreeType or the font.
+/// Writes the figure as a PDF file, whole or not at all. An Error (Absent) without Cairo, FreeType
+/// or the font.
 Result<void> WritePdf(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
 

@@ -185,7 +185,9 @@ inline bool Misuse([[maybe_unused]] const char* sentence, [[maybe_unused]] const
 
 /// For what a caller can get wrong: true when the condition holds; otherwise says the sentence and
 /// aborts with asserts on, or is false with asserts off, so that
+///
 ///     if (!B2_REQUIRE(count >= 3, "A polygon needs at least 3 points.")) return;
+///
 /// both explains the mistake and survives it.
 #define B2_REQUIRE(condition, sentence) ((condition) || box2d::Misuse(sentence, __FILE__, __LINE__))
 

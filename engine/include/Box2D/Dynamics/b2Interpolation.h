@@ -13,13 +13,13 @@ class b2World;
 /// and screens whose rate is no divisor of the simulation's (G. Fiedler, "Fix Your Timestep!",
 /// 2004). Additions to the manual's interface.
 ///
-///   b2PoseRecord before;
-///   before.Save(world);
-///   world.Step(…);
-///   {
-///       const b2PosesBetween between(world, before, 0.25);
-///       world.DrawDebugData(); // a quarter of the step's way
-///   }
+///     b2PoseRecord before;
+///     before.Save(world);
+///     world.Step(…);
+///     {
+///         const b2PosesBetween between(world, before, 0.25);
+///         world.DrawDebugData(); // a quarter of the step's way
+///     }
 
 /// Where the bodies of a world were: those that can move, static ones are left out.
 class b2PoseRecord
