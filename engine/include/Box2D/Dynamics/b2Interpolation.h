@@ -10,7 +10,7 @@ class b2World;
 
 /// @file
 /// A world between two steps, for pictures of moments that no step ends at: the remedy for films
-/// and screens whose rate is no divisor of the simulation's (G. Fiedler, "Fix Your Timestep!",
+/// and screens whose rate is no divisor of the simulation's (Glenn Fiedler, "Fix Your Timestep!",
 /// 2004). Additions to the manual's interface.
 ///
 ///     b2PoseRecord before;
