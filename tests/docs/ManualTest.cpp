@@ -279,4 +279,19 @@ TEST(Manual, ListsEveryChapterOnItsFirstPage)
     }
 }
 
+TEST(Manual, ListsEveryPageOfDocsOnItsFirstPage)
+{
+    const std::vector<std::string> targets = TargetsOf(kPages / "README.md");
+    std::size_t pages = 0;
+    for (const auto& entry : fs::directory_iterator(kPages / ".."))
+    {
+        if (entry.path().extension() == ".md")
+        {
+            ++pages;
+            EXPECT_THAT(targets, testing::Contains("../" + entry.path().filename().string()));
+        }
+    }
+    EXPECT_GT(pages, 5u);
+}
+
 } // namespace

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+/// @file
 /// The debug drawing of Box2D 2.4, such as Debian's libbox2d-dev, as a DrawList, for programs that
 /// simulate with that library and draw, film or compare with this toolkit. All of it is in this
 /// header, so the toolkit never links that library. Its classes are called as those of our engine
@@ -22,6 +23,7 @@ namespace boxreel::box2d24
 class DrawCollector : public b2Draw
 {
 public:
+    /// The list must outlive it.
     explicit DrawCollector(DrawList& list) : m_list(list) {}
 
     void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override
@@ -65,6 +67,7 @@ public:
         constexpr float axisLength = 0.4f; // [m], as of our engine's frames
         m_list.AddTransform(From(xf.p), From(xf.q.GetXAxis()), axisLength);
     }
+    /// At a world point [m]; its diameter [px].
     void DrawPoint(const b2Vec2& p, float size, const b2Color& color) override
     {
         m_list.AddPoint(From(p), size, From(color));

@@ -14,17 +14,17 @@ namespace boxreel
 /// Which part of the world is seen, and how large; nothing turns it.
 struct Camera
 {
-    int width = 1280;             ///< [px]
-    int height = 720;             ///< [px]
+    int width = 1280;             ///< of the picture [px]
+    int height = 720;             ///< of the picture [px]
     double centerX = 0.0;         ///< world point in the middle of the frame [m]
-    double centerY = 20.0;        ///< [m]
+    double centerY = 20.0;        ///< its height in the world [m]
     double pixelsPerMeter = 14.4; ///< the testbed's default: 50 m in a height of 720 px
 
     /// From the world [m] to the picture [px, y down].
     Vec2 ToPixel(Vec2 world) const;
     /// From the picture [px, y down] to the world [m].
     Vec2 ToWorld(Vec2 pixel) const;
-    Rect VisibleArea() const; ///< [m]
+    Rect VisibleArea() const; ///< what of the world the picture shows [m]
     /// Whether all members are equal.
     friend bool operator==(const Camera&, const Camera&) = default;
 };

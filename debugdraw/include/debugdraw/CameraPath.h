@@ -17,7 +17,7 @@ struct CameraKey
 {
     double time = 0.0;    ///< simulated [s]
     double centerX = 0.0; ///< world point in the middle of the frame [m]
-    double centerY = 0.0; ///< [m]
+    double centerY = 0.0; ///< its height in the world [m]
     double height = 50.0; ///< of the visible area [m], above 0
     /// Whether all members are equal.
     friend bool operator==(const CameraKey&, const CameraKey&) = default;
@@ -36,7 +36,7 @@ public:
     /// Expects what WhyNotPath has nothing against.
     CameraPath(int width, int height, std::vector<CameraKey> keys);
 
-    Camera At(double time) const; ///< [s]
+    Camera At(double time) const; ///< what is seen at this simulated time [s]
 
 private:
     Camera ViewOf(const CameraKey& key) const;

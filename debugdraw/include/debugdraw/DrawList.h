@@ -108,7 +108,7 @@ class DrawList
 {
 public:
     std::vector<DrawItem> items;    ///< painter's order
-    std::vector<Vec2> points;       ///< [m], world frame, y up
+    std::vector<Vec2> points;       ///< of all items, one after the other [m], world frame, y up
     std::vector<std::string> texts; ///< UTF-8; items of the kind Text name them by index
 
     /// What the Add functions stamp on the items that follow.

@@ -21,8 +21,8 @@ public:
     /// A place in the picture [px].
     struct Point
     {
-        double x = 0.0; ///< [px]
-        double y = 0.0; ///< [px]
+        double x = 0.0; ///< from the left [px]
+        double y = 0.0; ///< from above [px]
     };
     static constexpr int kFullTurn = 24; ///< steps
 

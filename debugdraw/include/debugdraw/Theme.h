@@ -66,7 +66,7 @@ struct Theme
     Color background{26, 26, 26, 255}; ///< where nothing is drawn
     Color text{230, 230, 230, 255};    ///< of captions; a label has its own colour, usually Ink
     Color xAxis{255, 64, 64, 255};     ///< of a drawn frame of reference
-    Color yAxis{64, 220, 64, 255};     ///< likewise
+    Color yAxis{64, 220, 64, 255};     ///< of a drawn frame of reference
     float outlineWidth = 1.25f;        ///< of shapes and segments [px]
     float fillShade = 0.5f; ///< a solid shape is filled with this share of its colour …
     float fillAlpha = 0.5f; ///< … at this opacity

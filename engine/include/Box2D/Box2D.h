@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
 /// Everything a program that simulates needs.
 
 #include <Box2D/Common/b2Draw.h>

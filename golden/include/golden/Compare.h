@@ -76,8 +76,8 @@ struct Comparison
     std::int64_t excusedAtEdges = 0;  ///< over the tolerance, but no more than their edge explains
     std::int64_t worstWindow = 0;     ///< most pixels over the tolerance in any one window
     double largestDistance = 0.0;     ///< OKLab, of the pixels that both pictures have
-    int firstX = -1;     ///< of the first pixel over the tolerance, row by row [px]; -1: none
-    int firstY = -1;     ///< likewise [px]
+    int firstX = -1; ///< column of the first pixel over the tolerance, row by row [px]; -1: none
+    int firstY = -1; ///< row of the first pixel over the tolerance [px]; -1: none
     std::string verdict; ///< one line for a person, with the limits and where they came from
     /// The expected picture faded to dark gray, pixels over the tolerance in red inside one thin
     /// white box, pixels that differ within the tolerance, or as their edge explains, in dull blue,
@@ -85,7 +85,8 @@ struct Comparison
     Frame difference;
 };
 
-/// Two pictures, the first of which was approved.
+/// Compares two pictures, the first of which was approved; never fails: other sizes are a
+/// difference.
 Comparison Compare(const Frame& expected, const Frame& actual,
                    const CompareSettings& settings = {});
 

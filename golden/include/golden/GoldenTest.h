@@ -139,29 +139,31 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 
 } // namespace boxreel::golden_test
 
-/// (frame, name [, CompareSettings])
+/// Fails the test where a frame is not what was approved: (frame, name [, CompareSettings]).
 #define EXPECT_GOLDEN(frame, ...)                                                                  \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
-/// The same, and the test ends where it fails.
+/// As EXPECT_GOLDEN, and the test ends where it fails.
 #define ASSERT_GOLDEN(frame, ...)                                                                  \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
 
-/// (world, name [, GoldenWorldLook [, CompareSettings]])
+/// Fails the test where a world is not what was approved: (world, name [, GoldenWorldLook [,
+/// CompareSettings]]).
 #define EXPECT_GOLDEN_WORLD(world, ...)                                                            \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
-/// The same, and the test ends where it fails.
+/// As EXPECT_GOLDEN_WORLD, and the test ends where it fails.
 #define ASSERT_GOLDEN_WORLD(world, ...)                                                            \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
 
-/// (path of a film, name [, ContactSheetSettings [, CompareSettings]])
+/// Fails the test where a film is not what was approved: (path of a film, name [,
+/// ContactSheetSettings [, CompareSettings]]).
 #define EXPECT_GOLDEN_FILM(film, ...)                                                              \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))
-/// The same, and the test ends where it fails.
+/// As EXPECT_GOLDEN_FILM, and the test ends where it fails.
 #define ASSERT_GOLDEN_FILM(film, ...)                                                              \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))

@@ -21,7 +21,7 @@ namespace boxreel
 struct GoldenWorldLook
 {
     int width = 480;                   ///< of the picture [px], 1 to 8192
-    int height = 270;                  ///< [px], 1 to 8192
+    int height = 270;                  ///< of the picture [px], 1 to 8192
     std::optional<Camera> camera = {}; ///< with the size of the picture; none: what can move and
                                        ///< what is near it, as it stands, fills the picture
     std::uint32_t layers = 0x3;        ///< b2Draw's bits; shapes and joints unless said

@@ -76,12 +76,13 @@ public:
     /// and every comparison NAME.verdict.json, of which `boxreel golden report` makes a page.
     ReferenceStore(std::filesystem::path references, std::filesystem::path output);
 
-    /// An Error only when a file cannot be read or written, the name is not usable, or a body that
-    /// is to be left out is not there; a difference is a verdict.
+    /// Compares the candidate with its reference, and leaves files of what differs. An Error only
+    /// when a file cannot be read or written, the name is not usable, or a body that is to be left
+    /// out is not there; a difference is a verdict.
     Result<GoldenVerdict> Verify(const GoldenCandidate& candidate,
                                  const CompareSettings& settings = {}) const;
 
-    /// The same verdict, and no file is left.
+    /// Compares as Verify does, and leaves no file.
     Result<GoldenVerdict> Judge(const GoldenCandidate& candidate,
                                 const CompareSettings& settings = {}) const;
 

@@ -19,12 +19,12 @@ namespace boxreel
 struct BodyState
 {
     int number = 0;            ///< its place in the order of creation, as `--labels` shows it
-    float x = 0;               ///< of the origin [m]
-    float y = 0;               ///< likewise [m]
-    float angle = 0;           ///< [rad]
-    float velocityX = 0;       ///< [m/s]
-    float velocityY = 0;       ///< [m/s]
-    float angularVelocity = 0; ///< [rad/s]
+    float x = 0;               ///< of the origin, to the right [m]
+    float y = 0;               ///< of the origin, upwards [m]
+    float angle = 0;           ///< anticlockwise from the x axis [rad]
+    float velocityX = 0;       ///< of the centre of mass, to the right [m/s]
+    float velocityY = 0;       ///< of the centre of mass, upwards [m/s]
+    float angularVelocity = 0; ///< anticlockwise [rad/s]
     friend bool operator==(const BodyState&, const BodyState&) = default; ///< -0 equals 0
 };
 

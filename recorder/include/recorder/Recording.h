@@ -68,17 +68,17 @@ Result<RecordingEnd> Record(const RecordingSettings& settings, Renderer& rendere
 
 /// A film of a world with a main loop of its own:
 ///
-///   auto film = boxreel::Recording::Open("film.mp4");   // …
-///   film->Add(list, camera);                            // in the loop, once a frame
-///   film->Close();                                      // after it
+///     auto film = boxreel::Recording::Open("film.mp4");   // …
+///     film->Add(list, camera);                            // in the loop, once a frame
+///     film->Close();                                      // after it
 ///
 /// What is added is drawn while the loop goes on, and encoded on another thread. Pictures that are
 /// drawn by something else go to a VideoWriter.
 class Recording
 {
 public:
-    /// Of the film's size, whatever `drawing` says. The Errors of Renderer::Create and
-    /// VideoWriter::Open.
+    /// Begins the film. It is drawn in the film's size, whatever `drawing` says. The Errors of
+    /// Renderer::Create and VideoWriter::Open.
     static Result<Recording> Open(const std::filesystem::path& path, const VideoSettings& film = {},
                                   const RendererSettings& drawing = {});
     /// The other may only be assigned to or destroyed.
@@ -87,8 +87,8 @@ public:
     Recording& operator=(Recording&&) noexcept;
     ~Recording(); ///< without Close no film is left
 
-    /// The next frame. The camera's size must be the film's. False when this or an earlier one
-    /// could not be added; Close says why.
+    /// Appends the next frame. The camera's size must be the film's. False when this or an earlier
+    /// one could not be added; Close says why.
     bool Add(const DrawList& list, const Camera& camera, const Overlay* overlay = nullptr);
 
     /// Waits for the encoder and gives the film its name. Nothing may follow. The first Error that

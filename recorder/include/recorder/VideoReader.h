@@ -19,8 +19,8 @@ namespace boxreel
 /// What a film's file says of it.
 struct VideoInfo
 {
-    int width = 0;              ///< [px]
-    int height = 0;             ///< [px]
+    int width = 0;              ///< of its pictures [px]
+    int height = 0;             ///< of its pictures [px]
     Rational framesPerSecond;   ///< of what is shown; fewer may be stored
     std::string container;      ///< libav's name, e.g. "mov,mp4,m4a,3gp,3g2,mj2"
     std::string codec;          ///< "h264", "ffv1", "vp9", "gif", …
@@ -43,7 +43,7 @@ enum class Frames
 class VideoReader
 {
 public:
-    /// An Error when the file is not there or is no film, or libav is absent.
+    /// Opens a film; an Error when the file is not there or is no film, or libav is absent.
     static Result<VideoReader> Open(const std::filesystem::path& path,
                                     Frames frames = Frames::Shown);
     /// The other may only be assigned to or destroyed.
@@ -55,7 +55,7 @@ public:
     /// What the file says.
     const VideoInfo& Info() const;
 
-    /// The next frame and, when asked, its time [s]; false after the last.
+    /// Reads the next frame and, when asked, its time [s]; false after the last.
     Result<bool> Next(Frame& frame, double* seconds = nullptr);
 
 private:

@@ -79,7 +79,7 @@ enum class Chroma
 struct VideoSettings
 {
     int width = 1280;                    ///< 1 to 8192, even where colours are halved [px]
-    int height = 720;                    ///< likewise [px]
+    int height = 720;                    ///< 1 to 8192, even where colours are halved [px]
     Rational framesPerSecond{60, 1};     ///< at most 1000
     Quality quality = Quality::Standard; ///< how much survives
     Chroma chroma = Chroma::Half;        ///< how much colour survives
@@ -136,17 +136,17 @@ public:
     /// comes after them. 0 unless `resume` was set.
     std::int64_t ResumedFrames() const;
 
-    /// Those of its settings.
+    /// What its settings name to time its stages with; null: nothing.
     StageTimes* Stages() const;
 
-    /// The frame's size must be that of the settings. Its time is its number among those appended
-    /// divided by framesPerSecond. After an Error nothing more can be appended.
+    /// Appends a frame, whose size must be that of the settings. Its time is its number among those
+    /// appended divided by framesPerSecond. After an Error nothing more can be appended.
     Result<void> Append(const Frame& frame);
 
-    /// The same, when the frame differs from the last one inside of `changed` only.
+    /// Appends a frame that differs from the last one inside of `changed` only.
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed);
 
-    /// The last frame once more.
+    /// Appends the last frame once more.
     Result<void> Repeat();
 
     /// Flushes the encoder, syncs, gives the file its name. Nothing may follow.

@@ -28,8 +28,8 @@ struct FigurePanel
 {
     DrawList list;  ///< what is drawn
     Camera camera;  ///< its width and height are the panel's [px]
-    double x = 0.0; ///< of the panel's top left corner in the figure [px]
-    double y = 0.0; ///< likewise
+    double x = 0.0; ///< from the figure's left edge to the panel's [px]
+    double y = 0.0; ///< from the figure's upper edge to the panel's [px]
     /// What bodies are called in the groups' names, by their number: "body-17-left-wheel", or
     /// "body-17" where it has none.
     std::map<std::uint32_t, std::string> bodyNames;
@@ -42,7 +42,7 @@ struct FigurePanel
 struct Figure
 {
     int width = 1280;   ///< before the scale [px]; a pixel is 1/96 inch
-    int height = 720;   ///< [px]
+    int height = 720;   ///< before the scale [px]
     double scale = 1.0; ///< how much larger all of it is: paper, lines, letters; 0.1 to 16
     Theme theme = Theme::Classic();  ///< colours and widths
     std::string title;               ///< for readers of screens and for catalogues; not drawn
@@ -58,7 +58,7 @@ Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme = Theme:
 /// in the picture, is left out, and circles that reach half a million pixels away.
 Result<std::string> ToSvg(const Figure& figure);
 
-/// The same drawing as a PDF of one page. Text can be searched and copied; the groups are sections
+/// The figure as a PDF of one page. Text can be searched and copied; the groups are sections
 /// of its structure, and named destinations. Absent when Cairo, FreeType or the font is.
 Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure);
 
@@ -77,10 +77,11 @@ struct FigureFileSettings
     bool overwrite = false; ///< false: an existing file is an error
 };
 
-/// Whole or not at all.
+/// Writes the figure as an SVG file, whole or not at all.
 Result<void> WriteSvg(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
-/// The same as PDF. An Error (Absent) without Cairo, FreeType or the font.
+/// Writes the figure as a PDF file, whole or not at all. An Error (Absent) without Cairo, FreeType
+/// or the font.
 Result<void> WritePdf(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
 

@@ -20,7 +20,8 @@ struct PixelBounds
     int y1 = 0; ///< one beyond the last row
     /// Whether it holds no pixel.
     bool IsEmpty() const { return x1 <= x0 || y1 <= y0; }
-    std::int64_t Area() const { return std::int64_t(x1 - x0) * (y1 - y0); } ///< when not empty
+    /// Number of pixels; only of one that is not empty.
+    std::int64_t Area() const { return std::int64_t(x1 - x0) * (y1 - y0); }
     /// Whether all members are equal.
     friend bool operator==(const PixelBounds&, const PixelBounds&) = default;
 };
@@ -35,8 +36,8 @@ inline PixelBounds Intersection(const PixelBounds& a, const PixelBounds& b)
 /// A picture.
 struct Frame
 {
-    int width = 0;                  ///< [px]
-    int height = 0;                 ///< [px]
+    int width = 0;                  ///< columns [px]
+    int height = 0;                 ///< rows [px]
     std::vector<std::uint8_t> rgba; ///< rows top to bottom, premultiplied, sRGB, no padding
 
     Frame() = default;

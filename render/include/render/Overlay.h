@@ -19,7 +19,7 @@ namespace boxreel
 /// A corner of a triangle.
 struct OverlayVertex
 {
-    Vec2 position; ///< [px], y down
+    Vec2 position; ///< in the picture [px], y down
     Vec2 uv;       ///< into the font texture
     Color color;   ///< not premultiplied
     /// Whether all members are equal.

@@ -25,12 +25,12 @@ struct PngSettings
 /// it.
 Result<Frame> ReadPng(const std::filesystem::path& path);
 
-/// Whole or not at all: written as NAME.part.png beside it, then renamed. RGB when the frame is
-/// opaque.
+/// Writes a PNG file, whole or not at all: as NAME.part.png beside it, then renamed. RGB when the
+/// frame is opaque. An Error when it is there, or cannot be written.
 Result<void> WritePng(const std::filesystem::path& path, const Frame& frame,
                       const PngSettings& settings = {});
 
-/// The bytes of such a file. Same frame and level, same bytes; any number of threads may encode at
+/// The bytes of a PNG file. Same frame and level, same bytes; any number of threads may encode at
 /// once.
 Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel = 3);
 

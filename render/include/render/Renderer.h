@@ -27,8 +27,8 @@ class Window;
 /// How a renderer draws.
 struct RendererSettings
 {
-    int width = 1280;                ///< 1 to 8192 [px]
-    int height = 720;                ///< 1 to 8192 [px]
+    int width = 1280;                ///< of the picture, 1 to 8192 [px]
+    int height = 720;                ///< of the picture, 1 to 8192 [px]
     Theme theme = Theme::Classic();  ///< colours and widths
     Backend backend = Backend::Auto; ///< who draws
     double scale = 1.0; ///< of all lengths in pixels: outlines, points, letters; 0.1 to 16. The
@@ -72,10 +72,10 @@ struct RenderTotals
 class Renderer
 {
 public:
-    /// An Error (Absent) that names all that was tried when no back end works; (Unusable) for a
-    /// size out of range, or a BOXREEL_BACKEND that is none.
+    /// A renderer off-screen. An Error (Absent) that names all that was tried when no back end
+    /// works; (Unusable) for a size out of range, or a BOXREEL_BACKEND that is none.
     static Result<Renderer> Create(const RendererSettings& settings);
-    /// The same in a window's GL context, whatever back end the settings name: one renderer a
+    /// A renderer in a window's GL context, whatever back end the settings name: one renderer a
     /// window at a time, which must not outlive it.
     static Result<Renderer> CreateIn(Window& window, const RendererSettings& settings);
     /// The other may only be assigned to or destroyed.
@@ -97,8 +97,8 @@ public:
     /// `frame` when needed.
     Result<void> Read(Frame& frame);
 
-    /// The same without a copy: only what has changed since the last ReadChanges is read, into a
-    /// frame of the renderer's, which stays as it is until the next ReadChanges.
+    /// Waits for the last Submit without a copy: only what has changed since the last ReadChanges
+    /// is read, into a frame of the renderer's, which stays as it is until the next ReadChanges.
     Result<const Frame*> ReadChanges();
 
     /// Where the last ReadChanges may have changed its frame; everything the first time, nothing
@@ -112,9 +112,9 @@ public:
     /// Shows the picture of the last Submit in its window, and waits for the display.
     Result<void> Show();
 
-    /// Of the last frame.
+    /// What drawing the last frame took.
     const RenderStatistics& Statistics() const;
-    /// Of all frames so far.
+    /// What drawing took, of all frames so far.
     const RenderTotals& Totals() const;
 
     /// Which library drew it, e.g. "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 Mesa 22.3.6".

@@ -41,9 +41,9 @@ struct WindowEvent
     int button = 0;            ///< 0 left, 1 right, 2 middle
     Vec2 point{0.0f, 0.0f};    ///< where the mouse is, at every event [px], y down
     float wheel = 0.0f;        ///< notches, up and away is above zero
-    bool shift = false;        ///< at keys and buttons, likewise the other two
-    bool control = false;      ///< likewise
-    bool alt = false;          ///< likewise
+    bool shift = false;        ///< whether Shift is down, at keys and buttons
+    bool control = false;      ///< whether Control is down, at keys and buttons
+    bool alt = false;          ///< whether Alt is down, at keys and buttons
 };
 
 /// A window with a GL context.
@@ -64,7 +64,7 @@ public:
     std::vector<WindowEvent> Poll(double seconds = 0.0);
 
     int Width() const;    ///< of its picture [px]; 0 while it is minimised
-    int Height() const;   ///< [px]
+    int Height() const;   ///< of its picture [px]
     double Scale() const; ///< of letters and lines, 1 on an ordinary display
     /// What stands above the window, UTF-8.
     void SetTitle(const std::string& title);

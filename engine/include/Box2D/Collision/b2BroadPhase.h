@@ -5,6 +5,9 @@
 #include <Box2D/Collision/b2DynamicTree.h>
 #include <Box2D/Common/Array.h>
 
+/// @file
+/// Which proxies may touch.
+
 /// A pair of proxies, the smaller number first.
 struct b2Pair
 {

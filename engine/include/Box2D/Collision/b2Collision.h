@@ -5,6 +5,7 @@
 
 #include <climits>
 
+/// @file
 /// Contact manifolds, ray casts, axis-aligned boxes and overlap: what two shapes can be asked.
 /// The contact solver and programs that collide shapes without a world call these. No memory is
 /// allocated and no shape is changed here.
@@ -14,6 +15,7 @@ class b2CircleShape;
 class b2EdgeShape;
 class b2PolygonShape;
 
+/// No feature of a shape.
 inline constexpr uint8 b2_nullFeature = UCHAR_MAX;
 
 /// Which features of two shapes make a contact point. It stays the same while the same features
@@ -83,6 +85,7 @@ struct b2WorldManifold
     float32 separations[b2_maxManifoldPoints] = {0.0f, 0.0f}; ///< negative is overlap [m]
 };
 
+/// What became of a contact point from one step to the next.
 enum b2PointState
 {
     b2_nullState,    ///< there is no such point
@@ -109,7 +112,7 @@ struct b2RayCastInput
 {
     b2Vec2 p1;                  ///< where the ray starts [m]
     b2Vec2 p2;                  ///< where it ends at a fraction of 1 [m]
-    float32 maxFraction = 1.0f; ///< >= 0
+    float32 maxFraction = 1.0f; ///< how far it goes, in ways from p1 to p2; >= 0
 };
 
 /// The ray hits at p1 + fraction * (p2 - p1).
@@ -129,8 +132,9 @@ struct b2AABB
                lowerBound.IsValid() && upperBound.IsValid();
     }
 
-    constexpr b2Vec2 GetCenter() const { return 0.5f * (lowerBound + upperBound); } ///< [m]
-    /// Half the widths.
+    /// The middle [m].
+    constexpr b2Vec2 GetCenter() const { return 0.5f * (lowerBound + upperBound); }
+    /// Half the width and half the height [m].
     constexpr b2Vec2 GetExtents() const { return 0.5f * (upperBound - lowerBound); }
     /// The length of its outline [m].
     constexpr float32 GetPerimeter() const
@@ -161,16 +165,21 @@ struct b2AABB
     b2Vec2 upperBound; ///< the upper right corner
 };
 
-/// Manifolds, one for each pair of kinds that can collide. The impulses are left at zero.
+/// Where two shapes touch, one function for each pair of kinds that can; no points: they do not.
+/// Impulses are left at zero.
 void b2CollideCircles(b2Manifold* manifold, const b2CircleShape* circleA, const b2Transform& xfA,
                       const b2CircleShape* circleB, const b2Transform& xfB);
+/// As b2CollideCircles; the normal points from the polygon to the circle.
 void b2CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape* polygonA,
                                const b2Transform& xfA, const b2CircleShape* circleB,
                                const b2Transform& xfB);
+/// As b2CollideCircles, with up to two points.
 void b2CollidePolygons(b2Manifold* manifold, const b2PolygonShape* polygonA, const b2Transform& xfA,
                        const b2PolygonShape* polygonB, const b2Transform& xfB);
+/// As b2CollideCircles; knows the edge's ghost vertices.
 void b2CollideEdgeAndCircle(b2Manifold* manifold, const b2EdgeShape* edgeA, const b2Transform& xfA,
                             const b2CircleShape* circleB, const b2Transform& xfB);
+/// As b2CollideCircles, with up to two points; knows the edge's ghost vertices.
 void b2CollideEdgeAndPolygon(b2Manifold* manifold, const b2EdgeShape* edgeA, const b2Transform& xfA,
                              const b2PolygonShape* polygonB, const b2Transform& xfB);
 

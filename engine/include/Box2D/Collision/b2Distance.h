@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// How far two convex shapes are apart, by GJK.
+
 class b2Shape;
 
 /// A convex shape, or one edge of a chain, as the vertices and radius that GJK needs. The shape

@@ -5,6 +5,10 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2GrowableStack.h>
 
+/// @file
+/// The tree of boxes that finds what overlaps and what a ray meets.
+
+/// No proxy of a tree.
 inline constexpr int32 b2_nullNode = -1;
 
 namespace box2d

@@ -4,6 +4,9 @@
 #include <Box2D/Collision/b2Distance.h>
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// When two moving shapes first touch.
+
 /// Two shapes and how they move.
 struct b2TOIInput
 {

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <vector>
 
+/// @file
 /// The engine's growing arrays: std::vector over b2Alloc, so that a program that replaces the
 /// allocator sees all of the engine's memory. Engine code only; a program may use what it likes.
 namespace box2d
 {
-inline constexpr int32 kCacheLine = 64; ///< [bytes]
+inline constexpr int32 kCacheLine = 64; ///< size of what a processor reads at once [bytes]
 
 /// b2Alloc aligns no further than malloc: these two do to a cache line. What b2Alloc returned is
 /// kept in front of the memory.

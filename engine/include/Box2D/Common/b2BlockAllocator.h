@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+/// @file
+/// Memory for small objects.
+
 inline constexpr int32 b2_chunkSize = 16 * 1024; ///< what is asked of b2Alloc at a time [bytes]
 inline constexpr int32 b2_maxBlockSize = 640; ///< larger blocks come straight from b2Alloc [bytes]
 inline constexpr int32 b2_blockSizes = 14;    ///< how many sizes of block there are

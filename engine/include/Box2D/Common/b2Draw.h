@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// What a world draws itself through.
+
 /// The colour of a debug-drawing call. Channels run from 0 to 1.
 struct b2Color
 {

@@ -6,6 +6,9 @@
 #include <cstring>
 #include <type_traits>
 
+/// @file
+/// A stack for walks over trees.
+
 /// A stack of plain values that starts inside the object and moves to the heap only when it
 /// outgrows N of them. Tree walks use it so that they need not recurse or allocate.
 template <typename T, int32 N>

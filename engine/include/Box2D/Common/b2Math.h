@@ -3,6 +3,7 @@
 
 #include <Box2D/Common/b2Scalar.h>
 
+/// @file
 /// Vectors, matrices, rotations, transforms and sweeps in two dimensions. Small value types, all
 /// inline. Functions of single numbers are in b2Scalar.h.
 
@@ -86,53 +87,64 @@ struct b2Vec3
     float32 z = 0.0f; ///< third component
 };
 
+/// The origin.
 inline constexpr b2Vec2 b2Vec2_zero{};
 
+/// By components.
 constexpr b2Vec2 operator+(const b2Vec2& a, const b2Vec2& b)
 {
     return {a.x + b.x, a.y + b.y};
 }
 
+/// By components.
 constexpr b2Vec2 operator-(const b2Vec2& a, const b2Vec2& b)
 {
     return {a.x - b.x, a.y - b.y};
 }
 
+/// Each component times s.
 constexpr b2Vec2 operator*(float32 s, const b2Vec2& a)
 {
     return {s * a.x, s * a.y};
 }
 
+/// Whether both components are.
 constexpr bool operator==(const b2Vec2& a, const b2Vec2& b)
 {
     return a.x == b.x && a.y == b.y;
 }
 
+/// Whether one component differs, or is NaN.
 constexpr bool operator!=(const b2Vec2& a, const b2Vec2& b)
 {
     return !(a == b);
 }
 
+/// By components.
 constexpr b2Vec3 operator+(const b2Vec3& a, const b2Vec3& b)
 {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
+/// By components.
 constexpr b2Vec3 operator-(const b2Vec3& a, const b2Vec3& b)
 {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+/// Each component times s.
 constexpr b2Vec3 operator*(float32 s, const b2Vec3& a)
 {
     return {s * a.x, s * a.y, s * a.z};
 }
 
+/// Their lengths' product times the cosine of the angle between them.
 constexpr float32 b2Dot(const b2Vec2& a, const b2Vec2& b)
 {
     return a.x * b.x + a.y * b.y;
 }
 
+/// Their lengths' product times the cosine of the angle between them.
 constexpr float32 b2Dot(const b2Vec3& a, const b2Vec3& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -156,16 +168,19 @@ constexpr b2Vec2 b2Cross(float32 s, const b2Vec2& a)
     return {-s * a.y, s * a.x};
 }
 
+/// At right angles to both, by the right hand.
 constexpr b2Vec3 b2Cross(const b2Vec3& a, const b2Vec3& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Between two points [m].
 inline float32 b2Distance(const b2Vec2& a, const b2Vec2& b)
 {
     return (a - b).Length();
 }
 
+/// Between two points, squared [m^2]: no root is taken.
 constexpr float32 b2DistanceSquared(const b2Vec2& a, const b2Vec2& b)
 {
     return (a - b).LengthSquared();
@@ -260,6 +275,7 @@ struct b2Rot
     float32 c = 1.0f; ///< cosine of the angle
 };
 
+/// A v.
 constexpr b2Vec2 b2Mul(const b2Mat22& A, const b2Vec2& v)
 {
     return {A.ex.x * v.x + A.ey.x * v.y, A.ex.y * v.x + A.ey.y * v.y};
@@ -271,11 +287,13 @@ constexpr b2Vec2 b2MulT(const b2Mat22& A, const b2Vec2& v)
     return {b2Dot(v, A.ex), b2Dot(v, A.ey)};
 }
 
+/// By entries.
 constexpr b2Mat22 operator+(const b2Mat22& A, const b2Mat22& B)
 {
     return {A.ex + B.ex, A.ey + B.ey};
 }
 
+/// A B: B is applied first.
 constexpr b2Mat22 b2Mul(const b2Mat22& A, const b2Mat22& B)
 {
     return {b2Mul(A, B.ex), b2Mul(A, B.ey)};
@@ -287,6 +305,7 @@ constexpr b2Mat22 b2MulT(const b2Mat22& A, const b2Mat22& B)
     return {b2MulT(A, B.ex), b2MulT(A, B.ey)};
 }
 
+/// A v.
 constexpr b2Vec3 b2Mul(const b2Mat33& A, const b2Vec3& v)
 {
     return v.x * A.ex + v.y * A.ey + v.z * A.ez;
@@ -316,6 +335,7 @@ constexpr b2Rot b2MulT(const b2Rot& q, const b2Rot& r)
     return qr;
 }
 
+/// The vector turned.
 constexpr b2Vec2 b2Mul(const b2Rot& q, const b2Vec2& v)
 {
     return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
@@ -373,26 +393,31 @@ constexpr b2Transform b2MulT(const b2Transform& A, const b2Transform& B)
     return {b2MulT(A, B.p), b2MulT(A.q, B.q)};
 }
 
+/// Of each component.
 inline b2Vec2 b2Abs(const b2Vec2& a)
 {
     return {b2Abs(a.x), b2Abs(a.y)};
 }
 
+/// Of each entry.
 inline b2Mat22 b2Abs(const b2Mat22& A)
 {
     return {b2Abs(A.ex), b2Abs(A.ey)};
 }
 
+/// By components.
 constexpr b2Vec2 b2Min(const b2Vec2& a, const b2Vec2& b)
 {
     return {b2Min(a.x, b.x), b2Min(a.y, b.y)};
 }
 
+/// By components.
 constexpr b2Vec2 b2Max(const b2Vec2& a, const b2Vec2& b)
 {
     return {b2Max(a.x, b.x), b2Max(a.y, b.y)};
 }
 
+/// By components.
 constexpr b2Vec2 b2Clamp(const b2Vec2& a, const b2Vec2& low, const b2Vec2& high)
 {
     return b2Max(low, b2Min(a, high));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+/// @file
 /// Functions of single numbers, for b2Math.h and everything above it. Only IEEE basic operations
 /// and square roots are used, with sine, cosine and arc tangent of our own, so every compiler and
 /// C library gives the same bits.
@@ -28,6 +29,7 @@ inline bool b2IsValid(float32 x)
     return std::isfinite(x);
 }
 
+/// The square root, rounded correctly; NaN below 0.
 inline float32 b2Sqrt(float32 x)
 {
     return std::sqrt(x);
@@ -39,11 +41,13 @@ inline float32 b2InvSqrt(float32 x)
     return 1.0f / std::sqrt(x);
 }
 
+/// The angle of the vector (x, y) [rad], from -pi to pi.
 inline float32 b2Atan2(float32 y, float32 x)
 {
     return static_cast<float32>(box2d::Atan2(y, x));
 }
 
+/// Without its sign.
 template <typename T>
 constexpr T b2Abs(T a)
 {
@@ -56,24 +60,28 @@ inline float32 b2Abs(float32 a)
     return std::fabs(a);
 }
 
+/// The smaller one; b when one is NaN.
 template <typename T>
 constexpr T b2Min(T a, T b)
 {
     return a < b ? a : b;
 }
 
+/// The larger one; b when one is NaN.
 template <typename T>
 constexpr T b2Max(T a, T b)
 {
     return a > b ? a : b;
 }
 
+/// What is nearest to a from low to high.
 template <typename T>
 constexpr T b2Clamp(T a, T low, T high)
 {
     return b2Max(low, b2Min(a, high));
 }
 
+/// Each gets the value of the other.
 template <typename T>
 constexpr void b2Swap(T& a, T& b)
 {
@@ -82,6 +90,7 @@ constexpr void b2Swap(T& a, T& b)
     b = c;
 }
 
+/// Whether x is 1, 2, 4, ...; 0 is none.
 constexpr bool b2IsPowerOfTwo(uint32 x)
 {
     return x != 0 && (x & (x - 1)) == 0;

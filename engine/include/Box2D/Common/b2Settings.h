@@ -5,21 +5,33 @@
 #include <cstddef>
 #include <cstdint>
 
+/// @file
 /// Types, tolerances, memory, logging and assertions: what every other file of the engine starts
 /// from. Lengths are metres, masses kilograms, times seconds, angles radians. Nothing here is
 /// changed by the engine at run time; the hooks at the end are the program's to set.
 
+/// 8 bits, with a sign.
 typedef std::int8_t int8;
+/// 16 bits, with a sign.
 typedef std::int16_t int16;
+/// 32 bits, with a sign.
 typedef std::int32_t int32;
+/// 8 bits, 0 or more.
 typedef std::uint8_t uint8;
+/// 16 bits, 0 or more.
 typedef std::uint16_t uint16;
+/// 32 bits, 0 or more.
 typedef std::uint32_t uint32;
+/// The engine's numbers: 32 bits of IEEE 754.
 typedef float float32;
+/// 64 bits of IEEE 754, where 32 are too few.
 typedef double float64;
 
+/// Half of a turn [rad].
 inline constexpr float32 b2_pi = 3.14159265359f;
+/// From 1 to the next number above it.
 inline constexpr float32 b2_epsilon = FLT_EPSILON;
+/// The largest finite number.
 inline constexpr float32 b2_maxFloat = FLT_MAX;
 
 // ---- Collision
@@ -67,10 +79,12 @@ inline constexpr float32 b2_maxAngularCorrection = 8.0f / 180.0f * b2_pi;
 
 /// The furthest a body may move in one step [m]. At 60 Hz: 120 m/s.
 inline constexpr float32 b2_maxTranslation = 2.0f;
+/// Its square [m^2]: what compares needs no root.
 inline constexpr float32 b2_maxTranslationSquared = b2_maxTranslation * b2_maxTranslation;
 
 /// The furthest a body may turn in one step [rad].
 inline constexpr float32 b2_maxRotation = 0.5f * b2_pi;
+/// Its square [rad^2].
 inline constexpr float32 b2_maxRotationSquared = b2_maxRotation * b2_maxRotation;
 
 /// How much of an overlap one position iteration removes. 1 would be all of it, but overshoots.
@@ -80,8 +94,9 @@ inline constexpr float32 b2_toiBaugarte = 0.75f; ///< the same for time-of-impac
 /// How long a body must be still before it sleeps [s].
 inline constexpr float32 b2_timeToSleep = 0.5f;
 
-/// What still means [m/s] and [rad/s].
+/// What still means for the velocity [m/s].
 inline constexpr float32 b2_linearSleepTolerance = 0.01f;
+/// What still means for the rotation [rad/s].
 inline constexpr float32 b2_angularSleepTolerance = 2.0f / 180.0f * b2_pi;
 
 // ---- Memory
@@ -89,9 +104,12 @@ inline constexpr float32 b2_angularSleepTolerance = 2.0f / 180.0f * b2_pi;
 /// Where every large block of the engine comes from and goes back to. Never returns null: running
 /// out of memory ends the program with a sentence.
 void* b2Alloc(int32 size);
+/// Gives back what b2Alloc returned; null is nothing to give back.
 void b2Free(void* memory);
 
+/// Returns memory for so many bytes, aligned as malloc does, or null.
 typedef void* (*b2AllocFunction)(std::size_t size);
+/// Takes back what the function beside it returned.
 typedef void (*b2FreeFunction)(void* memory);
 
 /// Puts the program's memory system behind b2Alloc and b2Free; nulls bring malloc and free back.
@@ -106,6 +124,7 @@ __attribute__((format(printf, 1, 2)))
 /// Writes formatted text, to standard output unless a sink is set. Only Dump functions use it.
 void b2Log(const char* format, ...);
 
+/// Takes a piece of text, which is gone after the call.
 typedef void (*b2LogFunction)(const char* text);
 
 /// Sends what b2Log writes to the program; null brings standard output back.
@@ -121,6 +140,7 @@ struct b2Version
     int32 revision; ///< repairs
 };
 
+/// The manual's: 2.3.0.
 inline constexpr b2Version b2_version = {2, 3, 0};
 
 // ---- Assertions
@@ -165,7 +185,9 @@ inline bool Misuse([[maybe_unused]] const char* sentence, [[maybe_unused]] const
 
 /// For what a caller can get wrong: true when the condition holds; otherwise says the sentence and
 /// aborts with asserts on, or is false with asserts off, so that
+///
 ///     if (!B2_REQUIRE(count >= 3, "A polygon needs at least 3 points.")) return;
+///
 /// both explains the mistake and survives it.
 #define B2_REQUIRE(condition, sentence) ((condition) || box2d::Misuse(sentence, __FILE__, __LINE__))
 

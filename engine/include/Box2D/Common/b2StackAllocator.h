@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+/// @file
+/// Memory for the length of a step.
+
 inline constexpr int32 b2_stackSize = 100 * 1024; ///< what needs no heap [bytes]
 inline constexpr int32 b2_maxStackEntries = 32;   ///< how many blocks may be out at once
 

@@ -5,6 +5,9 @@
 
 #include <chrono>
 
+/// @file
+/// A stopwatch.
+
 /// A stopwatch for profiles. Starts when it is made. Never used for anything that decides a result.
 class b2Timer
 {

@@ -5,6 +5,9 @@
 #include <Box2D/Common/b2Math.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
+/// @file
+/// Bodies, and what they are made from.
+
 class b2Contact;
 class b2Fixture;
 class b2Joint;
@@ -19,6 +22,7 @@ BodyData& Data(b2Body& body);
 const BodyData& Data(const b2Body& body);
 } // namespace box2d
 
+/// What moves a body.
 enum b2BodyType
 {
     b2_staticBody = 0, ///< zero mass and velocity, moved by hand only
@@ -31,18 +35,20 @@ struct b2BodyDef
 {
     b2BodyType type = b2_staticBody;            ///< what moves it
     b2Vec2 position = b2Vec2(0.0f, 0.0f);       ///< of the body's origin [m]
-    float32 angle = 0.0f;                       ///< [rad]
+    float32 angle = 0.0f;                       ///< anticlockwise from the x axis [rad]
     b2Vec2 linearVelocity = b2Vec2(0.0f, 0.0f); ///< of the body's origin [m/s]
-    float32 angularVelocity = 0.0f;             ///< [rad/s]
-    float32 linearDamping = 0.0f;               ///< [1/s], >= 0; infinity: no motion
-    float32 angularDamping = 0.0f;              ///< [1/s], >= 0; infinity: no motion
-    bool allowSleep = true;                     ///< whether it may fall asleep
-    bool awake = true;                          ///< whether it starts awake
-    bool fixedRotation = false;                 ///< whether it never turns
-    bool bullet = false;                        ///< continuous collision against moving bodies too
-    bool active = true;                         ///< whether it takes part in collision and dynamics
-    void* userData = nullptr;                   ///< anything of the program's
-    float32 gravityScale = 1.0f;                ///< times the world's gravity; 0: none
+    float32 angularVelocity = 0.0f;             ///< anticlockwise [rad/s]
+    /// Rate at which the velocity decays [1/s], >= 0; infinity: no motion.
+    float32 linearDamping = 0.0f;
+    /// Rate at which the rotation decays [1/s], >= 0; infinity: no motion.
+    float32 angularDamping = 0.0f;
+    bool allowSleep = true;      ///< whether it may fall asleep
+    bool awake = true;           ///< whether it starts awake
+    bool fixedRotation = false;  ///< whether it never turns
+    bool bullet = false;         ///< continuous collision against moving bodies too
+    bool active = true;          ///< whether it takes part in collision and dynamics
+    void* userData = nullptr;    ///< anything of the program's
+    float32 gravityScale = 1.0f; ///< times the world's gravity; 0: none
 };
 
 /// A rigid body. Created by b2World::CreateBody, destroyed by b2World::DestroyBody.
@@ -63,30 +69,34 @@ public:
     /// From the body's frame to the world.
     const b2Transform& GetTransform() const { return m_data.transform; }
     const b2Vec2& GetPosition() const { return m_data.transform.p; } ///< of the origin [m]
-    /// Not normalised: grows with every turn.
+    /// From the x axis, anticlockwise [rad]; not normalised: grows with every turn.
     float32 GetAngle() const { return float32(m_data.pose.angle); }
-    void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); } ///< [rad]
-    const b2Vec2& GetWorldCenter() const { return m_data.worldCenter; }  ///< the centre of mass [m]
-    const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; } ///< the same [m]
+    /// Turns it about its origin [rad].
+    void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); }
+    const b2Vec2& GetWorldCenter() const { return m_data.worldCenter; } ///< the centre of mass [m]
+    /// As GetWorldCenter [m].
+    const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; }
     /// Of mass, in its frame [m].
     const b2Vec2& GetLocalCenter() const { return m_data.localCenter; }
 
-    /// Of the centre of mass.
+    /// Of the centre of mass [m/s].
     void SetLinearVelocity(const b2Vec2& v);
-    const b2Vec2& GetLinearVelocity() const { return m_data.linearVelocity; } ///< [m/s]
-    void SetAngularVelocity(float32 omega);                                   ///< [rad/s]
-    float32 GetAngularVelocity() const { return m_data.angularVelocity; }     ///< [rad/s]
+    /// Of the centre of mass [m/s].
+    const b2Vec2& GetLinearVelocity() const { return m_data.linearVelocity; }
+    void SetAngularVelocity(float32 omega); ///< anticlockwise; wakes the body unless 0 [rad/s]
+    float32 GetAngularVelocity() const { return m_data.angularVelocity; } ///< anticlockwise [rad/s]
 
     /// At a world point [N]; off the centre of mass it turns the body. `wake` false leaves a
     /// sleeping body alone.
     void ApplyForce(const b2Vec2& force, const b2Vec2& point, bool wake = true);
     void ApplyForceToCenter(const b2Vec2& force, bool wake = true); ///< to the centre of mass [N]
-    void ApplyTorque(float32 torque, bool wake = true);             ///< [N m]
-    void ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point,
-                            bool wake = true);                   ///< [N s]
-    void ApplyAngularImpulse(float32 impulse, bool wake = true); ///< [N m s]
+    void ApplyTorque(float32 torque, bool wake = true); ///< for the next step, anticlockwise [N m]
+    /// At a world point [N s]: changes the velocity at once, and off the centre the rotation too.
+    void ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point, bool wake = true);
+    /// Changes the rotation at once [N m s].
+    void ApplyAngularImpulse(float32 impulse, bool wake = true);
 
-    float32 GetMass() const { return m_data.mass; } ///< [kg]
+    float32 GetMass() const { return m_data.mass; } ///< 0: static or kinematic [kg]
     /// About the body's origin [kg m^2].
     float32 GetInertia() const;
     /// Mass, centre of mass and moment of inertia about the origin.
@@ -121,10 +131,13 @@ public:
     /// Of a point of the body [m/s].
     b2Vec2 GetLinearVelocityFromLocalPoint(const b2Vec2& localPoint) const;
 
-    float32 GetLinearDamping() const { return m_data.linearDamping; } ///< [1/s]
-    void SetLinearDamping(float32 damping); ///< [1/s], >= 0; infinity stops it
-    float32 GetAngularDamping() const { return m_data.angularDamping; } ///< [1/s]
-    void SetAngularDamping(float32 damping);                            ///< [1/s], >= 0
+    /// Rate at which the velocity decays [1/s].
+    float32 GetLinearDamping() const { return m_data.linearDamping; }
+    /// Rate at which the velocity decays [1/s], >= 0; infinity stops it.
+    void SetLinearDamping(float32 damping);
+    /// Rate at which the rotation decays [1/s].
+    float32 GetAngularDamping() const { return m_data.angularDamping; }
+    void SetAngularDamping(float32 damping); ///< rate at which the rotation decays [1/s], >= 0
     /// Times the world's gravity; 0: none.
     float32 GetGravityScale() const { return m_data.gravityScale; }
     void SetGravityScale(float32 scale); ///< times the world's gravity
@@ -135,7 +148,7 @@ public:
     b2BodyType GetType() const { return static_cast<b2BodyType>(m_data.mobility); }
     void SetBullet(bool flag); ///< continuous collision against moving bodies too
     bool IsBullet() const { return (m_data.flags & box2d::kBodyBullet) != 0; } ///< see SetBullet
-    void SetSleepingAllowed(bool flag);                                        ///< false wakes it
+    void SetSleepingAllowed(bool flag); ///< whether it may sleep; false wakes it
     /// Whether it may fall asleep.
     bool IsSleepingAllowed() const { return (m_data.flags & box2d::kBodyAutoSleep) != 0; }
     /// Waking wakes everything the body touches or is joined to.

@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+/// @file
+/// What a world says of its contacts.
+
 class b2Contact;
 class b2ContactFilter;
 class b2ContactListener;

@@ -4,6 +4,9 @@
 #include <Box2D/Collision/Shapes/b2Shape.h>
 #include <Box2D/Collision/b2Collision.h>
 
+/// @file
+/// Fixtures, and what they are made from.
+
 class b2Body;
 class b2Fixture;
 
@@ -27,7 +30,7 @@ struct b2FixtureDef
     void* userData = nullptr;       ///< anything of the program's
     float32 friction = 0.2f;        ///< usually 0 to 1
     float32 restitution = 0.0f;     ///< usually 0 to 1
-    float32 density = 0.0f;         ///< [kg/m^2], >= 0
+    float32 density = 0.0f;         ///< mass of a unit of area [kg/m^2], >= 0
     bool isSensor = false;          ///< notices contacts without responding
     b2Filter filter;                ///< what it collides with
 };
@@ -78,7 +81,7 @@ public:
 
     /// Does not change the body's mass: call b2Body::ResetMassData.
     void SetDensity(float32 density);
-    float32 GetDensity() const { return m_density; }   ///< [kg/m^2]
+    float32 GetDensity() const { return m_density; }   ///< mass of a unit of area [kg/m^2]
     float32 GetFriction() const { return m_friction; } ///< usually 0 to 1
     /// Existing contacts keep theirs.
     void SetFriction(float32 friction);

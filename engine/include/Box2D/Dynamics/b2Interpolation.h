@@ -8,17 +8,18 @@
 
 class b2World;
 
+/// @file
 /// A world between two steps, for pictures of moments that no step ends at: the remedy for films
-/// and screens whose rate is no divisor of the simulation's (G. Fiedler, "Fix Your Timestep!",
+/// and screens whose rate is no divisor of the simulation's (Glenn Fiedler, "Fix Your Timestep!",
 /// 2004). Additions to the manual's interface.
 ///
-///   b2PoseRecord before;
-///   before.Save(world);
-///   world.Step(…);
-///   {
-///       const b2PosesBetween between(world, before, 0.25);
-///       world.DrawDebugData(); // a quarter of the step's way
-///   }
+///     b2PoseRecord before;
+///     before.Save(world);
+///     world.Step(…);
+///     {
+///         const b2PosesBetween between(world, before, 0.25);
+///         world.DrawDebugData(); // a quarter of the step's way
+///     }
 
 /// Where the bodies of a world were: those that can move, static ones are left out.
 class b2PoseRecord

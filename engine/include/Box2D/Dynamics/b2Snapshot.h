@@ -9,6 +9,7 @@
 
 class b2World;
 
+/// @file
 /// A world as bytes: all that it holds and all that one step leaves to the next, so that a world
 /// restored from them goes on as the saved one does, to the last bit and with the same events in
 /// the same order, with any number of threads. The bytes are the same on every machine, last as

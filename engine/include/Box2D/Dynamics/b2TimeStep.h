@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+/// @file
+/// Shares of a step, and where its time went.
+
 /// What each small step gets of a count of iterations that b2World::Step is given for the whole
 /// step, `subSteps` being what b2World::SetSubStepCount was told: an equal share, at least one. A
 /// single step gets what it is given.

@@ -8,6 +8,9 @@
 
 #include <memory>
 
+/// @file
+/// The world.
+
 struct b2AABB;
 struct b2BodyDef;
 struct b2JointDef;
@@ -33,44 +36,50 @@ public:
     b2World(const b2World&) = delete;
     b2World& operator=(const b2World&) = delete;
 
-    /// Each listener must outlive the world or be replaced by nullptr.
+    /// Whom the world tells of what vanishes with a body; nullptr: nobody. Each listener must
+    /// outlive the world or be replaced by nullptr.
     void SetDestructionListener(b2DestructionListener* listener);
-    /// The same.
+    /// As SetDestructionListener.
     void SetListener(b2DestructionListener* listener) { SetDestructionListener(listener); }
-    void SetContactFilter(b2ContactFilter* filter);       ///< nullptr: the default
-    void SetContactListener(b2ContactListener* listener); ///< nullptr: none
-    void SetDebugDraw(b2Draw* debugDraw);                 ///< nullptr: none
+    /// Who decides which fixtures collide; nullptr: what b2ContactFilter itself does.
+    void SetContactFilter(b2ContactFilter* filter);
+    /// Whom the world tells of contacts; nullptr: nobody.
+    void SetContactListener(b2ContactListener* listener);
+    /// What DrawDebugData draws with; nullptr: nothing.
+    void SetDebugDraw(b2Draw* debugDraw);
 
-    /// nullptr while the world is locked. The definition is copied.
+    /// A body of the world's, from a definition, which is copied; nullptr while the world is
+    /// locked.
     b2Body* CreateBody(const b2BodyDef* def);
-    /// With its fixtures, joints and contacts.
+    /// Takes it away with its fixtures, joints and contacts. Not while the world is locked.
     void DestroyBody(b2Body* body);
-    /// nullptr while the world is locked. The definition is copied.
+    /// A joint between two bodies of the world's, from a definition, which is copied; nullptr while
+    /// the world is locked.
     b2Joint* CreateJoint(const b2JointDef* def);
-    /// Not while the world is locked.
+    /// Takes it away; its bodies wake. Not while the world is locked.
     void DestroyJoint(b2Joint* joint);
 
     /// Moves time on. `timeStep` in seconds, should not vary; 8 and 3 are good iteration counts.
     void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);
-    /// Only needed when automatic clearing is off.
+    /// Forgets all forces and torques; only needed when automatic clearing is off.
     void ClearForces();
     /// Calls the registered b2Draw for what its flags ask for.
     void DrawDebugData();
 
     /// Every fixture whose broad-phase box overlaps `aabb`, in no particular order.
     void QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const;
-    /// The same.
+    /// As QueryAABB.
     void Query(b2QueryCallback* callback, const b2AABB& aabb) const { QueryAABB(callback, aabb); }
     /// Every fixture that the ray from point1 to point2 [m] meets, in no particular order.
     void RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b2Vec2& point2) const;
 
-    /// Newest first.
+    /// The newest body, from which b2Body::GetNext leads to all others; nullptr: there is none.
     b2Body* GetBodyList();
-    const b2Body* GetBodyList() const;       ///< newest first
-    b2Joint* GetJointList();                 ///< newest first
-    const b2Joint* GetJointList() const;     ///< newest first
-    b2Contact* GetContactList();             ///< newest first
-    const b2Contact* GetContactList() const; ///< newest first
+    const b2Body* GetBodyList() const;   ///< the newest body, to be read
+    b2Joint* GetJointList();             ///< the newest joint, and b2Joint::GetNext leads on
+    const b2Joint* GetJointList() const; ///< the newest joint, to be read
+    b2Contact* GetContactList();         ///< the newest contact, and b2Contact::GetNext leads on
+    const b2Contact* GetContactList() const; ///< the newest contact, to be read
     /// The active kinematic and dynamic bodies that do not sleep, GetAwakeBodyCount() of them, in
     /// no particular order: what can move, without a look at what rests. Valid until the world is
     /// changed or stepped. An addition to the manual's interface.
@@ -80,7 +89,7 @@ public:
     /// the manual's interface.
     int32 GetInactiveBodyCount() const;
 
-    void SetAllowSleeping(bool flag); ///< false wakes all
+    void SetAllowSleeping(bool flag); ///< whether bodies may fall asleep; false wakes all
     bool GetAllowSleeping() const;    ///< whether bodies may fall asleep
     /// Whether impulses of the last step are where the next begins.
     void SetWarmStarting(bool flag);
@@ -90,7 +99,7 @@ public:
     bool GetContinuousPhysics() const; ///< whether fast bodies are stopped at what they would pass
     /// One time of impact a step, for watching them.
     void SetSubStepping(bool flag);
-    bool GetSubStepping() const; ///< see SetSubStepping
+    bool GetSubStepping() const; ///< whether a step ends at its first time of impact
 
     /// How many small steps a step takes, 1 to 64, and 1 unless said: the scheme of the manual.
     /// With more, contacts are found once a step, and the bodies then move in small steps of a
@@ -107,16 +116,16 @@ public:
     void SetThreadCount(int32 count);
     int32 GetThreadCount() const; ///< 1 to 64
 
-    int32 GetProxyCount() const;    ///< of the broad phase
-    int32 GetBodyCount() const;     ///< of all bodies
-    int32 GetJointCount() const;    ///< of all joints
-    int32 GetContactCount() const;  ///< of all contacts, touching or not
+    int32 GetProxyCount() const;    ///< how many boxes the broad phase has
+    int32 GetBodyCount() const;     ///< how many bodies there are
+    int32 GetJointCount() const;    ///< how many joints there are
+    int32 GetContactCount() const;  ///< how many contacts there are, touching or not
     int32 GetTreeHeight() const;    ///< of the broad phase's largest tree
     int32 GetTreeBalance() const;   ///< as b2DynamicTree::GetMaxBalance
     float32 GetTreeQuality() const; ///< as b2DynamicTree::GetAreaRatio
 
-    void SetGravity(const b2Vec2& gravity); ///< [m/s^2]
-    b2Vec2 GetGravity() const;              ///< [m/s^2]
+    void SetGravity(const b2Vec2& gravity); ///< acceleration of all dynamic bodies [m/s^2]
+    b2Vec2 GetGravity() const;              ///< acceleration of all dynamic bodies [m/s^2]
     /// True while a callback may run, in a step or a query: nothing may be created or destroyed
     /// then.
     bool IsLocked() const;

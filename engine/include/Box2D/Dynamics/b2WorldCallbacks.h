@@ -3,6 +3,7 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+/// @file
 /// The interfaces through which a world speaks to the program. Every function has an empty body or
 /// a sensible default unless it is the point of the interface.
 

@@ -4,6 +4,9 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// A rope without bodies.
+
 class b2Draw;
 
 /// A rope by itself: a chain of points for ornaments, much cheaper than bodies and joints. It
@@ -13,7 +16,7 @@ struct b2RopeDef
     const b2Vec2* vertices = nullptr;    ///< the points at rest, in order [m]
     int32 count = 0;                     ///< at least 3
     const float32* masses = nullptr;     ///< one a point [kg]; 0 holds the point where it is
-    b2Vec2 gravity = b2Vec2(0.0f, 0.0f); ///< [m/s^2]
+    b2Vec2 gravity = b2Vec2(0.0f, 0.0f); ///< acceleration of all of it [m/s^2]
     float32 damping = 0.1f;              ///< of the velocity [1/s], >= 0
     float32 k2 = 0.9f;                   ///< share of a stretch undone by an iteration, 0 to 1
     float32 k3 = 0.1f;                   ///< share of a bend undone by an iteration, 0 to 1

@@ -4,6 +4,9 @@
 #include <Box2D/Collision/Shapes/b2EdgeShape.h>
 #include <Box2D/Collision/Shapes/b2Shape.h>
 
+/// @file
+/// Chains of edges.
+
 /// Edges end to end, open or as a loop, each a child of its own: level ground. Collides from both
 /// sides and knows each edge's neighbours, so bodies slide along it without catching. It should not
 /// cross itself.

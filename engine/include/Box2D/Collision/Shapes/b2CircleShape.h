@@ -3,6 +3,9 @@
 
 #include <Box2D/Collision/Shapes/b2Shape.h>
 
+/// @file
+/// Circles.
+
 /// A solid circle.
 class b2CircleShape final : public b2Shape
 {

@@ -3,6 +3,9 @@
 
 #include <Box2D/Collision/Shapes/b2Shape.h>
 
+/// @file
+/// Single edges.
+
 /// A line segment that circles and polygons collide with from both sides; edges never collide with
 /// edges. The ghost vertices are those of the neighbouring edges: with them set, bodies slide over
 /// the joints between edges without catching.

@@ -3,6 +3,9 @@
 
 #include <Box2D/Collision/Shapes/b2Shape.h>
 
+/// @file
+/// Convex polygons.
+
 /// A solid convex polygon with a thin skin, of 3 to b2_maxPolygonVertices corners in
 /// counter-clockwise order. Make it with Set or SetAsBox; the members are for reading.
 class b2PolygonShape final : public b2Shape

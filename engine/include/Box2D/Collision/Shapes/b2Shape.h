@@ -5,10 +5,13 @@
 #include <Box2D/Common/b2BlockAllocator.h>
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// What all shapes have in common.
+
 /// Mass, centre and rotational inertia of a shape.
 struct b2MassData
 {
-    float32 mass = 0.0f; ///< [kg]
+    float32 mass = 0.0f; ///< of the shape's area [kg]
     b2Vec2 center;       ///< centre of mass, in the shape's frame [m]
     float32 I = 0.0f;    ///< rotational inertia about the frame's origin, not the centre [kg m^2]
 };

@@ -4,6 +4,9 @@
 #include <Box2D/Dynamics/Internal/ContactData.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
+/// @file
+/// Contacts, and the ways to them.
+
 namespace box2d
 {
 ContactData& Data(b2Contact& contact);
@@ -47,7 +50,7 @@ public:
     void ResetRestitution();
     /// The surface speed of a conveyor belt [m/s].
     void SetTangentSpeed(float32 speed);
-    float32 GetTangentSpeed() const { return m_data.tangentSpeed; } ///< [m/s]
+    float32 GetTangentSpeed() const { return m_data.tangentSpeed; } ///< of a conveyor belt [m/s]
 
     /// The manifold of the two shapes at the given transforms.
     void Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB);

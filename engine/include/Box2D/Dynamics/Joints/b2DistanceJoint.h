@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Distance joints.
+
 /// Keeps two points at a distance, rigidly or like a spring.
 struct b2DistanceJointDef : public b2JointDef
 {
@@ -12,9 +15,9 @@ struct b2DistanceJointDef : public b2JointDef
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 length = 1.0f;                    ///< [m]; not shorter than the slop
+    float32 length = 1.0f;       ///< at rest, between the anchors [m]; not shorter than the slop
     float32 frequencyHz = 0.0f;  ///< of the spring; 0: rigid. Less than half the step rate
-    float32 dampingRatio = 0.0f; ///< 0: none, 1: critical
+    float32 dampingRatio = 0.0f; ///< of the spring; 0: none, 1: critical
 };
 
 /// Keeps two anchors at a length, rigid or as a spring.
@@ -24,18 +27,19 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    void SetLength(float32 length);                ///< [m]; not shorter than the slop
-    float32 GetLength() const { return m_length; } ///< [m]
-    void SetFrequency(float32 hz);                 ///< [Hz], less than half the step rate; 0: rigid
-    float32 GetFrequency() const { return m_frequencyHz; }     ///< [Hz]; 0: rigid
-    void SetDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
-    float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
+    void SetLength(float32 length); ///< at rest, between the anchors [m]; not shorter than the slop
+    float32 GetLength() const { return m_length; } ///< at rest, between the anchors [m]
+    void SetFrequency(float32 hz); ///< of the spring [Hz], less than half the step rate; 0: rigid
+    float32 GetFrequency() const { return m_frequencyHz; } ///< of the spring [Hz]; 0: rigid
+    void SetDampingRatio(float32 ratio);                   ///< of the spring; 0: none, 1: critical
+    /// Of the spring; 0: none, 1: critical.
+    float32 GetDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 
 protected:

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Friction joints.
+
 /// Friction seen from above: slows the relative motion and turning of two bodies with at most a
 /// force and a torque.
 struct b2FrictionJointDef : public b2JointDef
@@ -13,8 +16,8 @@ struct b2FrictionJointDef : public b2JointDef
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 maxForce = 0.0f;                  ///< [N]
-    float32 maxTorque = 0.0f;                 ///< [N m]
+    float32 maxForce = 0.0f;                  ///< the most it pulls or pushes with [N]
+    float32 maxTorque = 0.0f;                 ///< the most it turns with [N m]
 };
 
 /// Slows body B down relative to body A, as a surface does that both lie on.
@@ -24,16 +27,16 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    void SetMaxForce(float32 force);                                 ///< [N], >= 0
-    float32 GetMaxForce() const { return m_maxForce; }               ///< [N]
-    void SetMaxTorque(float32 torque);                               ///< [N m], >= 0
-    float32 GetMaxTorque() const { return m_maxTorque; }             ///< [N m]
+    void SetMaxForce(float32 force); ///< the most it pulls or pushes with [N], >= 0
+    float32 GetMaxForce() const { return m_maxForce; }   ///< the most it pulls or pushes with [N]
+    void SetMaxTorque(float32 torque);                   ///< the most it turns with [N m], >= 0
+    float32 GetMaxTorque() const { return m_maxTorque; } ///< the most it turns with [N m]
     void Dump() override;
 
 protected:

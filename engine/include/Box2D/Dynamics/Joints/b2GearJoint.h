@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Gear joints.
+
 /// Couples two joints, each a revolute or a prismatic one: coordinate 1 + ratio * coordinate 2
 /// stays constant. The two joints must have two different bodies between them; bodyA and bodyB are
 /// any one of each. Destroy it before its joints, else it goes with the first of them.
@@ -23,7 +26,7 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 

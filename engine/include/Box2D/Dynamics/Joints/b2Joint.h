@@ -3,6 +3,9 @@
 
 #include <Box2D/Common/b2Math.h>
 
+/// @file
+/// What all joints have in common.
+
 class b2Body;
 class b2Joint;
 
@@ -15,28 +18,30 @@ struct JointRows;
 struct SolverContext;
 } // namespace box2d
 
+/// The kinds of joints.
 enum b2JointType
 {
-    e_unknownJoint,
-    e_revoluteJoint,
-    e_prismaticJoint,
-    e_distanceJoint,
-    e_pulleyJoint,
-    e_mouseJoint,
-    e_gearJoint,
-    e_wheelJoint,
-    e_weldJoint,
-    e_frictionJoint,
-    e_ropeJoint,
-    e_motorJoint,
+    e_unknownJoint,   ///< of a definition that is none's
+    e_revoluteJoint,  ///< b2RevoluteJoint
+    e_prismaticJoint, ///< b2PrismaticJoint
+    e_distanceJoint,  ///< b2DistanceJoint
+    e_pulleyJoint,    ///< b2PulleyJoint
+    e_mouseJoint,     ///< b2MouseJoint
+    e_gearJoint,      ///< b2GearJoint
+    e_wheelJoint,     ///< b2WheelJoint
+    e_weldJoint,      ///< b2WeldJoint
+    e_frictionJoint,  ///< b2FrictionJoint
+    e_ropeJoint,      ///< b2RopeJoint
+    e_motorJoint,     ///< b2MotorJoint
 };
 
+/// Where a joint is between its limits.
 enum b2LimitState
 {
-    e_inactiveLimit,
-    e_atLowerLimit,
-    e_atUpperLimit,
-    e_equalLimits,
+    e_inactiveLimit, ///< between them, or there are none
+    e_atLowerLimit,  ///< at the lower one
+    e_atUpperLimit,  ///< at the upper one
+    e_equalLimits,   ///< both are one: it cannot move
 };
 
 /// Connects bodies and joints: a node of each body's list of joints.
@@ -68,8 +73,8 @@ public:
     const b2Body* GetBodyA() const { return m_bodyA; } ///< the first body
     b2Body* GetBodyB() { return m_bodyB; }             ///< the second body
     const b2Body* GetBodyB() const { return m_bodyB; } ///< the second body
-    virtual b2Vec2 GetAnchorA() const = 0;             ///< world point
-    virtual b2Vec2 GetAnchorB() const = 0;             ///< world point
+    virtual b2Vec2 GetAnchorA() const = 0;             ///< where it holds body A, in the world [m]
+    virtual b2Vec2 GetAnchorB() const = 0;             ///< where it holds body B, in the world [m]
 
     /// On body B at its anchor [N]; `inv_dt` is one over the time step.
     virtual b2Vec2 GetReactionForce(float32 inv_dt) const = 0;
@@ -77,7 +82,7 @@ public:
     virtual float32 GetReactionTorque(float32 inv_dt) const = 0;
     /// For the length of the last step.
     b2Vec2 GetReactionForce() const;
-    float32 GetReactionTorque() const; ///< likewise [N m]
+    float32 GetReactionTorque() const; ///< of the last step, on body B [N m]
 
     b2Joint* GetNext() { return m_next; } ///< of the world's list; nullptr: this is the last
     /// Of the world's list; nullptr: this is the last.

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Motor joints.
+
 /// Drives body B towards a place and angle relative to body A, with at most a force and a torque:
 /// for moving a body against what is in its way.
 struct b2MotorJointDef : public b2JointDef
@@ -13,8 +16,8 @@ struct b2MotorJointDef : public b2JointDef
 
     b2Vec2 linearOffset = b2Vec2(0.0f, 0.0f); ///< body B's origin in body A's frame [m]
     float32 angularOffset = 0.0f;             ///< body B's angle minus body A's [rad]
-    float32 maxForce = 1.0f;                  ///< [N]
-    float32 maxTorque = 1.0f;                 ///< [N m]
+    float32 maxForce = 1.0f;                  ///< the most it pulls or pushes with [N]
+    float32 maxTorque = 1.0f;                 ///< the most it turns with [N m]
     float32 correctionFactor = 0.3f;          ///< share of the error made good in a step, 0 to 1
 };
 
@@ -25,7 +28,7 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
@@ -35,10 +38,10 @@ public:
     void SetAngularOffset(float32 angularOffset); ///< body B's angle minus body A's [rad]
     /// Body B's angle minus body A's [rad].
     float32 GetAngularOffset() const { return m_angularOffset; }
-    void SetMaxForce(float32 force);                     ///< [N], >= 0
-    float32 GetMaxForce() const { return m_maxForce; }   ///< [N]
-    void SetMaxTorque(float32 torque);                   ///< [N m], >= 0
-    float32 GetMaxTorque() const { return m_maxTorque; } ///< [N m]
+    void SetMaxForce(float32 force); ///< the most it pulls or pushes with [N], >= 0
+    float32 GetMaxForce() const { return m_maxForce; }   ///< the most it pulls or pushes with [N]
+    void SetMaxTorque(float32 torque);                   ///< the most it turns with [N m], >= 0
+    float32 GetMaxTorque() const { return m_maxTorque; } ///< the most it turns with [N m]
     void SetCorrectionFactor(float32 factor); ///< share of the error made good in a step, 0 to 1
     /// Share of the error made good in a step, 0 to 1.
     float32 GetCorrectionFactor() const { return m_correctionFactor; }

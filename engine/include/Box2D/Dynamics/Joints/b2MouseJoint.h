@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Mouse joints.
+
 /// Pulls a point of body B towards a world point like a spring, with at most a force. Made for
 /// dragging bodies with the mouse; body A is only there because every joint has one.
 struct b2MouseJointDef : public b2JointDef
@@ -10,10 +13,11 @@ struct b2MouseJointDef : public b2JointDef
     b2MouseJointDef() { type = e_mouseJoint; }
 
     b2Vec2 target =
-        b2Vec2(0.0f, 0.0f);      ///< world point; at first also the point of body B that is pulled
-    float32 maxForce = 0.0f;     ///< [N]; usually some multiple of the body's weight
-    float32 frequencyHz = 5.0f;  ///< > 0
-    float32 dampingRatio = 0.7f; ///< 0: none, 1: critical
+        b2Vec2(0.0f, 0.0f); ///< world point [m]; at first also that of body B that is pulled
+    /// The most it pulls or pushes with [N]; usually some multiple of the body's weight.
+    float32 maxForce = 0.0f;
+    float32 frequencyHz = 5.0f;  ///< of the spring [Hz], > 0
+    float32 dampingRatio = 0.7f; ///< of the spring; 0: none, 1: critical
 };
 
 /// Pulls a point of body B to a target in the world, softly.
@@ -23,18 +27,19 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
-    void SetTarget(const b2Vec2& target);                      ///< world point [m]
-    const b2Vec2& GetTarget() const { return m_target; }       ///< world point [m]
-    void SetMaxForce(float32 force);                           ///< [N], >= 0
-    float32 GetMaxForce() const { return m_maxForce; }         ///< [N]
-    void SetFrequency(float32 hz);                             ///< [Hz], > 0
-    float32 GetFrequency() const { return m_frequencyHz; }     ///< [Hz]
-    void SetDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
-    float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
+    void SetTarget(const b2Vec2& target);                ///< where it pulls to, in the world [m]
+    const b2Vec2& GetTarget() const { return m_target; } ///< where it pulls to [m]
+    void SetMaxForce(float32 force); ///< the most it pulls or pushes with [N], >= 0
+    float32 GetMaxForce() const { return m_maxForce; }     ///< the most it pulls or pushes with [N]
+    void SetFrequency(float32 hz);                         ///< of the spring [Hz], > 0
+    float32 GetFrequency() const { return m_frequencyHz; } ///< of the spring [Hz]
+    void SetDampingRatio(float32 ratio);                   ///< of the spring; 0: none, 1: critical
+    /// Of the spring; 0: none, 1: critical.
+    float32 GetDampingRatio() const { return m_dampingRatio; }
     void ShiftOrigin(const b2Vec2& newOrigin) override;
     void Dump() override;
 

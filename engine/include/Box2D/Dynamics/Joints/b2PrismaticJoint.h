@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Prismatic joints: sliders.
+
 /// A slider: body B moves along an axis fixed in body A and does not turn against it, with an
 /// optional limit and motor.
 struct b2PrismaticJointDef : public b2JointDef
@@ -17,11 +20,11 @@ struct b2PrismaticJointDef : public b2JointDef
     b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
     float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
     bool enableLimit = false;                 ///< whether the limits hold
-    float32 lowerTranslation = 0.0f;          ///< [m]
-    float32 upperTranslation = 0.0f;          ///< [m], >= lowerTranslation
+    float32 lowerTranslation = 0.0f;          ///< of the limit [m]
+    float32 upperTranslation = 0.0f;          ///< of the limit [m], >= lowerTranslation
     bool enableMotor = false;                 ///< whether the motor runs
-    float32 maxMotorForce = 0.0f;             ///< [N]
-    float32 motorSpeed = 0.0f;                ///< [m/s]
+    float32 maxMotorForce = 0.0f;             ///< the most the motor pushes with [N]
+    float32 motorSpeed = 0.0f;                ///< that the motor wants [m/s]
 };
 
 /// Lets body B slide along an axis of body A, and not turn.
@@ -31,7 +34,7 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
@@ -40,23 +43,25 @@ public:
     const b2Vec2& GetLocalAxisA() const { return m_localAxisA; } ///< unit vector in body A's frame
     /// Body B's angle minus body A's where the joint is at rest [rad].
     float32 GetReferenceAngle() const { return m_referenceAngle; }
-    float32 GetJointTranslation() const; ///< [m]
-    float32 GetJointSpeed() const;       ///< [m/s]
+    float32 GetJointTranslation() const; ///< of B's anchor along the axis, as A sees it [m]
+    float32 GetJointSpeed() const;       ///< of B as A sees it [m/s]
 
     bool IsLimitEnabled() const { return m_enableLimit; }        ///< whether the limits hold
     void EnableLimit(bool flag);                                 ///< whether the limits hold
-    float32 GetLowerLimit() const { return m_lowerTranslation; } ///< [m]
-    float32 GetUpperLimit() const { return m_upperTranslation; } ///< [m]
-    void SetLimits(float32 lower, float32 upper);                ///< [m], lower <= upper
+    float32 GetLowerLimit() const { return m_lowerTranslation; } ///< where the limit begins [m]
+    float32 GetUpperLimit() const { return m_upperTranslation; } ///< where the limit ends [m]
+    void SetLimits(float32 lower, float32 upper); ///< the range left free [m], lower <= upper
 
-    bool IsMotorEnabled() const { return m_enableMotor; }          ///< whether the motor runs
-    void EnableMotor(bool flag);                                   ///< whether the motor runs
-    void SetMotorSpeed(float32 speed);                             ///< [m/s]
-    float32 GetMotorSpeed() const { return m_motorSpeed; }         ///< [m/s]
-    void SetMaxMotorForce(float32 force);                          ///< [N], >= 0
-    void SetMotorForce(float32 force) { SetMaxMotorForce(force); } ///< the same
-    float32 GetMaxMotorForce() const { return m_maxMotorForce; }   ///< [N]
-    float32 GetMotorForce(float32 inv_dt) const;                   ///< [N]
+    bool IsMotorEnabled() const { return m_enableMotor; }  ///< whether the motor runs
+    void EnableMotor(bool flag);                           ///< whether the motor runs
+    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [m/s]
+    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [m/s]
+    void SetMaxMotorForce(float32 force); ///< the most the motor pushes with [N], >= 0
+    void SetMotorForce(float32 force) { SetMaxMotorForce(force); } ///< as SetMaxMotorForce
+    /// The most the motor pushes with [N].
+    float32 GetMaxMotorForce() const { return m_maxMotorForce; }
+    /// What the motor did in a step of 1/inv_dt seconds [N].
+    float32 GetMotorForce(float32 inv_dt) const;
     float32 GetMotorForce() const; ///< for the length of the last step
     void Dump() override;
 

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Revolute joints: hinges.
+
 /// A hinge: two bodies share a point and turn about it, with an optional limit and motor.
 struct b2RevoluteJointDef : public b2JointDef
 {
@@ -15,11 +18,11 @@ struct b2RevoluteJointDef : public b2JointDef
     float32 referenceAngle =
         0.0f;                 ///< body B's angle minus body A's where the joint angle is zero [rad]
     bool enableLimit = false; ///< whether the limits hold
-    float32 lowerAngle = 0.0f;     ///< [rad]
-    float32 upperAngle = 0.0f;     ///< [rad], >= lowerAngle
+    float32 lowerAngle = 0.0f;     ///< of the limit [rad]
+    float32 upperAngle = 0.0f;     ///< of the limit [rad], >= lowerAngle
     bool enableMotor = false;      ///< whether the motor runs
-    float32 motorSpeed = 0.0f;     ///< [rad/s]
-    float32 maxMotorTorque = 0.0f; ///< [N m]
+    float32 motorSpeed = 0.0f;     ///< that the motor wants [rad/s]
+    float32 maxMotorTorque = 0.0f; ///< the most the motor turns with [N m]
 };
 
 /// A hinge: both bodies share a point and turn about it.
@@ -29,7 +32,7 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
@@ -37,22 +40,25 @@ public:
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
     /// Body B's angle minus body A's where the joint is at rest [rad].
     float32 GetReferenceAngle() const { return m_referenceAngle; }
-    float32 GetJointAngle() const; ///< [rad], positive when B turns counter-clockwise
-    float32 GetJointSpeed() const; ///< [rad/s]
+    float32 GetJointAngle() const; ///< B's angle less A's, from the reference [rad], positive when
+                                   ///< B turns counter-clockwise
+    float32 GetJointSpeed() const; ///< of B as A sees it [rad/s]
 
     bool IsLimitEnabled() const { return m_enableLimit; }  ///< whether the limits hold
     void EnableLimit(bool flag);                           ///< whether the limits hold
-    float32 GetLowerLimit() const { return m_lowerAngle; } ///< [rad]
-    float32 GetUpperLimit() const { return m_upperAngle; } ///< [rad]
-    void SetLimits(float32 lower, float32 upper);          ///< [rad], lower <= upper
+    float32 GetLowerLimit() const { return m_lowerAngle; } ///< where the limit begins [rad]
+    float32 GetUpperLimit() const { return m_upperAngle; } ///< where the limit ends [rad]
+    void SetLimits(float32 lower, float32 upper); ///< the range left free [rad], lower <= upper
 
-    bool IsMotorEnabled() const { return m_enableMotor; }          ///< whether the motor runs
-    void EnableMotor(bool flag);                                   ///< whether the motor runs
-    void SetMotorSpeed(float32 speed);                             ///< [rad/s]
-    float32 GetMotorSpeed() const { return m_motorSpeed; }         ///< [rad/s]
-    void SetMaxMotorTorque(float32 torque);                        ///< [N m], >= 0
-    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; } ///< [N m]
-    float32 GetMotorTorque(float32 inv_dt) const;                  ///< [N m]
+    bool IsMotorEnabled() const { return m_enableMotor; }  ///< whether the motor runs
+    void EnableMotor(bool flag);                           ///< whether the motor runs
+    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [rad/s]
+    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [rad/s]
+    void SetMaxMotorTorque(float32 torque); ///< the most the motor turns with [N m], >= 0
+    /// The most the motor turns with [N m].
+    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
+    /// What the motor did in a step of 1/inv_dt seconds [N m].
+    float32 GetMotorTorque(float32 inv_dt) const;
     float32 GetMotorTorque() const; ///< for the length of the last step
     void Dump() override;
 

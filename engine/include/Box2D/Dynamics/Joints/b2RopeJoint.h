@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Rope joints.
+
 /// Keeps two points from being farther apart than a length. Put beside a chain of bodies, it keeps
 /// the chain from stretching.
 struct b2RopeJointDef : public b2JointDef
@@ -11,7 +14,7 @@ struct b2RopeJointDef : public b2JointDef
 
     b2Vec2 localAnchorA = b2Vec2(-1.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(1.0f, 0.0f);  ///< in body B's frame [m]
-    float32 maxLength = 0.0f;                  ///< [m], longer than the slop
+    float32 maxLength = 0.0f;                  ///< of the rope [m], longer than the slop
 };
 
 /// Keeps two anchors from getting farther apart than a length.
@@ -21,15 +24,15 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    void SetMaxLength(float32 length);                               ///< [m], longer than the slop
-    float32 GetMaxLength() const { return m_maxLength; }             ///< [m]
-    b2LimitState GetLimitState() const; ///< e_atUpperLimit while the rope is taut
+    void SetMaxLength(float32 length);                   ///< of the rope [m], longer than the slop
+    float32 GetMaxLength() const { return m_maxLength; } ///< of the rope [m]
+    b2LimitState GetLimitState() const;                  ///< e_atUpperLimit while the rope is taut
     void Dump() override;
 
 protected:

@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Weld joints.
+
 /// Glues two bodies together. The glue may be soft against turning; a chain of them bends, for the
 /// solver is iterative.
 struct b2WeldJointDef : public b2JointDef
@@ -15,7 +18,7 @@ struct b2WeldJointDef : public b2JointDef
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
     float32 frequencyHz = 0.0f;               ///< of the spring against turning; 0: rigid
-    float32 dampingRatio = 0.0f;              ///< 0: none, 1: critical
+    float32 dampingRatio = 0.0f;              ///< of the spring; 0: none, 1: critical
 };
 
 /// Glues two bodies together; the angle can be a spring.
@@ -25,7 +28,7 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
@@ -35,8 +38,9 @@ public:
     float32 GetReferenceAngle() const { return m_referenceAngle; }
     void SetFrequency(float32 hz);                         ///< of the angle's spring [Hz]; 0: rigid
     float32 GetFrequency() const { return m_frequencyHz; } ///< of the angle's spring [Hz]; 0: rigid
-    void SetDampingRatio(float32 ratio);                   ///< 0: none, 1: critical
-    float32 GetDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
+    void SetDampingRatio(float32 ratio);                   ///< of the spring; 0: none, 1: critical
+    /// Of the spring; 0: none, 1: critical.
+    float32 GetDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 
 protected:

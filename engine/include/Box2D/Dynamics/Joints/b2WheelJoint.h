@@ -3,6 +3,9 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+/// @file
+/// Wheel joints.
+
 /// A wheel on a suspension: body B's anchor stays on a line fixed in body A, sprung along it, free
 /// to turn, with an optional motor.
 struct b2WheelJointDef : public b2JointDef
@@ -15,10 +18,10 @@ struct b2WheelJointDef : public b2JointDef
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
     bool enableMotor = false;                 ///< whether the motor runs
-    float32 maxMotorTorque = 0.0f;            ///< [N m]
-    float32 motorSpeed = 0.0f;                ///< [rad/s]
+    float32 maxMotorTorque = 0.0f;            ///< the most the motor turns with [N m]
+    float32 motorSpeed = 0.0f;                ///< that the motor wants [rad/s]
     float32 frequencyHz = 2.0f;               ///< of the suspension; 0: none
-    float32 dampingRatio = 0.7f;              ///< 0: none, 1: critical
+    float32 dampingRatio = 0.7f;              ///< of the spring; 0: none, 1: critical
 };
 
 /// A wheel with its suspension: body B turns freely and springs along an axis of body A.
@@ -28,7 +31,7 @@ public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; ///< also that of the last step
+    using b2Joint::GetReactionTorque; // also that of the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
@@ -38,19 +41,22 @@ public:
     float32 GetJointTranslation() const;                         ///< along the axis [m]
     float32 GetJointSpeed() const;                               ///< of the wheel [rad/s]
 
-    bool IsMotorEnabled() const { return m_enableMotor; }          ///< whether the motor runs
-    void EnableMotor(bool flag);                                   ///< whether the motor runs
-    void SetMotorSpeed(float32 speed);                             ///< [rad/s]
-    float32 GetMotorSpeed() const { return m_motorSpeed; }         ///< [rad/s]
-    void SetMaxMotorTorque(float32 torque);                        ///< [N m], >= 0
-    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; } ///< [N m]
-    float32 GetMotorTorque(float32 inv_dt) const;                  ///< [N m]
+    bool IsMotorEnabled() const { return m_enableMotor; }  ///< whether the motor runs
+    void EnableMotor(bool flag);                           ///< whether the motor runs
+    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [rad/s]
+    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [rad/s]
+    void SetMaxMotorTorque(float32 torque); ///< the most the motor turns with [N m], >= 0
+    /// The most the motor turns with [N m].
+    float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
+    /// What the motor did in a step of 1/inv_dt seconds [N m].
+    float32 GetMotorTorque(float32 inv_dt) const;
     float32 GetMotorTorque() const;        ///< for the length of the last step
     void SetSpringFrequencyHz(float32 hz); ///< of the suspension [Hz], >= 0; 0: none
     /// Of the suspension [Hz]; 0: none.
     float32 GetSpringFrequencyHz() const { return m_frequencyHz; }
-    void SetSpringDampingRatio(float32 ratio);                       ///< 0: none, 1: critical
-    float32 GetSpringDampingRatio() const { return m_dampingRatio; } ///< 0: none, 1: critical
+    void SetSpringDampingRatio(float32 ratio); ///< of the spring; 0: none, 1: critical
+    /// Of the spring; 0: none, 1: critical.
+    float32 GetSpringDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 
 protected:
