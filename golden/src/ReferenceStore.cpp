@@ -143,6 +143,14 @@ void SayMissing(GoldenVerdict& verdict, const Moment& expected, const Moment& ac
                       references.string() + ").";
 }
 
+/// The command takes the references of the checkout around it unless told otherwise.
+std::string OptionFor(const fs::path& references)
+{
+    const bool isDefault =
+        references.filename() == "references" && references.parent_path().filename() == "golden";
+    return isDefault ? "" : " --references '" + references.string() + "'";
+}
+
 /// `command`: what the command that accepts it needs beside its name.
 Result<GoldenVerdict> ReportMissing(GoldenVerdict verdict, const FailureFiles& files,
                                     const Moment& actual, const std::string& command)
@@ -367,7 +375,7 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     }
     return verdict.status == GoldenStatus::Missing
                ? ReportMissing(std::move(verdict), *files, judged->actual,
-                               candidate.sheet ? " --film FILE" : "")
+                               (candidate.sheet ? " --film FILE" : "") + OptionFor(m_references))
                : ReportDifferent(std::move(verdict), *files, judged->expected, judged->actual);
 }
 

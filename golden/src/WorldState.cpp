@@ -189,8 +189,7 @@ Result<WorldState> ParseWorldState(std::string_view text)
         if (!body || (!state.bodies.empty() && body->number <= state.bodies.back().number))
         {
             return Error{ErrorKind::Unusable,
-                         std::string("\"").append(line->substr(0, 80)) +
-                             "\" is no body's number with its place and velocity"};
+                         Shown(*line) + " is no body's number with its place and velocity"};
         }
         state.bodies.push_back(*body);
     }

@@ -115,7 +115,8 @@ TEST_F(ReferenceStoreTest, FailsWithoutAReferenceWritesTheCandidateAndSaysHowToA
     EXPECT_THAT(verdict.message,
                 AllOf(HasSubstr("frames/pyramid/3s.png"), HasSubstr(m_references.string()),
                       HasSubstr((m_output / "pyramid/3s.actual.png").string()),
-                      HasSubstr("boxreel golden accept pyramid/3s")));
+                      HasSubstr("boxreel golden accept pyramid/3s --references '" +
+                                m_references.string() + "'`")));
     EXPECT_THAT(Files(m_output),
                 UnorderedElementsAre("pyramid/3s.actual.png", "pyramid/3s.actual.txt",
                                      "pyramid/3s.verdict.json"));

@@ -115,6 +115,10 @@ TEST(StateTraceText, OfAnotherKindIsRefusedWithTheLine)
         ASSERT_FALSE(trace) << bad;
         EXPECT_THAT(trace.GetError().message, HasSubstr("is no step's number"));
     }
+    const Result<StateTrace> binary = ParseStateTrace("\x1b[2J\xff\r\n");
+    ASSERT_FALSE(binary);
+    EXPECT_THAT(binary.GetError().message, HasSubstr("\"?[2J??\" is no"))
+        << "nothing that a terminal obeys";
 }
 
 TEST(StateTraceDifference, IsAtTheFirstStepThatBothHaveAndOfTheBodiesWhoseDigitsDiffer)

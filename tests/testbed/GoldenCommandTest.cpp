@@ -196,7 +196,8 @@ TEST_F(GoldenCommand, ComparesFilmsByTheirContactSheets)
     const Outcome missing =
         Run({"verify", "--film", "a.mkv", "--references", ".", "--output", "o"});
     EXPECT_EQ(missing.code, 2);
-    EXPECT_THAT(missing.output, HasSubstr("run `boxreel golden accept films/a --film FILE`"));
+    EXPECT_THAT(missing.output,
+                HasSubstr("run `boxreel golden accept films/a --film FILE --references '.'`"));
     ASSERT_EQ(RunIn({"accept", "--film", "a.mkv"}).code, 0);
     EXPECT_EQ(RunIn({"verify", "--film", "a.mkv"}).code, 0);
     record("b.mkv", "1", "30");
