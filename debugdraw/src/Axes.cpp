@@ -155,6 +155,7 @@ std::vector<double> Ticks(double lower, double upper, double step)
     std::vector<double> ticks;
     const double first = std::ceil(lower / step - kRounding);
     const double last = std::floor(upper / step + kRounding);
+    // Whole numbers, which are exact. NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter)
     for (double i = first; i <= last; i += 1.0)
     {
         ticks.push_back(i * step);

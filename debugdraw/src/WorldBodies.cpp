@@ -112,6 +112,7 @@ void AddLabel(const Label& label, const LabelSpot& spot, const Camera& camera, D
 void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& list)
 {
     std::vector<LabelWish> wishes;
+    wishes.reserve(labels.size());
     for (const Label& label : labels)
     {
         wishes.push_back({label.place, TextWidth(label.name), label.owner});

@@ -317,7 +317,7 @@ GoldenCandidate CandidateOf(ContactSheet sheet, std::string name)
     GoldenCandidate candidate;
     candidate.name = std::move(name);
     candidate.frame = std::move(sheet.frame);
-    candidate.sheet = std::move(sheet.layout);
+    candidate.sheet = sheet.layout;
     return candidate;
 }
 

@@ -157,7 +157,7 @@ Result<void> FFmpegFilm::OpenPicture()
     {
         return converter.GetError();
     }
-    m_converter.emplace(std::move(*converter));
+    m_converter.emplace(*converter);
     Result<FFmpegOwner<AVFrame>> picture = m_codec->MakePicture();
     if (!picture)
     {

@@ -175,6 +175,7 @@ std::vector<std::uint32_t> Quantize(std::vector<Weighted>& colors, std::size_t c
         boxes.push_back(MakeBox(colors, cut, whole.end));
     }
     std::vector<std::uint32_t> palette;
+    palette.reserve(boxes.size());
     for (const Box& box : boxes)
     {
         palette.push_back(ColorOf(colors, box));

@@ -27,6 +27,7 @@ std::size_t VectorsOf(const Batch& batch)
 
 const void* Offset(std::size_t bytes)
 {
+    // OpenGL takes offsets so. NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<const void*>(bytes);
 }
 

@@ -225,9 +225,10 @@ private:
             const Place at = EndsOf(rule).front();
             const double width = Width(rule.label);
             std::vector<LabelBox> places;
-            constexpr double steps = 12.0;
-            for (double share = 0.0; share <= 1.0; share += 1.0 / steps)
+            constexpr int kSteps = 12;
+            for (int step = 0; step <= kSteps; ++step)
             {
+                const double share = double(step) / kSteps;
                 if (rule.upright)
                 {
                     const double y = m_area.top + 4.0 + share * (m_area.bottom - m_area.top - 24.0);

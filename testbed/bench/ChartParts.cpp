@@ -66,7 +66,8 @@ double PaintLegend(ChartCanvas& canvas, const ChartFrame& frame,
     for (int i = 0; i < int(legend.size()); ++i)
     {
         const double x = kMargin + width * (i % columns);
-        const double base = y + kLegendRow * (i / columns);
+        const int row = i / columns;
+        const double base = y + kLegendRow * row;
         PaintKey(canvas, legend[std::size_t(i)], x, base);
         canvas.Text(x + kKeyWidth, base, legend[std::size_t(i)].series.name, style);
     }

@@ -13,6 +13,7 @@
 #include <Box2D/Collision/Shapes/b2EdgeShape.h>
 #include <Box2D/Collision/Shapes/b2PolygonShape.h>
 
+// NOLINTNEXTLINE(bugprone-unhandled-self-assignment): it then copies its numbers onto themselves.
 b2DistanceProxy& b2DistanceProxy::operator=(const b2DistanceProxy& other)
 {
     m_buffer[0] = other.m_buffer[0];

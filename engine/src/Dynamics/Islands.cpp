@@ -82,6 +82,7 @@ void Islands::Link(b2Body& a, b2Body& b)
         Data(*body).island = to;
     }
     Data(*larger.last).islandNext = smaller.first;
+    // NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): an island has a body.
     Data(*smaller.first).islandPrev = larger.last;
     larger.last = smaller.last;
     larger.count += smaller.count;

@@ -104,6 +104,7 @@ private:
     {
         int32 component;
         int32 item;
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 means the operator.
         auto operator<=>(const Member&) const = default;
     };
 

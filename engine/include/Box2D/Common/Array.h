@@ -20,6 +20,7 @@ inline void* AllocateInLines(int32 size)
     void* whole = b2Alloc(size + 2 * kCacheLine);
     const std::uintptr_t after = reinterpret_cast<std::uintptr_t>(whole) + sizeof(void*);
     const std::uintptr_t start = (after + kCacheLine - 1) / kCacheLine * kCacheLine;
+    // Rounded up. NOLINTNEXTLINE(performance-no-int-to-ptr)
     void** memory = reinterpret_cast<void**>(start);
     memory[-1] = whole;
     return memory;

@@ -11,6 +11,7 @@
 namespace box2d
 {
 
+// Without the rest of World.h. NOLINTNEXTLINE(readability-redundant-declaration)
 b2Vec2 CenterOffset(const BodyData& a, const BodyData& b);
 
 struct JointFrame

@@ -184,7 +184,7 @@ void b2GearJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane
 {
     box2d::Carry(m_impulse, box2d::CarryOver(context));
     box2d::GearLanes<float32> gear = {};
-    double coordinate[2];
+    double coordinate[2] = {};
     for (Side* side : {&m_side1, &m_side2})
     {
         const int index = side == &m_side1 ? 0 : 1;

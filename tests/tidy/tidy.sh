@@ -1,0 +1,29 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# tidy.sh SOURCE WORK FOLDER: clang-tidy over the sources of one folder; each finding is printed. Exit codes: 0 none, 1 some,
+# 77 there is no clang-tidy.
+set -euo pipefail
+source=$1 work=$2 folder=$3
+
+command -v clang-tidy >/dev/null || {
+    echo 'skipped: there is no clang-tidy; install the package clang-tidy'
+    exit 77
+}
+# Without precompiled headers, which are GCC's, and a source at a time.
+cmake -S "$source" -B "$work" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBOXREEL_BUILD_TESTS=ON \
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$work.log" 2>&1 &&
+    cmake --build "$work" --target testbed/PageTexts.cpp >>"$work.log" 2>&1 || {
+    tail -n 40 "$work.log"
+    exit 1
+}
+sources=$(sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$work/compile_commands.json" | grep "^$source/$folder/" | sort -u)
+[ -n "$sources" ] || {
+    echo "no source of $folder is compiled"
+    exit 1
+}
+# What it says of suppressed findings goes to standard error.
+if tr '\n' '\0' <<<"$sources" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p "$work" -quiet 2>"$work.notes"; then
+    exit 0
+fi
+grep 'error:' "$work.notes" || true
+exit 1
