@@ -17,15 +17,17 @@ static_assert(GoldenWorldLook{}.layers == (b2Draw::e_shapeBit | b2Draw::e_jointB
 Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
                                     const GoldenWorldLook& look)
 {
-    const Camera camera =
-        look.camera ? *look.camera : FitTo(BoundsAtStart(world), look.width, look.height);
     // A renderer for each: the second takes two milliseconds, and none is left when the program
-    // ends.
-    Result<Renderer> renderer = Renderer::Create({.width = camera.width, .height = camera.height});
+    // ends. It also refuses sizes that no camera can have.
+    Result<Renderer> renderer =
+        Renderer::Create({.width = look.camera ? look.camera->width : look.width,
+                          .height = look.camera ? look.camera->height : look.height});
     if (!renderer)
     {
         return renderer.GetError();
     }
+    const Camera camera =
+        look.camera ? *look.camera : FitTo(BoundsAtStart(world), look.width, look.height);
     GoldenCandidate candidate;
     candidate.name = name;
     candidate.stateHash = StateHashText(world);
