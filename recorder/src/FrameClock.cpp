@@ -62,7 +62,6 @@ std::optional<Rational> Reduce(std::int64_t num, std::int64_t den)
 /// The quotient as a double without first rounding its two halves.
 double Divide(Wide num, Wide den)
 {
-    // NOLINTNEXTLINE(bugprone-integer-division): the whole part, which is exact.
     return double(num / den) + double(num % den) / double(den);
 }
 

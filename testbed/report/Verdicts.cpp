@@ -238,6 +238,7 @@ Result<std::vector<ReportedMoment>> CollectVerdicts(const std::vector<fs::path>&
         }
     }
     std::vector<ReportedMoment> sorted;
+    sorted.reserve(moments.size());
     for (auto& [name, moment] : moments)
     {
         sorted.push_back(std::move(moment));

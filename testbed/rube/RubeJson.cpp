@@ -15,6 +15,7 @@ namespace boxreel
 
 using nlohmann::json;
 
+// NOLINTNEXTLINE(bugprone-exception-escape): json's destructor might throw where memory ends.
 struct JsonDocument::Content
 {
     json root;
@@ -301,9 +302,10 @@ bool JsonValue::Bool(bool fallback) const
     {
         return node.get<bool>();
     }
-    if (node.is_number_integer() && (node == 0 || node == 1))
+    const std::int64_t number = node.is_number_integer() ? node.get<std::int64_t>() : -1;
+    if (number == 0 || number == 1)
     {
-        return node == 1;
+        return number == 1;
     }
     Complain("must be true or false");
     return fallback;
