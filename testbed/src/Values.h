@@ -19,6 +19,7 @@ namespace boxreel
 struct Duration
 {
     std::int64_t nanoseconds = 0;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 means the operator.
     friend auto operator<=>(const Duration&, const Duration&) = default;
 };
 

@@ -259,25 +259,6 @@ TEST_F(BenchCommand, MakesPicturesInEveryWayThatThereIs)
     EXPECT_THAT(outcome.output, ContainsRegex("\"role\": \"encodeOnly\",[^}]*\"sound\""));
 }
 
-/// A variable for the programs that a test runs, as it was afterwards.
-class Variable
-{
-public:
-    Variable(const char* name, const char* value) : m_name(name)
-    {
-        const char* const before = std::getenv(name);
-        m_before = before != nullptr ? std::optional<std::string>(before) : std::nullopt;
-        setenv(name, value, 1);
-    }
-    ~Variable() { m_before ? setenv(m_name, m_before->c_str(), 1) : unsetenv(m_name); }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    const char* m_name;
-    std::optional<std::string> m_before;
-};
-
 TEST_F(BenchCommand, WithoutFfmpegShowsOurFilmsAloneAndSaysSo)
 {
     const Variable path("PATH", "/nowhere");

@@ -16,27 +16,6 @@ namespace
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// A variable of the program's surroundings for as long as it lives.
-class Variable
-{
-public:
-    Variable(const char* name, const char* value) : m_name(name)
-    {
-        const char* const before = std::getenv(name);
-        m_before = before != nullptr ? before : "";
-        m_wasSet = before != nullptr;
-        setenv(name, value, 1);
-    }
-    ~Variable() { m_wasSet ? setenv(m_name, m_before.c_str(), 1) : unsetenv(m_name); }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    const char* m_name;
-    std::string m_before;
-    bool m_wasSet = false;
-};
-
 TEST(SelfTest, EndsInTheSameStateOnEveryMachine)
 {
     EXPECT_EQ(RunSelfTest(), kSelfTestState);

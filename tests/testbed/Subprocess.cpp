@@ -111,6 +111,20 @@ std::vector<std::string> TemporaryFolder::Files() const
     return names;
 }
 
+Variable::Variable(const char* name, const std::string& value) : m_name(name)
+{
+    if (const char* const before = std::getenv(name))
+    {
+        m_before = before;
+    }
+    setenv(name, value.c_str(), 1);
+}
+
+Variable::~Variable()
+{
+    m_before ? setenv(m_name, m_before->c_str(), 1) : unsetenv(m_name);
+}
+
 std::string ReadFile(const std::filesystem::path& file)
 {
     std::ostringstream content;

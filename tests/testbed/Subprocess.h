@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,20 @@ public:
 
 private:
     std::filesystem::path m_path;
+};
+
+/// A variable of the environment, which is as it was before when this goes.
+class Variable
+{
+public:
+    Variable(const char* name, const std::string& value);
+    ~Variable();
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+private:
+    const char* m_name;
+    std::optional<std::string> m_before;
 };
 
 std::string ReadFile(const std::filesystem::path& file);
