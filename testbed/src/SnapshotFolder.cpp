@@ -173,8 +173,10 @@ std::set<std::int64_t> SnapshotFolder::Steps() const
 /// All that stands in front of the state but the last line: readable, and compared as a whole.
 std::string SnapshotFolder::Heading(std::int64_t step) const
 {
-    return std::string(kFormat) + "\nversion " + BOXREEL_VERSION + "\n" + m_origin + "step " +
-           std::to_string(step) + "\n";
+    std::string heading = kFormat;
+    heading += "\nversion " BOXREEL_VERSION "\n" + m_origin;
+    heading += "step " + std::to_string(step) + "\n";
+    return heading;
 }
 
 /// Empty when the session has gone on from the file.
