@@ -50,10 +50,39 @@ std::string Size(const Frame& frame)
     return std::to_string(frame.width) + "x" + std::to_string(frame.height);
 }
 
-std::string Limits(const CompareSettings& settings)
+/// "exact", or "exact, with another tolerance and maxPixels,": a program can change each of them.
+/// What options changed has a name of its own.
+std::string Origin(const CompareSettings& settings)
+{
+    std::string changed;
+    for (const CompareSettings& preset : {CompareSettings::Exact(), CompareSettings::SameMachine(),
+                                          CompareSettings::CrossMachine()})
+    {
+        if (preset.preset != settings.preset)
+        {
+            continue;
+        }
+        for (const auto& [isOther, member] :
+             {std::pair(preset.tolerance != settings.tolerance, "tolerance"),
+              std::pair(preset.edgeShift != settings.edgeShift, "edgeShift"),
+              std::pair(preset.maxPixels != settings.maxPixels, "maxPixels"),
+              std::pair(preset.maxRatio != settings.maxRatio, "maxRatio"),
+              std::pair(preset.densityWindow != settings.densityWindow, "densityWindow"),
+              std::pair(preset.maxInWindow != settings.maxInWindow, "maxInWindow")})
+        {
+            changed +=
+                !isOther ? "" : (changed.empty() ? ", with another " : ", ") + std::string(member);
+        }
+    }
+    return settings.preset + changed + (changed.empty() ? "" : ",");
+}
+
+} // namespace
+
+std::string DescribeLimits(const CompareSettings& settings)
 {
     const std::string side = std::to_string(settings.densityWindow);
-    std::string text = settings.preset + " allows ";
+    std::string text = Origin(settings) + " allows ";
     if (settings.maxPixels != kAnyNumberOfPixels)
     {
         text += Pixels(settings.maxPixels);
@@ -71,6 +100,9 @@ std::string Limits(const CompareSettings& settings)
     return text + ", " + std::to_string(settings.maxInWindow) + " in any " + side + "x" + side;
 }
 
+namespace
+{
+
 std::string Verdict(const Comparison& result, const CompareSettings& settings)
 {
     std::string text = result.equal ? "equal: " : "different: ";
@@ -78,7 +110,7 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
         result.ignored > 0 ? ", " + Pixels(result.ignored) + " ignored" : std::string();
     if (result.differentPixels == 0)
     {
-        return text + "no bit differs" + ignored + " (" + Limits(settings) + ")";
+        return text + "no bit differs" + ignored + " (" + DescribeLimits(settings) + ")";
     }
     if (result.overTolerance == 0)
     {
@@ -92,13 +124,13 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
                 std::to_string(result.worstWindow) + " in a window";
     }
     return text + ", largest distance " + Rounded(result.largestDistance) + ignored + " (" +
-           Limits(settings) + ")";
+           DescribeLimits(settings) + ")";
 }
 
 std::string SizeVerdict(const Frame& expected, const Frame& actual, const CompareSettings& settings)
 {
     return "different: the expected picture has " + Size(expected) + " pixels, the actual one " +
-           Size(actual) + " (" + Limits(settings) + ")";
+           Size(actual) + " (" + DescribeLimits(settings) + ")";
 }
 
 } // namespace

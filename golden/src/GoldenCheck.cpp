@@ -3,6 +3,7 @@
 
 #include "FailureFiles.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
@@ -74,6 +75,24 @@ std::string WhatWasAccepted(const GoldenVerdict& verdict)
                                                    : verdict.message;
 }
 
+/// Names a folder, so nothing else may be in it.
+bool IsNumber(const std::string& text)
+{
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// As text of an element.
+std::string XmlText(const std::string& text)
+{
+    std::string escaped;
+    for (const char c : text)
+    {
+        escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    }
+    return escaped;
+}
+
 /// CDash lays the first three of these names over each other (`cmake --help-command ctest_test`,
 /// "Image Measurements").
 std::string Attachments(const fs::path& output, const std::string& name)
@@ -90,7 +109,7 @@ std::string Attachments(const fs::path& output, const std::string& name)
         if (!error && fs::is_regular_file(path, error))
         {
             lines += std::string("<CTestMeasurementFile type=\"image/png\" name=\"") + measurement +
-                     "\">" + path.string() + "</CTestMeasurementFile>\n";
+                     "\">" + XmlText(path.string()) + "</CTestMeasurementFile>\n";
         }
     }
     return lines;
@@ -117,7 +136,14 @@ Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& refere
     const std::string shards = Environment("GTEST_TOTAL_SHARDS");
     if (!shards.empty() && shards != "1")
     {
-        settings.output /= "shard-" + Environment("GTEST_SHARD_INDEX") + "-of-" + shards;
+        const std::string index = Environment("GTEST_SHARD_INDEX");
+        if (!IsNumber(shards) || !IsNumber(index))
+        {
+            return Error{ErrorKind::Unusable, "GTEST_SHARD_INDEX '" + index +
+                                                  "' of GTEST_TOTAL_SHARDS '" + shards +
+                                                  "' is no shard; set both to whole numbers."};
+        }
+        settings.output /= "shard-" + index + "-of-" + shards;
     }
     const Result<GoldenAccept> accept = AcceptOf(Environment("BOXREEL_GOLDEN_ACCEPT"));
     if (!accept)

@@ -106,19 +106,20 @@ std::optional<TraceDifference> FirstDifference(const StateTrace& expected, const
 {
     auto a = expected.steps.begin();
     auto b = actual.steps.begin();
-    while (a != expected.steps.end() && b != actual.steps.end())
+    for (; a != expected.steps.end() && b != actual.steps.end(); ++a, ++b)
     {
         if (a->step != b->step)
         {
-            ++(a->step < b->step ? a : b);
-            continue;
+            return TraceDifference{std::min(a->step, b->step), {}, true};
         }
         if (a->world != b->world)
         {
-            return TraceDifference{a->step, BodiesThatDiffer(a->bodies, b->bodies)};
+            return TraceDifference{a->step, BodiesThatDiffer(a->bodies, b->bodies), false};
         }
-        ++a;
-        ++b;
+    }
+    if (a != expected.steps.end() || b != actual.steps.end())
+    {
+        return TraceDifference{a != expected.steps.end() ? a->step : b->step, {}, true};
     }
     return std::nullopt;
 }
@@ -127,6 +128,10 @@ std::string Describe(const TraceDifference& difference)
 {
     const std::string step = "from step " + std::to_string(difference.step) + " on";
     const std::vector<int>& bodies = difference.bodies;
+    if (difference.isOfOne)
+    {
+        return step + ", which only one of them has";
+    }
     if (bodies.empty())
     {
         return step;

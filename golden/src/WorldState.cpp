@@ -106,7 +106,7 @@ std::optional<BodyState> ParseBody(std::string_view line)
     {
         const auto value = *at == ' ' ? std::from_chars(at + 1, end, *values[read])
                                       : std::from_chars_result{at, std::errc::invalid_argument};
-        if (value.ec != std::errc())
+        if (value.ec != std::errc() || !std::isfinite(*values[read]))
         {
             return std::nullopt;
         }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "ChildProcess.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstring>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -25,13 +29,55 @@ Error CannotRun(const std::filesystem::path& program, const std::string& why)
     return Error{ErrorKind::Failed, "Running '" + program.string() + "' failed: " + why + "."};
 }
 
-/// Everything until the other end is closed.
-std::string ReadAll(int file)
+using Clock = std::chrono::steady_clock;
+
+/// What was written until the other end was closed, and why it was not waited for any longer, if
+/// so.
+struct Words
 {
     std::string text;
+    std::string excess;
+};
+
+/// Waits for more to read; false when the time is over.
+bool HasMore(int file, const std::optional<ChildBounds>& bounds, Clock::time_point start)
+{
+    while (bounds)
+    {
+        const double left =
+            bounds->wall - std::chrono::duration<double>(Clock::now() - start).count();
+        pollfd wanted{file, POLLIN, 0};
+        const int ready =
+            left > 0.0 ? poll(&wanted, 1, int(std::ceil(1000.0 * std::min(left, 1.0e6)))) : 0;
+        if (ready > 0 || (ready < 0 && errno != EINTR))
+        {
+            return true;
+        }
+        if (left <= 0.0)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+Words ReadAll(int file, const std::optional<ChildBounds>& bounds, Clock::time_point start)
+{
+    Words words;
+    std::string& text = words.text;
     char buffer[4096];
     for (;;)
     {
+        if (!HasMore(file, bounds, start))
+        {
+            words.excess = "it did not end within " + std::to_string(int(bounds->wall)) + " s";
+            return words;
+        }
+        if (bounds && text.size() > bounds->output)
+        {
+            words.excess = "it wrote more than " + std::to_string(bounds->output >> 20) + " MB";
+            return words;
+        }
         const ssize_t count = read(file, buffer, sizeof buffer);
         if (count > 0)
         {
@@ -39,7 +85,7 @@ std::string ReadAll(int file)
         }
         else if (count == 0 || errno != EINTR)
         {
-            return text;
+            return words;
         }
     }
 }
@@ -88,7 +134,8 @@ std::string LastWords(std::string output)
 }
 
 Result<ChildRun> Run(const std::filesystem::path& program,
-                     const std::vector<std::string>& arguments, Heard heard, int otherCode)
+                     const std::vector<std::string>& arguments, Heard heard, int otherCode,
+                     const std::optional<ChildBounds>& bounds)
 {
     std::vector<char*> words{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments)
@@ -102,21 +149,30 @@ Result<ChildRun> Run(const std::filesystem::path& program,
         return CannotRun(program, std::strerror(errno));
     }
     ChildRun run;
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     pid_t child = 0;
     const int failure = Spawn(program, words, heard, ends, child);
     close(ends[1]);
-    run.output = failure == 0 ? ReadAll(ends[0]) : std::string();
+    Words said = failure == 0 ? ReadAll(ends[0], bounds, start) : Words{};
     close(ends[0]);
     if (failure != 0)
     {
         return CannotRun(program, std::strerror(failure));
     }
+    run.output = std::move(said.text);
+    if (!said.excess.empty())
+    {
+        kill(child, SIGKILL);
+    }
     int status = 0;
     rusage usage{};
     while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR)
     {}
-    run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!said.excess.empty())
+    {
+        return CannotRun(program, said.excess);
+    }
+    run.wall = std::chrono::duration<double>(Clock::now() - start).count();
     run.cpu = SecondsOf(usage.ru_utime) + SecondsOf(usage.ru_stime);
     run.memory = 1024.0 * double(usage.ru_maxrss);
     run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
@@ -132,16 +188,17 @@ Result<ChildRun> Run(const std::filesystem::path& program,
 } // namespace
 
 Result<std::string> OutputOf(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments)
+                             const std::vector<std::string>& arguments,
+                             const std::optional<ChildBounds>& bounds)
 {
-    Result<ChildRun> run = Run(program, arguments, Heard::Output, 0);
+    Result<ChildRun> run = Run(program, arguments, Heard::Output, 0, bounds);
     return run ? Result<std::string>(std::move(run->output)) : Result<std::string>(run.GetError());
 }
 
 Result<ChildRun> RunMeasured(const std::filesystem::path& program,
                              const std::vector<std::string>& arguments, int otherCode)
 {
-    return Run(program, arguments, Heard::OutputAndErrors, otherCode);
+    return Run(program, arguments, Heard::OutputAndErrors, otherCode, {});
 }
 
 } // namespace boxreel

@@ -3,17 +3,28 @@
 
 #include <debugdraw/Result.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace boxreel
 {
 
+/// What a program may take that somebody else wrote; one that takes more is ended.
+struct ChildBounds
+{
+    std::size_t output = 0; ///< most that it may write to its standard output [bytes]
+    double wall = 0.0;      ///< longest that it may run [s]
+};
+
 /// Runs a program to its end and returns what it wrote to its standard output; its standard error
-/// is ours. An error when it cannot be started or ends with another code than 0.
+/// is ours. An error when it cannot be started, ends with another code than 0 or leaves its bounds,
+/// if it has any.
 Result<std::string> OutputOf(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments);
+                             const std::vector<std::string>& arguments,
+                             const std::optional<ChildBounds>& bounds = {});
 
 /// What a program needed, with all programs that it started and waited for.
 struct ChildRun

@@ -110,7 +110,7 @@ Result<std::string> PictureBy(const fs::path& program, const std::string& scene,
                             NumberPlain(close->centerY) + "," +
                             NumberPlain(close->height / close->pixelsPerMeter));
     }
-    const Result<std::string> said = OutputOf(program, arguments);
+    const Result<std::string> said = OutputOf(program, arguments, ChildBounds{1u << 20, 300.0});
     std::ifstream in(picture, std::ios::binary);
     std::string bytes(std::istreambuf_iterator<char>(in), {});
     if (!said || bytes.empty())

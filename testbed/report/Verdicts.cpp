@@ -60,7 +60,9 @@ std::string DescribeLimits(const json& file)
     }
     const double edgeShift = file.value("edgeShift", 0.0);
     const double ratio = file.value("maxRatio", 1.0);
-    std::string text = file.at("preset").get<std::string>() + ": ";
+    std::string text = file.at("preset").get<std::string>();
+    text.erase(text.find_last_not_of(',') + 1); // of "same-machine, with --max-pixels,"
+    text += ": ";
     text +=
         file.value("maxPixels", json()).is_null() ? "any number of" : file.at("maxPixels").dump();
     text += " pixels over a distance of " + Number(file.value("tolerance", 0.0));
@@ -135,6 +137,16 @@ Result<ReportedVerdict> ReadVerdict(const fs::path& path)
     {
         return Unusable(path, "is no verdict of a golden test" + remedy);
     }
+}
+
+/// The rest of the page is worth having: what cannot be read is told like what could not be
+/// compared.
+ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const Error& error)
+{
+    std::string name = path.lexically_relative(folder).generic_string();
+    name.resize(name.size() - std::string_view(kEnd).size());
+    return FromJson(
+        {{"verdict", 1}, {"name", name}, {"status", "error"}, {"message", error.message}});
 }
 
 /// The files of a folder, sorted, so that the same folders make the same page.
@@ -221,7 +233,7 @@ Result<std::vector<ReportedMoment>> CollectVerdicts(const std::vector<fs::path>&
             Result<ReportedVerdict> verdict = ReadVerdict(path);
             if (!verdict)
             {
-                return verdict.GetError();
+                verdict = Unreadable(path, folder, verdict.GetError());
             }
             verdict->folder = FolderOf(path, verdict->name);
             const std::string whole = path.string();

@@ -40,7 +40,8 @@ struct ReportedMoment
     std::vector<ReportedVerdict> others; ///< of other folders, when they say something else
 };
 
-/// Sorted by name. Unusable when a folder is not there or a file is not of this kind.
+/// Sorted by name. A file that is no verdict becomes one of the status "error". Unusable when a
+/// folder is not there or has no verdict.
 Result<std::vector<ReportedMoment>>
 CollectVerdicts(const std::vector<std::filesystem::path>& folders);
 

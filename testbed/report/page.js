@@ -92,9 +92,6 @@ function splitItems(expected, actual) {
 // each other: draw lists mostly keep their items and change numbers.
 function differentLines(before, after) {
   const a = before.replace(/\n$/, "").split("\n"), b = after.replace(/\n$/, "").split("\n");
-  if (a.length === b.length) {
-    return a.flatMap((line, i) => line === b[i] ? [] : [[i + 1, line, i + 1, b[i]]]);
-  }
   let begin = 0, endA = a.length, endB = b.length;
   while (begin < Math.min(endA, endB) && a[begin] === b[begin]) ++begin;
   while (endA > begin && endB > begin && a[endA - 1] === b[endB - 1]) --endA, --endB;
@@ -180,6 +177,7 @@ function picture(data, side, caption) {
 
 const sizeOf = () => $("#size").value;
 function sizeNow(image) {
+  image.closest(".three")?.classList.toggle("wide", isWide(image));
   const times = sizeOf();
   image.style.width = times === "fit" ? "" : `${image.naturalWidth * Number(times)}px`;
 }
@@ -189,6 +187,9 @@ function sizeLater(image) {
 
 const figure = (data, side, caption = side) =>
   make("figure", {}, make("figcaption", {class: side}, caption), picture(data, side, caption));
+
+// Beside each other they would be too small to read: a contact sheet's are several times as wide as high.
+function isWide(image) { return image.naturalWidth > 2.5 * image.naturalHeight; }
 
 const viewThree = (data) => make("div", {class: "three"},
   ...["expected", "actual", "difference"].filter(side => data[side + "Picture"]).map(side => figure(data, side)));
@@ -490,7 +491,11 @@ function filter() {
   const passed = $("details#passed"); // a card may be called so, too
   if (passed) {
     passed.hidden = !on.has("same");
-    for (const item of $$("li", passed)) item.hidden = !fits(item.dataset.name);
+    const items = $$("li", passed);
+    for (const item of items) item.hidden = !fits(item.dataset.name);
+    const left = items.filter(item => !item.hidden).length;
+    const all = `${items.length} ${items.length === 1 ? "moment" : "moments"} as approved`;
+    $("summary", passed).textContent = left === items.length ? all : `${left} of ${all}`;
   }
   openSeen();
   $("#shown").textContent = cards.length === 0 ? "" : `${number} of ${cards.length} shown`;

@@ -36,6 +36,16 @@ Result<int> RunDiff(const DiffOptions& options)
         {
             return usable.GetError();
         }
+        for (const std::filesystem::path& picture : {options.expected, options.actual})
+        {
+            std::error_code none; // such as one that is not there yet
+            if (std::filesystem::equivalent(options.output, picture, none))
+            {
+                return Error{ErrorKind::Unusable, "'" + options.output.string() +
+                                                      "' is one of the pictures that are compared; "
+                                                      "name another file for the difference."};
+            }
+        }
     }
     Result<Frame> expected = ReadPng(options.expected);
     if (!expected)

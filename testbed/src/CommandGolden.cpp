@@ -142,7 +142,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     const std::string page =
         options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
     const Result<void> written =
-        WriteOutput(failures == 0 ? what + ": all as approved\n"
+        WriteOutput(failures == 0 ? what + ": all as approved (" + DescribeLimits(settings) + ")\n"
                                   : what + ": " + std::to_string(failures) +
                                         " not as approved, see '" + output + "'" + page + "\n");
     if (!written)
@@ -248,6 +248,12 @@ Result<int> RunGolden(const GoldenOptions& options)
     {
         return Error{ErrorKind::Unusable, "--against compares what worlds do, and a film shows no "
                                           "world; leave out --against or --film."};
+    }
+    if (!options.against.empty() && Effective(options.compare).preset != CompareSettings().preset)
+    {
+        return Error{ErrorKind::Unusable, "--against compares all bodies of each step, bit by bit; "
+                                          "leave out --against, or what '" +
+                                              Effective(options.compare).preset + "' stands for."};
     }
     if (!options.against.empty() && !options.report.empty())
     {

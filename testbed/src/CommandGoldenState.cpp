@@ -16,6 +16,9 @@ std::string StateText(const GoldenRun& run)
     return run.stateHash + "\n" + ToText(run.state);
 }
 
+/// What the longest trace takes a hundred times over, and a scene in a build for debugging.
+constexpr ChildBounds kAgainst{64u << 20, 300.0};
+
 /// What another program says of a scene.
 class OtherProgram
 {
@@ -51,8 +54,13 @@ private:
     Result<std::string> Ask(std::vector<std::string> more) const
     {
         more.insert(more.begin(), {"golden", "state", m_scene});
-        Result<std::string> text = OutputOf(m_program, more);
-        if (text && text->empty())
+        Result<std::string> text = OutputOf(m_program, more, kAgainst);
+        if (!text)
+        {
+            return Error{ErrorKind::Unusable, "--against: " + text.GetError().message +
+                                                  " Give another build of boxreel."};
+        }
+        if (text->empty())
         {
             return Odd({ErrorKind::Unusable, "it printed nothing"});
         }
@@ -80,7 +88,7 @@ Result<std::string> CompareWith(const std::filesystem::path& program,
     if (!std::filesystem::is_regular_file(program, ignored))
     {
         return Error{ErrorKind::Unusable, "--against " + program.string() +
-                                              ": there is no such program; give the file of "
+                                              ": there is no such file; give the program of "
                                               "another build, such as build/boxreel."};
     }
     const std::string scene = SceneSlug(selection.scene->name);
@@ -96,15 +104,15 @@ Result<std::string> CompareWith(const std::filesystem::path& program,
     {
         return theirs.GetError();
     }
-    if (theirs->steps.size() != ours->trace.steps.size())
-    {
-        return scene + ": " + program.string() + " goes " + std::to_string(theirs->steps.size()) +
-               " steps where this program goes " + std::to_string(ours->trace.steps.size()) + ".";
-    }
     const std::optional<TraceDifference> parted = FirstDifference(*theirs, ours->trace);
     if (!parted)
     {
         return std::string();
+    }
+    if (parted->isOfOne)
+    {
+        return scene + ": " + program.string() + " goes other steps than this program, " +
+               Describe(*parted) + ".";
     }
     const Result<WorldState> before = other.State(parted->step);
     const Result<GoldenRun> now = SimulateGolden(selection, parted->step);

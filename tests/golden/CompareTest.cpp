@@ -490,6 +490,28 @@ TEST(CompareVerdict, NamesTheLimitsAndWhereTheyCameFrom)
                 HasSubstr("(exact, with --max-pixels 7 allows 7 pixels"));
 }
 
+TEST(CompareVerdict, NamesWhatAProgramChangedOfAPreset)
+{
+    CompareSettings own = CompareSettings::Exact();
+    own.tolerance = 0.1;
+    own.maxPixels = 1000;
+    EXPECT_EQ(
+        DescribeLimits(own),
+        "exact, with another tolerance, maxPixels, allows 1000 pixels over a distance of 0.1, 0 in "
+        "any 16x16");
+    EXPECT_EQ(DescribeLimits(CompareSettings()),
+              "same-machine allows 4 pixels over a distance of 0.00025, 1 in any 16x16");
+    own = CompareSettings::CrossMachine();
+    own.edgeShift = 0.4;
+    own.maxRatio = 0.5;
+    own.densityWindow = 8;
+    own.maxInWindow = 9;
+    EXPECT_EQ(
+        DescribeLimits(own),
+        "cross-machine, with another edgeShift, maxRatio, densityWindow, maxInWindow, allows 50 % "
+        "over a distance of 0.01 and edges 0.4 px elsewhere, 9 in any 8x8");
+}
+
 TEST(CompareVerdict, NamesRatioAndEdgesWhereTheyCount)
 {
     const Frame expected = Filled(64, 64, kDark);
@@ -499,8 +521,10 @@ TEST(CompareVerdict, NamesRatioAndEdgesWhereTheyCount)
         "0.2 px elsewhere, 8 in any 16x16)");
     CompareSettings own;
     own.maxRatio = 0.001;
-    EXPECT_THAT(Compare(expected, expected, own).verdict,
-                HasSubstr("(same-machine allows 4 pixels, 0.1 % over a distance of 0.00025, 1 in"));
+    EXPECT_THAT(
+        Compare(expected, expected, own).verdict,
+        HasSubstr(
+            "(same-machine, with another maxRatio, allows 4 pixels, 0.1 % over a distance of"));
 }
 
 TEST(Compare, PaintsNoDifferenceWhenNoneIsWanted)

@@ -142,6 +142,13 @@ TEST_F(GoldenCheck, AttachesThePicturesOfAFailureForCTest)
     EXPECT_EQ(Check(candidate).output, "") << "it has passed";
 }
 
+TEST_F(GoldenCheck, NamesPicturesInAnyFolderInXml)
+{
+    settings.attach = true;
+    settings.output /= "a&b<c";
+    EXPECT_THAT(Check(candidate).output, HasSubstr("/a&amp;b&lt;c/start.actual.png</CTest"));
+}
+
 TEST_F(GoldenCheck, AttachesTheOnePictureThatAMissingReferenceLeaves)
 {
     settings.attach = true;
@@ -213,6 +220,10 @@ TEST(GoldenSettings, GiveEachShardAFolderOfItsOwn)
     EXPECT_EQ(GoldenSettingsFromEnvironment("r")->output, "golden-output/shard-0-of-2");
     environment.shard.Set("1");
     EXPECT_EQ(GoldenSettingsFromEnvironment("r")->output, "golden-output/shard-1-of-2");
+    environment.shard.Set("../../elsewhere");
+    ASSERT_FALSE(GoldenSettingsFromEnvironment("r"));
+    EXPECT_THAT(GoldenSettingsFromEnvironment("r").GetError().message,
+                HasSubstr("'../../elsewhere' of GTEST_TOTAL_SHARDS '2' is no shard"));
     environment.shards.Set("1");
     EXPECT_EQ(GoldenSettingsFromEnvironment("r")->output, "golden-output");
 }

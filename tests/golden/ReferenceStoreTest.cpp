@@ -187,6 +187,32 @@ TEST_F(ReferenceStoreTest, SeesAWorldThatWentAnotherWayToTheSameState)
     EXPECT_THAT(verdict.message, HasSubstr("differ on the way, from step 41 on, and come to"));
 }
 
+TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreAnError)
+{
+    GoldenCandidate candidate = m_candidate;
+    candidate.state = {{{0, 0, 0, 0, 0, 0, 0}, {1, 1, 1.051f, 0, 0, 0, 0}}};
+    Accept(candidate);
+    std::ofstream(m_references / "state/pyramid/3s.txt")
+        << "0123456789abcdef\n0 0 0 0\n1 1 1.02 0\n";
+    const Error error = VerifyError(candidate);
+    EXPECT_EQ(error.kind, ErrorKind::Unusable);
+    EXPECT_THAT(error.message, HasSubstr("are not those that its hash stands for"));
+}
+
+TEST_F(ReferenceStoreTest, ATraceThatIsCutIsNoReferenceThatPasses)
+{
+    GoldenCandidate candidate = m_candidate;
+    candidate.trace = {{{41, "00000000", "00"}, {42, "00000001", "01"}}};
+    for (const char* cut : {"", "41 00000000 00\n", "42 00000001 01\n"})
+    {
+        Accept(candidate);
+        std::ofstream(m_references / "trace/pyramid/3s.txt") << cut;
+        const GoldenVerdict verdict = Verify(candidate);
+        EXPECT_EQ(verdict.status, GoldenStatus::State) << cut;
+        EXPECT_THAT(verdict.message, HasSubstr("which only one of them has"));
+    }
+}
+
 TEST_F(ReferenceStoreTest, ADamagedStateOrTraceIsAnErrorThatNamesTheFile)
 {
     GoldenCandidate candidate = m_candidate;

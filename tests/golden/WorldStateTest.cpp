@@ -46,8 +46,9 @@ TEST(WorldStateText, ReadsBackToTheSameBits)
 
 TEST(WorldStateText, OfAnotherKindIsRefusedWithTheLine)
 {
-    for (const char* bad : {"x 1 2 3\n", "0 1 2\n", "0 1 2 3 4\n", "0 1 2 3 4 5 6 7\n",
-                            "-1 0 0 0\n", "0 1 2 3x\n", "1 0 0 0\n1 0 0 0\n", "0  1 2 3\n"})
+    for (const char* bad :
+         {"x 1 2 3\n", "0 1 2\n", "0 1 2 3 4\n", "0 1 2 3 4 5 6 7\n", "-1 0 0 0\n", "0 1 nan 3\n",
+          "0 inf 2 3\n", "0 1 2 3x\n", "1 0 0 0\n1 0 0 0\n", "0  1 2 3\n"})
     {
         const Result<WorldState> state = ParseWorldState(bad);
         ASSERT_FALSE(state) << bad;
@@ -121,7 +122,7 @@ TEST(StateTraceText, OfAnotherKindIsRefusedWithTheLine)
         << "nothing that a terminal obeys";
 }
 
-TEST(StateTraceDifference, IsAtTheFirstStepThatBothHaveAndOfTheBodiesWhoseDigitsDiffer)
+TEST(StateTraceDifference, IsAtTheFirstStepAndOfTheBodiesWhoseDigitsDiffer)
 {
     const StateTrace expected =
         Trace({{1, "00000000", "000"}, {2, "00000001", "123"}, {3, "00000002", "456"}});
@@ -134,8 +135,25 @@ TEST(StateTraceDifference, IsAtTheFirstStepThatBothHaveAndOfTheBodiesWhoseDigits
     EXPECT_EQ(difference->step, 2);
     EXPECT_THAT(difference->bodies, ElementsAre(1));
     EXPECT_EQ(Describe(*difference), "from step 2 on, body 1 first");
-    actual.steps.erase(actual.steps.begin() + 1); // and what only one of them has is passed over
-    EXPECT_EQ(FirstDifference(expected, actual)->step, 3);
+}
+
+TEST(StateTraceDifference, IsAtAStepThatOnlyOneOfThemHas)
+{
+    const StateTrace whole =
+        Trace({{1, "00000000", "000"}, {2, "00000001", "123"}, {3, "00000002", "456"}});
+    for (std::size_t gone = 0; gone < 3; ++gone)
+    {
+        StateTrace cut = whole;
+        cut.steps.erase(cut.steps.begin() + std::ptrdiff_t(gone));
+        for (const auto& difference : {FirstDifference(whole, cut), FirstDifference(cut, whole)})
+        {
+            ASSERT_TRUE(difference) << gone;
+            EXPECT_EQ(Describe(*difference),
+                      "from step " + std::to_string(gone + 1) + " on, which only one of them has");
+        }
+    }
+    EXPECT_EQ(FirstDifference(StateTrace(), whole)->step, 1) << "nothing is not the same as all";
+    EXPECT_FALSE(FirstDifference(StateTrace(), StateTrace()));
 }
 
 TEST(StateTraceDifference, TakesABodyThatOnlyOneOfThemHasForDifferent)

@@ -314,6 +314,19 @@ TEST_F(Command, DiffTellsEqualFromDifferentFromUnreadable)
     ExpectRefusal({"diff", "a.png", "other.png", "--preset", "sloppy"}, 1, "sloppy");
 }
 
+TEST_F(Command, DiffNeverWritesOverWhatItCompares)
+{
+    Picture("a.png", 64, 48, 100);
+    Picture("other.png", 64, 48, 140);
+    const std::string before = ReadFile(folder / "a.png");
+    for (const char* output : {"a.png", "./other.png"})
+    {
+        ExpectRefusal({"diff", "a.png", "other.png", "-o", output, "--force"}, 1,
+                      "is one of the pictures");
+    }
+    EXPECT_EQ(ReadFile(folder / "a.png"), before);
+}
+
 TEST_F(Command, DiffWritesThePictureOfTheDifferences)
 {
     Picture("a.png", 64, 48, 100);

@@ -243,8 +243,53 @@ TEST_F(GoldenCommand, FindsTheStepTheBodyAndTheDistanceByAnotherBuildsRun)
                                       HasSubstr("body 17: 0.03 m lower")));
     EXPECT_EQ(Run({"verify", "bridge/0.5s", "--against", other.string()}).code, 0)
         << "until half a second it is the same";
-    ExpectRefusal({"verify", "bridge", "--against", "nothing"}, "there is no such program");
+    ExpectRefusal({"verify", "bridge", "--against", "nothing"}, "there is no such file");
+    ExpectRefusal({"verify", "bridge", "--against", "."}, "there is no such file");
     ExpectRefusal({"verify", "bridge", "--against", "/bin/true"}, "knows `golden state`");
+    ExpectRefusal({"verify", "bridge", "--against", "/bin/false"},
+                  "Give another build of boxreel.");
+}
+
+TEST_F(GoldenCommand, SaysWhatItCannotLeaveOutWhenItComparesWithAnotherBuild)
+{
+    for (const char* option :
+         {"--ignore-body=5", "--preset=exact", "--max-pixels=9", "--ignore=0,0,9x9"})
+    {
+        ExpectRefusal({"verify", "bridge", "--against", BOXREEL_PROGRAM, option},
+                      "leave out --against, or");
+    }
+}
+
+TEST_F(GoldenCommand, TakesNoStepOfAnotherBuildForOneOfOurs)
+{
+    const fs::path other = folder / "shifted";
+    std::ofstream(other) << "#!/bin/sh\n\"" BOXREEL_PROGRAM
+                            "\" \"$@\" | sed -E 's/^([0-9]+) /1000\\1 /'\n";
+    fs::permissions(other, fs::perms::owner_all);
+    const Outcome outcome = Run({"verify", "bridge/0.5s", "--against", other.string()});
+    EXPECT_EQ(outcome.code, 2) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("goes other steps than this program, from step 1 on"));
+}
+
+TEST_F(GoldenCommand, EndsAnotherProgramThatNeverStopsTalking)
+{
+    const fs::path other = folder / "flood";
+    std::ofstream(other) << "#!/bin/sh\nexec yes 0123456789\n";
+    fs::permissions(other, fs::perms::owner_all);
+    const Outcome outcome = Run({"verify", "bridge", "--against", other.string()});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.errors, HasSubstr("it wrote more than 64 MB. Give another build"));
+    EXPECT_LT(outcome.peakKilobytes, 600'000) << "a few times what it may write";
+}
+
+TEST_F(GoldenCommand, SaysWhatWasAllowedThoughNothingDiffers)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge/2s"}).code, 0);
+    EXPECT_THAT(
+        RunIn({"verify", "bridge/2s"}).output,
+        HasSubstr("1 moment: all as approved (same-machine allows 4 pixels over a distance"));
+    EXPECT_THAT(RunIn({"verify", "bridge/2s", "--max-pixels", "9"}).output,
+                HasSubstr("(same-machine, with --max-pixels, allows 9 pixels"));
 }
 
 } // namespace

@@ -146,12 +146,21 @@ TEST_F(GoldenReport, IsWrittenWholeOrNotAtAll)
     ExpectRefusal({"report", "o", "-o", "none/a.html"}, "There is no folder 'none'");
     EXPECT_EQ(ReadFile(folder / "mine.html"), "mine");
     EXPECT_EQ(Run({"report", "o", "-o", "mine.html", "--force"}).code, 0);
-    const std::string page = ReadFile(folder / "mine.html");
-    std::ofstream(folder / "o/b.verdict.json") << "damaged";
-    ExpectRefusal({"report", "o", "-o", "mine.html"},
-                  "b.verdict.json' is no verdict of a golden test");
-    EXPECT_EQ(ReadFile(folder / "mine.html"), page) << "as it was";
     EXPECT_EQ(folder.Files().size(), 2u) << "nothing unfinished is left";
+}
+
+TEST_F(GoldenReport, TellsAVerdictThatCannotBeReadBesideTheOthers)
+{
+    fs::create_directories(folder / "o/c");
+    std::ofstream(folder / "o/a.verdict.json")
+        << R"({"verdict": 1, "name": "a", "status": "same", "message": ""})";
+    std::ofstream(folder / "o/c/b.verdict.json") << "damaged";
+    const Outcome outcome = Run({"report", "o"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.output, HasSubstr("2 moments: 1 not as approved"));
+    EXPECT_THAT(
+        ReadFile(folder / "o/report.html"),
+        AllOf(HasSubstr("id=\"c/b\""), HasSubstr("is no verdict of a golden test; remove it")));
 }
 
 } // namespace

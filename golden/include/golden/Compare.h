@@ -64,6 +64,10 @@ struct CompareSettings
 /// The value of CompareSettings::maxPixels that sets no limit.
 inline constexpr std::int64_t kAnyNumberOfPixels = std::numeric_limits<std::int64_t>::max();
 
+/// "same-machine allows 4 pixels over a distance of 0.00025, 1 in any 16x16": what holds, and where
+/// it came from.
+std::string DescribeLimits(const CompareSettings& settings);
+
 /// What a comparison has found.
 struct Comparison
 {

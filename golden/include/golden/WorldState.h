@@ -78,10 +78,11 @@ struct TraceDifference
 {
     std::int64_t step = 0;   ///< the first that differs
     std::vector<int> bodies; ///< those that may differ there, by number; empty: not to be told
+    bool isOfOne = false;    ///< only one of the traces has that step
 };
 
-/// None when all steps that both have are the same. A digit may be the same by chance (one in 16)
-/// where a body differs; the step is never in doubt.
+/// None when both have the same steps and each is the same. A digit may be the same by chance (one
+/// in 16) where a body differs; the step is never in doubt.
 std::optional<TraceDifference> FirstDifference(const StateTrace& expected,
                                                const StateTrace& actual);
 

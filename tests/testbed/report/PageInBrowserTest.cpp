@@ -146,7 +146,7 @@ TEST_F(PageInBrowser, FiltersSlidesBlinksAndOverlaysWithoutAConsoleError)
         Load(PageOf({{"moved/1s", SmallStrip()}}), ReadFile(BOXREEL_PAGE_HARNESS));
     const std::string results = Results(outcome);
     EXPECT_THAT(results, Not(HasSubstr("WRONG")));
-    EXPECT_EQ(std::count(results.begin(), results.end(), '\n'), 37) << results;
+    EXPECT_EQ(std::count(results.begin(), results.end(), '\n'), 39) << results;
     EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
 }
 

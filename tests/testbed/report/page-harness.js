@@ -20,7 +20,9 @@ try {
   type("mov");
   check("the filter hides other names", shown() === "moved/1s", shown());
   check("it says how many are left", one("#shown").textContent === "1 of 3 shown", one("#shown").textContent);
+  check("and how many of those that passed", one("#passed summary").textContent === "0 of 1 moment as approved", one("#passed summary").textContent);
   type("");
+  check("or all of them", one("#passed summary").textContent === "1 moment as approved");
   one("#statuses button[data-status=drawlist]").click();
   check("a verdict's button hides its cards", shown() === "gone/1s moved/1s", shown());
   one("#statuses button[data-status=drawlist]").click();
