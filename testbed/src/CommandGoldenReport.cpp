@@ -51,7 +51,7 @@ Result<void> CheckGoldenReportPath(const fs::path& path, bool force)
     {
         return Error{ErrorKind::Unusable, "'" + path.string() +
                                               "' is there and is no golden report; name another "
-                                              "file, or give --force."};
+                                              "file, or remove this one."};
     }
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, code))

@@ -141,7 +141,7 @@ TEST_F(GoldenReport, IsWrittenWholeOrNotAtAll)
     std::ofstream(folder / "o/a.verdict.json")
         << R"({"verdict": 1, "name": "a", "status": "same", "message": ""})";
     std::ofstream(folder / "mine.html") << "mine";
-    ExpectRefusal({"report", "o", "-o", "mine.html"}, "give --force");
+    ExpectRefusal({"report", "o", "-o", "mine.html"}, "or remove this one");
     ExpectRefusal({"report", "o", "-o", "o"}, "name a file in it");
     ExpectRefusal({"report", "o", "-o", "none/a.html"}, "There is no folder 'none'");
     EXPECT_EQ(ReadFile(folder / "mine.html"), "mine");

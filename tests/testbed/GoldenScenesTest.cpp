@@ -30,6 +30,24 @@ TEST_P(GoldenScenes, LookAndMoveAsApproved)
     }
 }
 
+/// Of the files below a folder [bytes].
+std::uintmax_t SizeOf(const std::filesystem::path& folder)
+{
+    std::uintmax_t size = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    {
+        size += entry.is_regular_file() ? entry.file_size() : 0;
+    }
+    return size;
+}
+
+TEST(GoldenReferences, TakeLessThanFiveMegabytes)
+{
+    const std::uintmax_t size = SizeOf(BOXREEL_REFERENCES) + SizeOf(BOXREEL_SCRIPTS "/references");
+    EXPECT_GT(size, 1'000'000u);
+    EXPECT_LT(size, 5'000'000u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenScenes, testing::ValuesIn(EveryScene()), CaseName);
 
 } // namespace

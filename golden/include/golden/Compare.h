@@ -47,11 +47,11 @@ struct CompareSettings
     static CompareSettings SameMachine(); ///< the default: single stray pixels pass
     /// Another GPU, driver or compiler: roundings and edges differ, what is drawn does not.
     /// tolerance 0.01: above what +-2/255 makes in the fills of our themes (0.009 at most, on the
-    /// dark ground), below what 4/255 in all channels makes (0.012 or more).
-    /// edgeShift 0.2: GL lets a driver round vertices to 1/16 px, so two of them draw an edge up
-    /// to 1/8 px apart; the rest is for corners where several edges meet. Whole scenes shifted by
-    /// 0.1 px pass, by 0.5 px fail. OSMesa and EGL of one Mesa draw the same bits.
-    /// maxRatio 0.0005: some 460 specks in 1280x720, one in every second window of 32x32.
+    /// dark ground), below what 4/255 in all channels makes there (0.012 or more; of saturated red
+    /// and blue 0.006). edgeShift 0.2: GL lets a driver round vertices to 1/16 px, so two of them
+    /// draw an edge up to 1/8 px apart; the rest is for corners where several edges meet. Whole
+    /// scenes shifted by 0.1 px pass, by 0.5 px fail. OSMesa and EGL of one Mesa draw the same
+    /// bits. maxRatio 0.0005: some 460 specks in 1280x720, one in every second window of 32x32.
     /// maxInWindow 8: a dot of 3x3 pixels that is gone is found; specks of that density are not
     /// that close together.
     static CompareSettings CrossMachine();
