@@ -103,11 +103,21 @@ std::string DescribeLimits(const CompareSettings& settings)
 namespace
 {
 
+/// A comparison that compares nothing must not pass.
+bool IsAllIgnored(const Comparison& result)
+{
+    return result.compared == 0 && result.ignored > 0;
+}
+
 std::string Verdict(const Comparison& result, const CompareSettings& settings)
 {
     std::string text = result.equal ? "equal: " : "different: ";
     const std::string ignored =
         result.ignored > 0 ? ", " + Pixels(result.ignored) + " ignored" : std::string();
+    if (IsAllIgnored(result))
+    {
+        return text + "nothing was compared" + ignored + " (" + DescribeLimits(settings) + ")";
+    }
     if (result.differentPixels == 0)
     {
         return text + "no bit differs" + ignored + " (" + DescribeLimits(settings) + ")";
@@ -191,7 +201,8 @@ Comparison Compare(const Frame& expected, const Frame& actual, const CompareSett
     {
         result.worstWindow = WorstWindow(marks, std::max(settings.densityWindow, 1));
     }
-    result.equal = result.sameSize && result.overTolerance <= settings.maxPixels &&
+    result.equal = result.sameSize && !IsAllIgnored(result) &&
+                   result.overTolerance <= settings.maxPixels &&
                    double(result.overTolerance) <= settings.maxRatio * double(result.compared) &&
                    result.worstWindow <= settings.maxInWindow;
     result.verdict =

@@ -355,6 +355,19 @@ TEST(CompareIgnored, MayReachBeyondThePictureAndMissIt)
     EXPECT_EQ(Compare(expected, actual, settings).compared, 64 * 64);
 }
 
+TEST(CompareIgnored, CannotBeAll)
+{
+    const Frame expected = Filled(64, 64, kDark);
+    CompareSettings settings;
+    settings.ignored = {{0, 0, 64, 63}};
+    EXPECT_TRUE(Compare(expected, expected, settings).equal);
+    settings.ignored.push_back({0, 60, 99, 99});
+    const Comparison result = Compare(expected, expected, settings);
+    EXPECT_FALSE(result.equal);
+    EXPECT_THAT(result.verdict,
+                HasSubstr("different: nothing was compared, 4096 pixels ignored ("));
+}
+
 TEST(CompareIgnored, IsNoPartOfTheRatio)
 {
     const Frame expected = Filled(100, 100, kDark);
