@@ -23,7 +23,7 @@ struct Moment
     std::optional<std::string> state; ///< 16 hex digits
     WorldState bodies;                ///< none: only the hash is kept
     std::optional<StateTrace> trace;
-    std::optional<std::string> list;  ///< as text
+    std::optional<std::string> list; ///< as text
     std::optional<Frame> frame;
 };
 

@@ -4,6 +4,7 @@
 #include <scenes/SceneState.h>
 #include <scenes/Scenes.h>
 
+#include <cmath>
 #include <vector>
 
 namespace boxreel
@@ -87,7 +88,7 @@ private:
 
     static void Follow(std::vector<b2Vec2>& line, float32& slope, const Stretch& stretch)
     {
-        const int32 pieces = static_cast<int32>(stretch.length / kPiece + 0.5f);
+        const int32 pieces = static_cast<int32>(std::lround(stretch.length / kPiece));
         const float32 turn = (stretch.slope - slope) / static_cast<float32>(pieces);
         for (int32 i = 0; i < pieces; ++i)
         {

@@ -53,13 +53,13 @@ CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,
 }
 
 CLI::Option* AddText(CLI::App& command, const std::string& names,
-                     std::function<void(const std::string&)> read, const std::string& help)
+                     const std::function<void(const std::string&)>& read, const std::string& help)
 {
     return command.add_option_function<std::string>(names, read, help);
 }
 
 CLI::Option* AddTexts(CLI::App& command, const std::string& names,
-                      std::function<void(const std::vector<std::string>&)> read,
+                      const std::function<void(const std::vector<std::string>&)>& read,
                       const std::string& help)
 {
     return command.add_option_function<std::vector<std::string>>(names, read, help);

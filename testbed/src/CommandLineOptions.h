@@ -129,9 +129,9 @@ inline auto NumberBetween(double lowest, double highest, const char* remedy)
 CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,
                      const std::string& help);
 CLI::Option* AddText(CLI::App& command, const std::string& names,
-                     std::function<void(const std::string&)> read, const std::string& help);
+                     const std::function<void(const std::string&)>& read, const std::string& help);
 CLI::Option* AddTexts(CLI::App& command, const std::string& names,
-                      std::function<void(const std::vector<std::string>&)> read,
+                      const std::function<void(const std::vector<std::string>&)>& read,
                       const std::string& help);
 /// Becomes the parser's error: for the functions that read.
 [[noreturn]] void Refuse(const std::string& message);

@@ -4,6 +4,7 @@
 #include "Terminal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace boxreel
@@ -57,7 +58,7 @@ double FramesPerSecond(const RecordingProgress& progress, double seconds)
 /// "0:07", "12:34", "1:02:03".
 std::string TimeText(double seconds)
 {
-    const long long whole = static_cast<long long>(seconds + 0.5);
+    const long long whole = std::llround(seconds);
     if (whole >= 3600)
     {
         return Format("%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);

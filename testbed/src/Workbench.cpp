@@ -159,9 +159,10 @@ void Workbench::Advance(double seconds)
     }
     m_owed = std::min(m_owed + seconds, kMostOwed);
     const double step = 1.0 / m_session->StepsPerSecond().ToDouble();
-    for (; m_owed >= step; m_owed -= step)
+    while (m_owed >= step)
     {
         Tick();
+        m_owed -= step;
     }
 }
 

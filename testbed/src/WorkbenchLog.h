@@ -7,7 +7,10 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
+
+class b2World;
 
 /// What a person has done to a scene since it began, as the script that does it again.
 namespace boxreel

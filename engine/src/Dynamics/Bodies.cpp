@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Access.h"
+#include "BodyPose.h"
 #include "Reach.h"
 #include "World.h"
 

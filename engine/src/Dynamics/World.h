@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "BodyPose.h"
 #include "ConstraintGraph.h"
 #include "Islands.h"
 #include "PairSet.h"
@@ -229,14 +230,5 @@ private:
     const World& m_world;
     bool m_before;
 };
-
-/// Sine, cosine, transform and single-precision centre from the pose.
-void SynchronizePose(BodyData& body);
-/// The same when the angle has not changed since.
-void SynchronizePlace(BodyData& body);
-/// From centre of mass A to centre of mass B [m], exact however far from the origin.
-b2Vec2 CenterOffset(const BodyData& a, const BodyData& b);
-/// Body B's frame as seen from body A's.
-b2Transform RelativeTransform(const BodyData& a, const BodyData& b);
 
 } // namespace box2d

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../BodyPose.h"
 #include "../JointLanes.h"
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
@@ -10,9 +11,6 @@
 /// Made on the spot, never kept.
 namespace box2d
 {
-
-// Without the rest of World.h. NOLINTNEXTLINE(readability-redundant-declaration)
-b2Vec2 CenterOffset(const BodyData& a, const BodyData& b);
 
 struct JointFrame
 {
