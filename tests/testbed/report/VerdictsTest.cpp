@@ -124,11 +124,15 @@ TEST_F(Verdicts, MayHoldAnyBytes)
     EXPECT_EQ(JsonText("a<b\"\n\xff"), "\"a\\u003cb\\\"\\n\uFFFD\"");
 }
 
-TEST_F(Verdicts, AreRefusedWithTheFileThatIsNone)
+TEST_F(Verdicts, AreRefusedOfAFolderThatHasNone)
 {
     EXPECT_THAT(Refusal("none"), HasSubstr("run `boxreel golden verify` first"));
     fs::create_directories(folder / "empty");
     EXPECT_THAT(Refusal("empty"), HasSubstr("holds no verdict"));
+}
+
+TEST_F(Verdicts, ThatCannotBeReadAreToldBesideTheOthers)
+{
     const std::vector<std::string> damaged{
         "",
         "{",
@@ -143,7 +147,13 @@ TEST_F(Verdicts, AreRefusedWithTheFileThatIsNone)
     for (const std::string& text : damaged)
     {
         Write("out/x.verdict.json", text);
-        EXPECT_THAT(Refusal("out"), AllOf(HasSubstr("x.verdict.json'"), HasSubstr("; remove it")))
+        const Result<std::vector<ReportedMoment>> moments = CollectVerdicts({folder / "out"});
+        ASSERT_TRUE(moments);
+        ASSERT_EQ(moments->size(), 1u);
+        const ReportedVerdict& shown = moments->front().shown;
+        EXPECT_EQ(shown.status, "error") << text.substr(0, 80);
+        EXPECT_EQ(shown.name, "x");
+        EXPECT_THAT(shown.message, AllOf(HasSubstr("x.verdict.json'"), HasSubstr("; remove it")))
             << text.substr(0, 80);
     }
 }
