@@ -195,6 +195,7 @@ Result<ContactSheet> ContactSheetOf(const std::filesystem::path& film,
         1, int((std::int64_t(first.height) * layout.width + first.width / 2) / first.width));
     layout.pictures = pictures->size();
     layout.every = settings.every;
+    layout.stepsPerSecond = settings.stepsPerSecond;
     const PixelBounds last = layout.Place(pictures->size() - 1);
     sheet.frame = Frame(layout.Place(std::size_t(layout.columns) - 1).x1, last.y1);
     for (std::size_t i = 0; i < sheet.frame.rgba.size(); ++i)

@@ -5,6 +5,8 @@
 #include <render/Png.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdint>
 #include <set>
 #include <string_view>
@@ -24,6 +26,7 @@ constexpr const char* kState = "state";
 constexpr const char* kTrace = "trace";
 constexpr const char* kDrawList = "drawlist";
 constexpr const char* kFrames = "frames";
+constexpr const char* kSheet = "sheet";
 // Written once and kept for years: as small as it gets.
 constexpr int kReferenceCompression = 9;
 
@@ -110,6 +113,16 @@ std::string KeyedName(const std::string& name, const std::string& renderer)
     return renderer.empty() ? name : name + "@" + key;
 }
 
+/// Which moments of a film are on its contact sheet. One line, to be read by a person as well.
+std::string SheetText(const SheetLayout& layout)
+{
+    std::array<char, 32> digits;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), layout.stepsPerSecond).ptr;
+    return "every " + std::to_string(layout.every) + " steps, " + std::string(digits.data(), end) +
+           " a second\n";
+}
+
 Result<std::optional<Frame>> ReadFrame(const fs::path& root, const std::string& name)
 {
     const Result<fs::path> path = PathInside(root, Relative(kFrames, name, ".png"));
@@ -170,7 +183,7 @@ Result<std::vector<fs::path>> Places(const fs::path& references, const std::stri
          {Relative(kState, name, ".txt"), Relative(kState, name, ".txt.gz"),
           Relative(kTrace, name, ".txt"), Relative(kTrace, name, ".txt.gz"),
           Relative(kDrawList, name, ".txt"), Relative(kDrawList, name, ".txt.gz"),
-          Relative(kFrames, name, ".png")})
+          Relative(kSheet, name, ".txt"), Relative(kFrames, name, ".png")})
     {
         Result<fs::path> place = PathInside(references, relative);
         if (!place)
@@ -198,6 +211,10 @@ Result<std::vector<FileToWrite>> Encode(const fs::path& references, const std::s
     if (moment.list)
     {
         texts.emplace_back(kDrawList, *moment.list);
+    }
+    if (moment.sheet)
+    {
+        texts.emplace_back(kSheet, *moment.sheet);
     }
     for (auto& [depth, text] : texts)
     {
@@ -236,13 +253,18 @@ Result<Moment> ReadReference(const fs::path& root, const std::string& name,
             return done.GetError();
         }
     }
-    Result<std::optional<std::string>> list =
-        ReadStoredText(root, Relative(kDrawList, name, ".txt"));
-    if (!list)
+    const std::pair<const char*, std::optional<std::string>&> texts[] = {{kDrawList, moment.list},
+                                                                         {kSheet, moment.sheet}};
+    for (const auto& [depth, text] : texts)
     {
-        return list.GetError();
+        Result<std::optional<std::string>> kept =
+            ReadStoredText(root, Relative(depth, name, ".txt"));
+        if (!kept)
+        {
+            return kept.GetError();
+        }
+        text = *std::move(kept);
     }
-    moment.list = *std::move(list);
     for (const std::string& picture : {KeyedName(name, renderer), name})
     {
         Result<std::optional<Frame>> frame = ReadFrame(root, picture);
@@ -279,6 +301,10 @@ Moment Take(const GoldenCandidate& candidate, const Moment& expected)
     {
         moment.frame = candidate.frame;
     }
+    if (candidate.sheet)
+    {
+        moment.sheet = SheetText(*candidate.sheet);
+    }
     return moment;
 }
 
@@ -297,6 +323,10 @@ std::vector<std::string> MissingFiles(const std::string& name, const Moment& exp
     if (actual.list && !expected.list)
     {
         files.push_back(Relative(kDrawList, name, ".txt").string());
+    }
+    if (actual.sheet && !expected.sheet)
+    {
+        files.push_back(Relative(kSheet, name, ".txt").string());
     }
     if (actual.frame && !expected.frame)
     {

@@ -25,6 +25,7 @@ struct Moment
     std::optional<StateTrace> trace;
     std::optional<std::string> list; ///< as text
     std::optional<Frame> frame;
+    std::optional<std::string> sheet; ///< which moments of a film the frame shows, as text
 };
 
 /// What was approved under a name; everything absent when nothing was.

@@ -8,6 +8,7 @@
 #include "TextDifference.h"
 
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace boxreel
@@ -52,8 +53,14 @@ struct Differences
     std::optional<TraceDifference> onTheWay;
     std::optional<LineDifference> list;
     bool pixels = false;
+    bool moments = false;              // of a film, on the sheets
     std::optional<std::int64_t> since; // the step of the picture of a sheet that differs first
 };
+
+std::string FirstLine(const std::string& text)
+{
+    return text.substr(0, text.find('\n'));
+}
 
 std::string Join(const std::vector<std::string>& words)
 {
@@ -75,7 +82,7 @@ GoldenStatus StatusOf(const Differences& differences)
     {
         return GoldenStatus::DrawList;
     }
-    return differences.pixels ? GoldenStatus::Pixels : GoldenStatus::Same;
+    return differences.pixels || differences.moments ? GoldenStatus::Pixels : GoldenStatus::Same;
 }
 
 // Since when the worlds differ, and by how much at this moment.
@@ -117,6 +124,11 @@ std::string Explain(const Moment& expected, const Moment& actual, const Differen
         text = (actual.state ? "same world, other geometry: " : "other geometry: ") + list;
         break;
     case GoldenStatus::Pixels:
+        if (differences.moments)
+        {
+            return "other moments of a film: " + FirstLine(*actual.sheet) + " instead of " +
+                   FirstLine(*expected.sheet) + "; " + picture;
+        }
         return (actual.list ? "same geometry, other pixels: " : "other pixels: ") +
                (differences.since ? "from step " + std::to_string(*differences.since) + " on: "
                                   : "") +
@@ -141,6 +153,23 @@ void SayMissing(GoldenVerdict& verdict, const Moment& expected, const Moment& ac
     verdict.message = verdict.name + ": there is no reference (" +
                       Join(MissingFiles(verdict.name, expected, actual)) + " missing in " +
                       references.string() + ").";
+}
+
+/// With which the command makes this sheet of a film.
+std::string OptionsFor(const SheetLayout& sheet)
+{
+    const ContactSheetSettings usual;
+    std::ostringstream options;
+    options << " --film FILE";
+    if (sheet.every != usual.every)
+    {
+        options << " --every " << sheet.every;
+    }
+    if (sheet.stepsPerSecond != usual.stepsPerSecond)
+    {
+        options << " --hz " << sheet.stepsPerSecond;
+    }
+    return options.str();
 }
 
 /// The command takes the references of the checkout around it unless told otherwise.
@@ -309,7 +338,8 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
         LeaveOut(settings.ignoredBodies, less[0], less[1]);
     }
     Differences differences = Compare(*before, *now, compare, verdict.pixels);
-    if (differences.pixels && candidate.sheet)
+    differences.moments = actual.sheet && *actual.sheet != *judged.expected.sheet;
+    if (differences.pixels && candidate.sheet && !differences.moments)
     {
         differences.since = FirstPicture(*before->frame, *now->frame, *candidate.sheet, compare);
     }
@@ -390,7 +420,8 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     }
     return verdict.status == GoldenStatus::Missing
                ? ReportMissing(std::move(verdict), *files, judged->actual,
-                               (candidate.sheet ? " --film FILE" : "") + OptionFor(m_references))
+                               (candidate.sheet ? OptionsFor(*candidate.sheet) : "") +
+                                   OptionFor(m_references))
                : ReportDifferent(std::move(verdict), *files, judged->expected, judged->actual);
 }
 

@@ -80,6 +80,7 @@ std::string Regions(const std::vector<PixelBounds>& regions)
 
 void AddLimits(Object& object, const CompareSettings& limits)
 {
+    object.Add("limits", Quoted(DescribeLimits(limits)));
     object.Add("preset", Quoted(limits.preset));
     object.Add("tolerance", Text(limits.tolerance));
     object.Add("edgeShift", Text(limits.edgeShift));

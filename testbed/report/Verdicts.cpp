@@ -4,8 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -44,39 +42,15 @@ std::string Dumped(const json& value)
     return text;
 }
 
-std::string Number(double number)
+/// What was allowed, in the words of the comparison, and how much was not compared.
+std::string LimitsOf(const json& file)
 {
-    std::array<char, 32> digits;
-    return std::string(digits.data(),
-                       std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-}
-
-/// "same-machine: 4 pixels over a distance of 0.00025, …".
-std::string DescribeLimits(const json& file)
-{
-    if (!file.contains("preset"))
-    {
-        return "";
-    }
-    const double edgeShift = file.value("edgeShift", 0.0);
-    const double ratio = file.value("maxRatio", 1.0);
-    std::string text = file.at("preset").get<std::string>();
-    text.erase(text.find_last_not_of(',') + 1); // of "same-machine, with --max-pixels,"
-    text += ": ";
-    text +=
-        file.value("maxPixels", json()).is_null() ? "any number of" : file.at("maxPixels").dump();
-    text += " pixels over a distance of " + Number(file.value("tolerance", 0.0));
-    text += edgeShift > 0.0 ? ", edges up to " + Number(edgeShift) + " px elsewhere" : "";
-    text += ratio < 1.0 ? ", at most " + Number(ratio * 100.0) + "% of all" : "";
-    const std::string window = std::to_string(file.value("window", 0));
-    text +=
-        ", " + std::to_string(file.value("maxInWindow", 0)) + " in any " + window + "x" + window;
     const std::size_t regions = file.value("ignored", json::array()).size();
     const std::size_t bodies = file.value("ignoredBodies", json::array()).size();
-    text += bodies > 0    ? "; bodies left out: " + std::to_string(bodies)
-            : regions > 0 ? "; rectangles left out: " + std::to_string(regions)
-                          : "";
-    return text;
+    return file.value("limits", "") + (bodies > 0 ? "; bodies left out: " + std::to_string(bodies)
+                                       : regions > 0
+                                           ? "; rectangles left out: " + std::to_string(regions)
+                                           : "");
 }
 
 ReportedVerdict FromJson(const json& file)
@@ -90,7 +64,7 @@ ReportedVerdict FromJson(const json& file)
     verdict.status = file.at("status");
     verdict.message = file.at("message");
     verdict.renderer = file.value("renderer", "");
-    verdict.limits = DescribeLimits(file);
+    verdict.limits = LimitsOf(file);
     if (RankOf(verdict.status) == std::ssize(kSeverity))
     {
         throw std::runtime_error("its status is none that there is");

@@ -221,7 +221,7 @@ double Mean(const std::vector<double>& values)
 /// `sorted` from small to large.
 double Quantile(const std::vector<double>& sorted, double share)
 {
-    return sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
+    return sorted[std::size_t(std::lround(share * double(sorted.size() - 1)))];
 }
 
 bool AllAsleep(const Sim& sim)

@@ -143,6 +143,12 @@ TEST(ContactSheet, IsAGoldenTestThatSaysWhenAFilmChanged)
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(shorter, "film/grays"),
                             "film/grays: other pixels: from step 150 on: pixels different");
     EXPECT_GOLDEN_FILM(other, "film/grays", {}, {.tolerance = 0.1});
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(film, "film/grays", {.every = 60}),
+                            "film/grays: other moments of a film: every 60 steps, 60 a second "
+                            "instead of every 30 steps, 60 a second; pixels different");
+    EXPECT_NONFATAL_FAILURE(
+        EXPECT_GOLDEN_FILM(film, "film/grays", {.stepsPerSecond = 120.0, .every = 60}),
+        "every 60 steps, 120 a second instead of every 30 steps, 60 a second; pixels equal");
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM("nothing.mkv", "film/grays"), "nothing.mkv");
 }
 

@@ -49,12 +49,14 @@ TEST_F(VerdictFile, SaysWhatPassedByWhichLimits)
     candidate.camera = Camera{320, 180, 1.5, 2.0, 16.0};
     CompareSettings settings = CompareSettings::CrossMachine();
     settings.ignored = {{10, 20, 40, 60}};
+    settings.maxInWindow = 9;
     const std::string json = Verified(candidate, settings);
     EXPECT_THAT(json,
                 AllOf(HasSubstr("\n  \"name\": \"pyramid/3s\",\n"),
                       HasSubstr("\n  \"status\": \"same\",\n"),
                       HasSubstr("\"preset\": \"cross-machine\""), HasSubstr("\"tolerance\": 0.01"),
-                      HasSubstr("\"maxPixels\": null"), HasSubstr("\"maxInWindow\": 8"),
+                      HasSubstr("\"maxPixels\": null"), HasSubstr("\"maxInWindow\": 9"),
+                      HasSubstr("\"limits\": \"cross-machine, with another maxInWindow, allows "),
                       HasSubstr("\"ignored\": [[10, 20, 30, 40]]")));
     EXPECT_THAT(json, AllOf(HasSubstr("\"renderer\": \"some \\\"GL\\\"\\u000a\""),
                             HasSubstr("\"view\": [320, 180, 1.5, 2, 16]"),

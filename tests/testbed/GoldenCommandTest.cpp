@@ -203,7 +203,13 @@ TEST_F(GoldenCommand, ComparesFilmsByTheirContactSheets)
     record("b.mkv", "1", "30");
     EXPECT_EQ(RunIn({"verify", "films/a", "--film", "b.mkv"}).code, 0)
         << "other frames, the same steps";
-    EXPECT_EQ(RunIn({"verify", "films/a", "--film", "b.mkv", "--every", "15"}).code, 2);
+    const Outcome others = RunIn({"verify", "films/a", "--film", "b.mkv", "--every", "15"});
+    EXPECT_EQ(others.code, 2);
+    EXPECT_THAT(others.output,
+                HasSubstr("FAIL  films/a: other moments of a film: every 15 steps, 60 a second "
+                          "instead of every 30 steps, 60 a second; pixels "));
+    EXPECT_THAT(RunIn({"verify", "b", "--film", "b.mkv", "--every", "15", "--hz", "120"}).output,
+                HasSubstr("accept b --film FILE --every 15 --hz 120 --references "));
     ASSERT_EQ(RunBoxreel({"record", "tumbler", "-o", "c.mkv", "--seconds", "2", "--size", "160x90",
                           "--quality", "lossless", "--hz", "120", "--speed", "2"},
                          folder.Path())

@@ -31,11 +31,12 @@ inline constexpr std::size_t kMostSheetPictures = 256;
 /// Where the pictures lie on a sheet.
 struct SheetLayout
 {
-    int columns = 0;          ///< pictures in a row
-    int width = 0;            ///< of a picture [px]
-    int height = 0;           ///< of a picture [px]
-    std::size_t pictures = 0; ///< on the sheet
-    std::int64_t every = 0;   ///< steps from one to the next
+    int columns = 0;             ///< pictures in a row
+    int width = 0;               ///< of a picture [px]
+    int height = 0;              ///< of a picture [px]
+    std::size_t pictures = 0;    ///< on the sheet
+    std::int64_t every = 0;      ///< steps from one to the next
+    double stepsPerSecond = 0.0; ///< of the film
 
     /// Where a picture lies [px]; picture < pictures.
     PixelBounds Place(std::size_t picture) const;

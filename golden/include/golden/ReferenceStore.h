@@ -17,9 +17,9 @@
 /// @file
 /// The folder of what was approved, at three depths: the state (state/NAME.txt, and the steps on
 /// the way to it, trace/NAME.txt), what was drawn (drawlist/NAME.txt) and the picture
-/// (frames/NAME.png, or `frames/NAME@RENDERER.png` where a renderer has one of its own). Long texts
-/// are packed (.txt.gz). Verify compares in that order, so that a failure says whether the motion,
-/// the geometry or only the pixels changed.
+/// (frames/NAME.png, or `frames/NAME@RENDERER.png` where a renderer has one of its own; for a film
+/// sheet/NAME.txt says which moments it shows). Long texts are packed (.txt.gz). Verify compares in
+/// that order, so that a failure says whether the motion, the geometry or only the pixels changed.
 namespace boxreel
 {
 
@@ -35,7 +35,8 @@ struct GoldenCandidate
     StateTrace trace = {}; ///< the steps since the moment before; none: not kept
     std::string renderer = {};             ///< Renderer::Description(); empty: one picture for all
     std::optional<Camera> camera = {};     ///< with which it is drawn; needed to leave out bodies
-    std::optional<SheetLayout> sheet = {}; ///< of a film's contact sheet, so that steps have names
+    std::optional<SheetLayout> sheet = {}; ///< of a film's contact sheet; kept, so that other
+                                           ///< moments of the film are told as such
 };
 
 /// Of a film.

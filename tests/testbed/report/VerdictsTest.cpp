@@ -93,10 +93,9 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
 {
     Leave("out", "a", "state",
           R"(, "step": 120, "firstStep": 43, "firstBodies": [17, 3], "firstHash": "01234567",
-             "preset": "cross-machine", "tolerance": 0.01, "edgeShift": 0.2, "maxPixels": null,
-             "maxRatio": 0.0005, "maxInWindow": 8, "window": 16, "ignoredBodies": [3])");
+             "limits": "cross-machine allows 0.05 %", "ignoredBodies": [3])");
     Leave("out", "b", "missing",
-          R"(, "accepted": true, "preset": "exact", "tolerance": 0, "maxPixels": 0, "window": 16)");
+          R"(, "accepted": true, "limits": "exact allows 0 pixels", "ignored": [[0, 0, 8, 8]])");
     const std::vector<ReportedMoment> moments = Collect({"out"});
     ASSERT_THAT(moments, SizeIs(2));
     const ReportedVerdict& state = moments[0].shown;
@@ -104,12 +103,9 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
     EXPECT_EQ(state.lastStep, 120);
     EXPECT_THAT(state.firstBodies, testing::ElementsAre(17, 3));
     EXPECT_EQ(state.firstHash, "01234567");
-    EXPECT_EQ(state.limits,
-              "cross-machine: any number of pixels over a distance of 0.01, edges up "
-              "to 0.2 px elsewhere, at most 0.05% of all, 8 in any 16x16; bodies left "
-              "out: 1");
+    EXPECT_EQ(state.limits, "cross-machine allows 0.05 %; bodies left out: 1");
     EXPECT_EQ(moments[1].shown.status, "accepted");
-    EXPECT_EQ(moments[1].shown.limits, "exact: 0 pixels over a distance of 0, 0 in any 16x16");
+    EXPECT_EQ(moments[1].shown.limits, "exact allows 0 pixels; rectangles left out: 1");
 }
 
 TEST_F(Verdicts, MayHoldAnyBytes)
