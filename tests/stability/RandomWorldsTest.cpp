@@ -36,7 +36,7 @@ std::pair<int, int> Numbers()
 #ifdef __SANITIZE_THREAD__
     std::pair<int, int> numbers(0, 19); // twenty times as slow, and none has more than one thread
 #else
-    std::pair<int, int> numbers(0, 99);
+    std::pair<int, int> numbers(0, 49);
 #endif
     const char* text = std::getenv("BOXREEL_WORLDS");
     if (text != nullptr)
