@@ -15,7 +15,7 @@
 /// its energy account and its verdict:
 ///   BOXREEL_WORLD=417 boxreel_random_worlds_tests
 /// and, with BOXREEL_REDUCE=1 as well, as few of its bodies and joints as still fail.
-/// BOXREEL_WORLDS=0-999 tries these numbers instead of the first hundred. Each world has a number
+/// BOXREEL_WORLDS=0-999 tries these numbers instead of the first fifty. Each world has a number
 /// of sub-steps of its own; BOXREEL_COUNT=8 gives it another, and BOXREEL_SECONDS=12 a longer time
 /// than 4 s.
 namespace
