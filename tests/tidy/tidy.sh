@@ -11,8 +11,7 @@ command -v clang-tidy >/dev/null || {
 }
 # Without precompiled headers, which are GCC's, and a source at a time.
 cmake -S "$source" -B "$work" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBOXREEL_BUILD_TESTS=ON \
-    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$work.log" 2>&1 &&
-    cmake --build "$work" --target testbed/PageTexts.cpp >>"$work.log" 2>&1 || {
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$work.log" 2>&1 || {
     tail -n 40 "$work.log"
     exit 1
 }

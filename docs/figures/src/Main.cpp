@@ -77,6 +77,7 @@ Result<void> Run(const std::filesystem::path& folder, const std::vector<std::str
 
 } // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what is thrown where memory runs out may end it
 int main(int argc, char** argv)
 {
     constexpr const char* kUsage = "usage: boxreel_docs_figures OUTDIR [NAME…]\n";

@@ -3,6 +3,7 @@
 
 #include <Box2D/Box2D.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -49,7 +50,8 @@ struct Stage
 
     void Run(float32 seconds)
     {
-        for (int i = 0; i < int(60.0f * seconds + 0.5f); ++i)
+        const long steps = std::lround(60.0f * seconds);
+        for (long i = 0; i < steps; ++i)
         {
             world.Step(1.0f / 60.0f, 8, 3);
         }
