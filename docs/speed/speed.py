@@ -24,8 +24,8 @@ import time
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGES = ["README.md", "docs/speed.md"]
-# What is measured, a file each; in several rounds everybody comes in turn. Rounds are so few that all of it takes no
-# more than eight minutes on two quiet cores, of which one round of the engines is two and a half.
+# What is measured, a file each; in several rounds everybody comes in turn. Rounds are so few that all of it takes
+# eight to ten minutes on two quiet cores, of which one round of the engines is two and a half or more.
 BENCHMARKS = {
     "engine": ["--rounds", "2"],
     "drawing": ["--render", "1500-720p"],
