@@ -74,6 +74,12 @@ Result<Backend> ParseBackend(const std::string& option, const std::string& text)
     return NotOneOf(option, text, BackendNames());
 }
 
+std::unique_lock<std::recursive_mutex> LockGl()
+{
+    static std::recursive_mutex mutex;
+    return std::unique_lock(mutex);
+}
+
 Result<void> Context::MakeCurrent()
 {
     if (t_current == this && IsCurrent())

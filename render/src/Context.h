@@ -5,6 +5,7 @@
 #include <render/Backend.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 
 /// A GL 3.3 core context behind the one interface that the renderer sees. Each back end is one
@@ -43,6 +44,12 @@ protected:
     /// What every destructor does first: a library keeps what is current.
     void Leave();
 };
+
+/// Held while contexts are made, called and ended: one thread of the process at a time. The contexts
+/// of a library share a screen, and llvmpipe looks through what the scenes of all of them refer to
+/// (whether a buffer is in use) while other threads change that, which crashes it now and then.
+/// Its raster threads go on meanwhile.
+[[nodiscard]] std::unique_lock<std::recursive_mutex> LockGl();
 
 /// What the loader is asked for; other names in tests.
 struct ContextLibraries

@@ -140,10 +140,13 @@ struct Renderer::Impl
     Impl& operator=(const Impl&) = delete;
     ~Impl()
     {
-        if (context && context->MakeCurrent())
+        const auto lock = LockGl();
+        if (context)
         {
-            canvas.reset();
+            (void)context->MakeCurrent();
         }
+        canvas.reset();
+        context.reset();
     }
 
     Result<void> Begin(std::unique_ptr<Context> drawn);
@@ -387,6 +390,7 @@ Result<Renderer> Renderer::Create(const RendererSettings& settings)
     {
         return usable.GetError();
     }
+    const auto lock = LockGl();
     Result<std::unique_ptr<Context>> context = CreateContext(settings.backend);
     if (!context)
     {
@@ -403,6 +407,7 @@ Result<Renderer> Renderer::CreateIn(Window& window, const RendererSettings& sett
     {
         return usable.GetError();
     }
+    const auto lock = LockGl();
     auto impl = std::make_unique<Impl>(settings);
     const Result<void> begun = impl->Begin(CreateWindowContext(window));
     return begun ? Result<Renderer>(Renderer(std::move(impl))) : begun.GetError();
@@ -432,6 +437,7 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
         impl.Count();
         return {};
     }
+    const auto lock = LockGl();
     if (Result<void> current = impl.context->MakeCurrent(); !current)
     {
         return current;
@@ -470,6 +476,7 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
 Result<void> Renderer::Read(Frame& frame)
 {
     Impl& impl = *m_impl;
+    const auto lock = LockGl();
     if (Result<void> current = impl.context->MakeCurrent(); !current)
     {
         return current;
@@ -486,6 +493,7 @@ Result<void> Renderer::Read(Frame& frame)
 Result<const Frame*> Renderer::ReadChanges()
 {
     Impl& impl = *m_impl;
+    const auto lock = LockGl();
     if (Result<void> current = impl.context->MakeCurrent(); !current)
     {
         return current.GetError();
@@ -505,6 +513,7 @@ Result<const Frame*> Renderer::ReadChanges()
 
 Result<void> Renderer::Show()
 {
+    const auto lock = LockGl();
     if (Result<void> current = m_impl->context->MakeCurrent(); !current)
     {
         return current;
