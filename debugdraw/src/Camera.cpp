@@ -37,8 +37,8 @@ constexpr double kRestPixels = 0.02;
 // A share of half the view's height: where edges coincide, they do so up to this.
 constexpr double kRounding = 1e-6;
 
-// Of a scale or a centre. All points of a list, which are floats, then lie so near [px] that neither
-// they nor their squares overflow.
+// Of a scale or a centre. All points of a list, which are floats, then lie so near [px] that
+// neither they nor their squares overflow.
 constexpr double kMostPixels = 1e15;
 
 bool IsUsable(const Rect& box)

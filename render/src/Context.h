@@ -45,10 +45,10 @@ protected:
     void Leave();
 };
 
-/// Held while contexts are made, called and ended: one thread of the process at a time. The contexts
-/// of a library share a screen, and llvmpipe looks through what the scenes of all of them refer to
-/// (whether a buffer is in use) while other threads change that, which crashes it now and then.
-/// Its raster threads go on meanwhile.
+/// Held while contexts are made, called and ended: one thread of the process at a time. The
+/// contexts of a library share a screen, and llvmpipe looks through what the scenes of all of them
+/// refer to (whether a buffer is in use) while other threads change that, which crashes it now and
+/// then. Its raster threads go on meanwhile.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> LockGl();
 
 /// What the loader is asked for; other names in tests.

@@ -31,9 +31,14 @@ constexpr Entry kVariables[] = {
                         "or auto."},
     {"NO_COLOR", "Set to anything, no colours are used. They are used on terminals only."},
     {"TERM", "When it is dumb or not set, no colours are used either."},
+    {"BOXREEL_PEERS", "The folder with the programs that `boxreel bench --golden` compares with."},
+    {"BOXREEL_GOLDEN_REFERENCES, BOXREEL_GOLDEN_OUTPUT, BOXREEL_GOLDEN_ACCEPT",
+     "Of golden tests: the folder of what was approved, the folder of what differs, and what is "
+     "approved now (missing, changed or all)."},
+    {"XDG_CONFIG_HOME", "Where `boxreel ui` keeps its settings, else ~/.config."},
     {"LP_NUM_THREADS", "How many threads Mesa draws with."},
     {"TMPDIR", "Where `boxreel bench` and `boxreel doctor` put what they need for a while."},
-    {"DISPLAY, WAYLAND_DISPLAY", "Told by `boxreel doctor`; nothing here needs a display."},
+    {"DISPLAY, WAYLAND_DISPLAY", "The window of `boxreel ui`; nothing else needs a display."},
 };
 
 constexpr Entry kFiles[] = {
@@ -43,7 +48,8 @@ constexpr Entry kFiles[] = {
      "The papers of a part, or of a film that is not whole: the command, the state of the world, "
      "the frames."},
     {"golden/references", "What was approved, in the checkout around the current folder."},
-    {"build/golden-output", "What differed from it, to look at."},
+    {"build/golden-output", "What differed from it, to look at; golden-output in the current folder "
+                            "where there is no checkout."},
 };
 
 /// Text that means itself: nothing in it is roff's, and dashes can be copied to a shell.

@@ -13,10 +13,11 @@ namespace
 void SetSpring(b2DistanceJointDef& def, float32 stiffness, float32 damping)
 {
     const float32 a = def.bodyA->GetMass(), b = def.bodyB->GetMass();
-    const float32 mass = a > 0.0f && b > 0.0f ? a * b / (a + b) : a + b; // 0: it does not move
-    const float32 omega = std::sqrt(stiffness / mass);
+    const float32 mass = a > 0.0f && b > 0.0f ? a * b / (a + b) : a + b;
+    const bool isSpring = stiffness > 0.0f && mass > 0.0f; // else a rod
+    const float32 omega = isSpring ? std::sqrt(stiffness / mass) : 0.0f;
     def.frequencyHz = omega / (2.0f * b2_pi);
-    def.dampingRatio = damping / (2.0f * mass * omega);
+    def.dampingRatio = isSpring ? damping / (2.0f * mass * omega) : 0.0f;
 }
 // [/stiffness]
 
@@ -31,6 +32,11 @@ TEST(PortingListing, SetsASpringByItsStiffness)
     stage.world.CreateJoint(&def);
     stage.Run(10.0f);
     EXPECT_NEAR(7.0f - load->GetPosition().y, 4.0f * 10.0f / 100.0f, 0.005f) << "m g / k";
+    b2Body* held = stage.Box(20.0f, 7.0f);
+    def.Initialize(hook, held, b2Vec2(20.0f, 10.0f), held->GetPosition());
+    SetSpring(def, 0.0f, 0.0f);
+    ASSERT_NE(stage.world.CreateJoint(&def), nullptr);
+    EXPECT_EQ(def.frequencyHz, 0.0f) << "a rod";
 }
 
 // [one-sided]

@@ -194,8 +194,8 @@ int32 b2DynamicTree::FindSibling(const b2AABB& aabb) const
             const Node& child = m_nodes[children[i]];
             childAlone[i] = HalfPerimeter(child.aabb);
             childTogether[i] = HalfPerimeter(Union(child.aabb, aabb));
-            cost[i] = growth + (child.IsLeaf() ? childTogether[i]
-                                               : childTogether[i] - childAlone[i] + own);
+            cost[i] = growth +
+                      (child.IsLeaf() ? childTogether[i] : childTogether[i] - childAlone[i] + own);
         }
         // Of equal children the lower one, so that many boxes in one place make no list.
         const bool isEqual = cost[0] == cost[1];

@@ -20,7 +20,7 @@ constexpr double kQuartersPerRadian = 0x1.45f306dc9c883p-1; // 2/pi
 constexpr double kTwoPi = 0x1.921fb54442d18p+2;
 constexpr double kHalfPi = 0x1.921fb54442d18p+0;
 constexpr float kSmall = 0.125f;
-constexpr int kTermsOfSmall = 4; // x^9/9! and x^8/8!: leaves 1e-15
+constexpr int kTermsOfSmall = 4;   // x^9/9! and x^8/8!: leaves 1e-15
 constexpr double kLargest = 1.0e6; // the largest angle whose quarter turns come off exactly
 
 // Adding and subtracting this rounds a double to the nearest whole number: above 2^52 the

@@ -37,12 +37,14 @@ int main(int argc, char** argv)
     {
         return Fail(renderer.GetError());
     }
-    auto writer = boxreel::VideoWriter::Open(argv[1], {.width = 64, .height = 48, .overwrite = true});
+    auto writer =
+        boxreel::VideoWriter::Open(argv[1], {.width = 64, .height = 48, .overwrite = true});
     if (!writer)
     {
         return Fail(writer.GetError());
     }
-    const boxreel::Camera camera{.width = 64, .height = 48, .centerX = 2.0, .centerY = 0.5, .pixelsPerMeter = 12.0};
+    const boxreel::Camera camera{
+        .width = 64, .height = 48, .centerX = 2.0, .centerY = 0.5, .pixelsPerMeter = 12.0};
     boxreel::Frame frame;
     for (int i = 0; i < 10; ++i)
     {
