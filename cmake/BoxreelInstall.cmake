@@ -24,9 +24,17 @@ function(boxreel_install_library name)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${ARG_HEADERS}/include/ DESTINATION ${BOXREEL_HEADERS_DIR}
           COMPONENT development)
 
-  # Relative, so that the prefix may be moved.
-  file(RELATIVE_PATH PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
-  string(REGEX REPLACE "/$" "" PC_PREFIX "${PC_PREFIX}")
+  # Relative, so that the prefix may be moved, unless whoever installs has named places that may not.
+  if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+    set(PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
+    set(PC_LIBDIR "${CMAKE_INSTALL_FULL_LIBDIR}")
+    set(PC_INCLUDEDIR "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
+  else()
+    file(RELATIVE_PATH PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+    string(REGEX REPLACE "/$" "" PC_PREFIX "\${pcfiledir}/${PC_PREFIX}")
+    set(PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+    set(PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+  endif()
   set(PC_NAME ${name})
   set(PC_DESCRIPTION "${ARG_DESCRIPTION}")
   list(TRANSFORM ARG_NEEDS PREPEND boxreel- OUTPUT_VARIABLE PC_REQUIRES)

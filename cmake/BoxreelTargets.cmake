@@ -14,7 +14,8 @@ endif()
 # boxreel_configure(TARGET): language level, warnings, exact floating point, sanitizers.
 function(boxreel_configure target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  # Whether sources are compiled together is no choice of a parent's: see boxreel_compile_together.
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
   target_compile_options(${target} PRIVATE ${BOXREEL_COMPILE_OPTIONS})
   if(BOXREEL_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

@@ -51,6 +51,12 @@ boxreel::SheetPicture Throw(float restitution, const boxreel::Camera& camera)
 
 bool Write(const std::string& path, const boxreel::Figure& figure)
 {
+    if (!path.ends_with(".svg") && !path.ends_with(".pdf"))
+    {
+        std::fprintf(stderr, "%s is no drawing; name a file that ends in .svg or .pdf.\n",
+                     path.c_str());
+        return false;
+    }
     const auto written = path.ends_with(".pdf")
                              ? boxreel::WritePdf(path, figure, {.overwrite = true})
                              : boxreel::WriteSvg(path, figure, {.overwrite = true});

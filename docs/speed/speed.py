@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """speed.py measure|write|check [PROGRAM]
 
-Keeps the tables of README.md and docs/speed.md and the chart at what docs/speed/*.json say. PROGRAM is the boxreel
+Keeps the tables of README.md, docs/speed.md and docs/golden.md and the chart at what docs/speed/*.json say. PROGRAM is the boxreel
 of the checkout unless it is named.
 
   measure  run the benchmarks into docs/speed/*.json, then write; minutes, on a machine that does nothing else
@@ -23,7 +23,7 @@ import tempfile
 import time
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent.parent
-PAGES = ["README.md", "docs/speed.md"]
+PAGES = ["README.md", "docs/speed.md", "docs/golden.md"]
 # What is measured, a file each; in several rounds everybody comes in turn. Rounds are so few that all of it takes
 # eight to ten minutes on two quiet cores, of which one round of the engines is two and a half or more.
 BENCHMARKS = {
@@ -145,6 +145,30 @@ def comparing_rows(figures):
                 yield key, task, median(ours, clock), method["method"], median(method, clock)
 
 
+# Of the changes that are planted, with a name that is as short as a column.
+CHANGES = {"body": "body 1 cm", "line": "line missing", "fill": "fill off by 4", "label": "label", "outline": "outline",
+           "order": "order", "stray": "one stray pixel", "shift": "edges 0.1 px"}
+
+
+def finding_text(method, change, truth):
+    calls = [p["different"] for p in method["pictures"] if p["change"] == change]
+    different = sum(calls)
+    if truth == "equal":
+        return "equal" if different == 0 else "**different**" if different == len(calls) else f"**{different} different**"
+    return str(different) if different == len(calls) else f"**{different}**"
+
+
+def comparing_table(figures):
+    comparing = figures["comparing"]
+    truths = {c["change"]: c["truth"] for c in comparing["changes"]}
+    rows = [["is to be called"] + [truths[change] for change in CHANGES] + [""]]
+    for method in comparing["methods"]:
+        found = [finding_text(method, change, truths[change]) for change in CHANGES]
+        process = statistics.median(p["processSeconds"] for p in method["pictures"])
+        rows.append([method["method"], *found, time_text(process)])
+    return rows_text(["", *CHANGES.values(), "a process"], rows) + "\n" + machine_text(figures)
+
+
 def toolkit_rows(figures):
     return [*drawing_rows(figures["drawing"]), *recording_rows(figures["recording"]),
             *comparing_rows(figures["comparing"])]
@@ -176,12 +200,16 @@ def short_table(figures):
 
 def machine_text(figures):
     machine = figures["machine"]
-    others = ("nothing else ran" if machine["load"] < 0.5 else
-              f"**preliminary: other programs ran** (a load of {machine['load']:.1f} before the first benchmark)")
+    if machine["load"] >= 0.5:
+        others = f"**preliminary: other programs ran** (a load of {machine['load']:.1f} before the first benchmark)"
+    elif "others" in machine:
+        others = f"other programs took {100 * machine['others']:.1f} % of their time meanwhile"
+    else:
+        others = "no other program ran when it began"
     return f"Measured on {machine['date']} on {machine['processor']}, {machine['processors']} processors; {others}.\n"
 
 
-TABLES = {"engine": engine_table, "toolkit": toolkit_table, "short": short_table, "machine": machine_text}
+TABLES = {"comparing": comparing_table, "engine": engine_table, "toolkit": toolkit_table, "short": short_table, "machine": machine_text}
 
 # ---------------------------------------------------------------------------------------------- what is done
 
@@ -192,6 +220,18 @@ def machine():
             "processor": model[1].strip() if model else os.uname().machine}
 
 
+def busy_seconds():
+    """Of all processors, by all programs, since the machine started; the waiting for disks is none."""
+    user, nice, system, _, _, irq, softirq = map(int, pathlib.Path("/proc/stat").read_text().split()[1:8])
+    return (user + nice + system + irq + softirq) / os.sysconf("SC_CLK_TCK")
+
+
+def own_seconds():
+    """Of processors, by this program and those that it ran."""
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
+
+
 def write_json(checkout, name, content):
     path = checkout / "docs/speed" / (name + ".json")
     path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
@@ -199,6 +239,7 @@ def write_json(checkout, name, content):
 
 def measure(checkout, program):
     about = machine()
+    begun_all, busy, own = time.monotonic(), busy_seconds(), own_seconds()
     for name, options in BENCHMARKS.items():
         begun = time.monotonic()
         done = subprocess.run([program, "bench", *options, "--json"], stdout=subprocess.PIPE, check=False)
@@ -206,6 +247,8 @@ def measure(checkout, program):
             sys.exit(f"`boxreel bench {' '.join(options)}` ended with {done.returncode}; see above what it lacks.")
         write_json(checkout, name, json.loads(done.stdout))
         print(f"{name}: {time.monotonic() - begun:.0f} s", file=sys.stderr)
+    span = (time.monotonic() - begun_all) * about["processors"]
+    about["others"] = round(max(0.0, busy_seconds() - busy - (own_seconds() - own)) / span, 4)
     write_json(checkout, "machine", about)
 
 

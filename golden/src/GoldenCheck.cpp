@@ -40,32 +40,43 @@ Result<GoldenAccept> AcceptOf(const std::string& word)
     {
         return GoldenAccept::All;
     }
-    return Error{ErrorKind::Unusable, "BOXREEL_GOLDEN_ACCEPT is '" + word +
-                                          "'; set it to missing, changed or all, or not at all."};
+    if (word == "this-renderer")
+    {
+        return GoldenAccept::ThisRenderer;
+    }
+    return Error{ErrorKind::Unusable,
+                 "BOXREEL_GOLDEN_ACCEPT is '" + word +
+                     "'; set it to missing, changed, all or this-renderer, or not at all."};
 }
 
-bool IsToBeAccepted(GoldenStatus status, GoldenAccept accept)
+bool IsToBeAccepted(const GoldenVerdict& verdict, GoldenAccept accept)
 {
-    if (status == GoldenStatus::Same || accept == GoldenAccept::None)
+    const GoldenStatus status = verdict.status;
+    const bool wouldNotHelp = status == GoldenStatus::NotCompared && verdict.accept.empty();
+    if (status == GoldenStatus::Same || wouldNotHelp || accept == GoldenAccept::None)
     {
         return false;
+    }
+    if (accept == GoldenAccept::ThisRenderer)
+    {
+        return status == GoldenStatus::Pixels;
     }
     return accept == GoldenAccept::All ||
            (status == GoldenStatus::Missing) == (accept == GoldenAccept::Missing);
 }
 
 /// The verdict speaks of the program; a test has another way to be accepted.
-std::string WithRemedy(const GoldenVerdict& verdict)
+std::string MessageOfTest(const GoldenVerdict& verdict)
 {
+    if (verdict.status == GoldenStatus::NotCompared && verdict.accept.empty())
+    {
+        return verdict.message;
+    }
     const bool isMissing = verdict.status == GoldenStatus::Missing;
     const std::string remedy = std::string("run this test once with BOXREEL_GOLDEN_ACCEPT=") +
                                (isMissing ? "missing" : "changed") + " in the environment.";
-    const std::size_t ofScenes = verdict.message.rfind("run `boxreel golden accept ");
-    if (isMissing && ofScenes != std::string::npos)
-    {
-        return verdict.message.substr(0, ofScenes) + remedy;
-    }
-    return verdict.message + " If the change is right, " + remedy;
+    return verdict.accept.empty() ? verdict.message + " If the change is right, " + remedy
+                                  : WithRemedy(verdict, remedy);
 }
 
 /// A person who accepts still looks before it is committed.
@@ -174,10 +185,13 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
     {
         return {true, verdict->message, ""};
     }
-    const bool isWanted = IsToBeAccepted(verdict->status, settings.accept);
+    const bool isWanted = IsToBeAccepted(*verdict, settings.accept);
     if (isWanted && accepted.insert(candidate.name).second)
     {
-        if (const Result<void> stored = store.Accept(candidate); !stored)
+        const AcceptAs as = settings.accept == GoldenAccept::ThisRenderer
+                                ? AcceptAs::ForThisRenderer
+                                : AcceptAs::TheOneCompared;
+        if (const Result<void> stored = store.Accept(candidate, as); !stored)
         {
             return {false, stored.GetError().message, ""};
         }
@@ -193,7 +207,7 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
     const std::string message =
         isWanted ? verdict->message + " A candidate of this name was accepted in the same run; "
                                       "give each check a name of its own."
-                 : WithRemedy(*verdict);
+                 : MessageOfTest(*verdict);
     return {false, message, settings.attach ? Attachments(settings.output, candidate.name) : ""};
 }
 

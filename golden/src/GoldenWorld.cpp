@@ -34,6 +34,7 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
     candidate.state = ReadWorldState(world);
     candidate.list = DrawListOf(world, look.layers);
     candidate.camera = camera;
+    candidate.renderer = renderer->Description();
     if (const Result<void> drawn = renderer->Draw(candidate.list, camera, candidate.frame); !drawn)
     {
         return drawn.GetError();

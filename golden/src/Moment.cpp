@@ -42,16 +42,26 @@ struct Kept
     std::string path;
 };
 
+Error Damaged(const Kept& kept, const std::string& what)
+{
+    return Error{ErrorKind::Unusable, kept.path + what + "; restore it."};
+}
+
 Result<Kept> Read(const fs::path& root, const fs::path& relative)
 {
     Result<std::optional<std::string>> text = ReadStoredText(root, relative);
-    return text ? Result<Kept>(Kept{*std::move(text), (root / relative).string()})
-                : Result<Kept>(text.GetError());
-}
-
-Error Damaged(const Kept& kept, const std::string& what)
-{
-    return Error{ErrorKind::Unusable, kept.path + what + "; restore it or accept it again."};
+    if (!text)
+    {
+        return text.GetError();
+    }
+    Kept kept{*std::move(text), (root / relative).string()};
+    // A checkout may convert them, and then every line would differ without looking different.
+    if (kept.text && kept.text->find("\r\n") != std::string::npos)
+    {
+        return Damaged(kept, " has lines that end in CR LF; give its folder the attribute -text in "
+                             ".gitattributes, and");
+    }
+    return kept;
 }
 
 /// Fills what is known of the state: a line with its hash, then a line a body.
@@ -90,6 +100,10 @@ Result<void> ReadTrace(const fs::path& root, const std::string& name, Moment& mo
     if (!trace)
     {
         return Damaged(*kept, ": " + trace.GetError().message);
+    }
+    if (trace->steps.empty())
+    {
+        return Damaged(*kept, " has no step");
     }
     moment.trace = *std::move(trace);
     return {};
@@ -142,7 +156,7 @@ Result<std::optional<Frame>> ReadFrame(const fs::path& root, const std::string& 
     Result<Frame> frame = ReadPng(*path);
     if (!frame)
     {
-        return frame.GetError();
+        return Error{ErrorKind::Unusable, frame.GetError().message + " Restore it."};
     }
     return std::optional<Frame>(*std::move(frame));
 }
@@ -257,13 +271,12 @@ Result<Moment> ReadReference(const fs::path& root, const std::string& name,
                                                                          {kSheet, moment.sheet}};
     for (const auto& [depth, text] : texts)
     {
-        Result<std::optional<std::string>> kept =
-            ReadStoredText(root, Relative(depth, name, ".txt"));
+        Result<Kept> kept = Read(root, Relative(depth, name, ".txt"));
         if (!kept)
         {
             return kept.GetError();
         }
-        text = *std::move(kept);
+        text = std::move(kept->text);
     }
     for (const std::string& picture : {KeyedName(name, renderer), name})
     {
@@ -279,6 +292,13 @@ Result<Moment> ReadReference(const fs::path& root, const std::string& name,
         }
     }
     return moment;
+}
+
+bool HasOwnPicture(const fs::path& references, const std::string& name, const std::string& renderer)
+{
+    std::error_code code;
+    return !renderer.empty() &&
+           fs::exists(references / Relative(kFrames, KeyedName(name, renderer), ".png"), code);
 }
 
 Moment Take(const GoldenCandidate& candidate, const Moment& expected)

@@ -29,13 +29,18 @@ struct Moment
 };
 
 /// What was approved under a name; everything absent when nothing was.
-/// The picture is that of this renderer (a Description(), or empty) where it has its own.
+/// The picture is that of this renderer (a Description(), or empty) where it has its own. An Error
+/// for what is damaged: it names the file.
 Result<Moment> ReadReference(const std::filesystem::path& references, const std::string& name,
                              const std::string& renderer);
 
 /// A candidate without a state does not ask for that depth. An empty list or frame does not either,
 /// unless something was approved: then it is a scene that stopped drawing.
 Moment Take(const GoldenCandidate& candidate, const Moment& expected);
+
+/// Whether this renderer has a picture of its own under the name.
+bool HasOwnPicture(const std::filesystem::path& references, const std::string& name,
+                   const std::string& renderer);
 
 /// The files, relative to the references, that the actual moment's depths need and that are not
 /// there; one at least when the moment has no depth at all.

@@ -174,7 +174,7 @@ Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs
     Result<std::string> text = Gunzip(*bytes, kLargestText);
     if (!text)
     {
-        return CannotRead(*packed, text.GetError().message + "; restore it or accept it again");
+        return CannotRead(*packed, text.GetError().message + "; restore it");
     }
     return std::optional<std::string>(*std::move(text));
 }

@@ -172,17 +172,28 @@ std::string OptionsFor(const SheetLayout& sheet)
     return options.str();
 }
 
+/// Within single quotes; one of the text's own ends them, stands escaped, and begins them again.
+std::string ShellWord(const std::string& text)
+{
+    std::string word = "'";
+    for (const char c : text)
+    {
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return word + "'";
+}
+
 /// The command takes the references of the checkout around it unless told otherwise.
 std::string OptionFor(const fs::path& references)
 {
     const bool isDefault =
         references.filename() == "references" && references.parent_path().filename() == "golden";
-    return isDefault ? "" : " --references '" + references.string() + "'";
+    return isDefault ? "" : " --references " + ShellWord(references.string());
 }
 
-/// `command`: what the command that accepts it needs beside its name.
-Result<GoldenVerdict> ReportMissing(GoldenVerdict verdict, const FailureFiles& files,
-                                    const Moment& actual, const std::string& command)
+/// There is nothing to compare with.
+Result<GoldenVerdict> ReportAlone(GoldenVerdict verdict, const FailureFiles& files,
+                                  const Moment& actual)
 {
     if (const Result<void> written = files.Write(Moment{}, actual, Frame{}); !written)
     {
@@ -198,7 +209,7 @@ Result<GoldenVerdict> ReportMissing(GoldenVerdict verdict, const FailureFiles& f
     {
         verdict.message += " If it is right,";
     }
-    verdict.message += " run `boxreel golden accept " + verdict.name + command + "`.";
+    verdict.message += " run `" + verdict.accept + "`.";
     return verdict;
 }
 
@@ -226,11 +237,11 @@ Result<GoldenVerdict> ReportDifferent(GoldenVerdict verdict, const FailureFiles&
 
 struct Judged
 {
-    GoldenVerdict verdict;
-    Moment expected, actual;
+    GoldenVerdict verdict{};
+    Moment expected{}, actual{};
     CompareSettings limits; // those that held, with what was left out
-    std::optional<std::int64_t> firstStep;
-    std::vector<int> firstBodies;
+    std::optional<std::int64_t> firstStep{};
+    std::vector<int> firstBodies{};
 };
 
 /// Empty when each body can be left out.
@@ -253,13 +264,24 @@ std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate&
                             std::to_string(last);
 }
 
-/// False when the lines of bodies were changed and the hash above them was not, as a merge may do:
-/// then the distances that a difference is told in would be wrong.
-bool HasItsBodies(const Moment& expected, const Moment& actual)
+/// Empty when the depths of what was approved belong together. They do not when the lines of bodies
+/// were changed and the hash above them was not, as a merge may do, or when the trace of the same
+/// state has other steps: what the worlds would be said to differ in would not be true.
+std::string WhyNotWhole(const Moment& expected, const Moment& actual)
 {
-    const bool isSame = actual.state && *actual.state == *expected.state;
+    if (!actual.state || *actual.state != *expected.state)
+    {
+        return "";
+    }
     const bool areKept = !expected.bodies.bodies.empty() && !actual.bodies.bodies.empty();
-    return !isSame || !areKept || ToText(expected.bodies) == ToText(actual.bodies);
+    if (areKept && ToText(expected.bodies) != ToText(actual.bodies))
+    {
+        return "the bodies of its state are not those that its hash stands for";
+    }
+    const std::optional<TraceDifference> onTheWay =
+        actual.trace ? FirstDifference(*expected.trace, *actual.trace) : std::nullopt;
+    return onTheWay && onTheWay->isOfOne ? "the steps of its trace are not those that lead to it"
+                                         : "";
 }
 
 /// What differs, of two moments that have the same depths.
@@ -284,6 +306,45 @@ Differences Compare(const Moment& expected, const Moment& actual, const CompareS
     return differences;
 }
 
+/// What a person runs to make the candidate the reference.
+std::string CommandToAccept(const GoldenCandidate& candidate, const fs::path& references)
+{
+    return "boxreel golden accept " + candidate.name +
+           (candidate.sheet ? OptionsFor(*candidate.sheet) : "") + OptionFor(references);
+}
+
+/// The reference is damaged; the candidate may become a new one.
+Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::path& references,
+                  const std::string& why)
+{
+    judged.expected = Moment{};
+    judged.actual = Take(candidate, judged.expected);
+    judged.verdict.status = GoldenStatus::NotCompared;
+    judged.verdict.message = candidate.name + ": its reference is damaged: " + why;
+    judged.verdict.accept = CommandToAccept(candidate, references);
+    return judged;
+}
+
+/// Leaves the bodies out of both moments, and of their pictures by the limits. Empty when it could.
+std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandidate& candidate,
+                             Moment& expected, Moment& actual, CompareSettings& limits)
+{
+    if (std::string why = WhyNotLeftOut(bodies, candidate, expected); !why.empty())
+    {
+        return why;
+    }
+    if (candidate.camera)
+    {
+        const std::vector<PixelBounds> regions =
+            RegionsOf(bodies, expected, actual, *candidate.camera);
+        limits.ignored.insert(limits.ignored.end(), regions.begin(), regions.end());
+    }
+    LeaveOut(bodies, expected, actual);
+    return expected.bodies.bodies.empty() && actual.bodies.bodies.empty()
+               ? "then none is left to compare"
+               : "";
+}
+
 Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& candidate,
                            const CompareSettings& settings)
 {
@@ -291,57 +352,52 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     {
         return Unusable(candidate.name, why);
     }
+    Judged judged{.limits = settings};
+    GoldenVerdict& verdict = judged.verdict;
+    verdict.name = candidate.name;
     Result<Moment> expected = ReadReference(references, candidate.name, candidate.renderer);
     if (!expected)
     {
-        return expected.GetError();
+        return SayDamaged(std::move(judged), candidate, references, expected.GetError().message);
     }
-    Judged judged{{}, *std::move(expected), {}, settings, {}, {}};
+    judged.expected = *std::move(expected);
     judged.actual = Take(candidate, judged.expected);
     const Moment& actual = judged.actual;
-    GoldenVerdict& verdict = judged.verdict;
-    verdict.name = candidate.name;
     if (!MissingFiles(candidate.name, judged.expected, actual).empty())
     {
         SayMissing(verdict, judged.expected, actual, references);
+        verdict.accept = CommandToAccept(candidate, references);
         return judged;
     }
-    if (!HasItsBodies(judged.expected, actual))
+    if (const std::string why = WhyNotWhole(judged.expected, actual); !why.empty())
     {
-        return Error{ErrorKind::Unusable,
-                     candidate.name + ": the bodies of its state in " + references.string() +
-                         " are not those that its hash stands for; restore it or accept it again."};
+        return SayDamaged(std::move(judged), candidate, references,
+                          "in " + references.string() + " " + why + "; restore it.");
     }
-    CompareSettings& compare = judged.limits;
     Moment less[2]; // the files of a failure have the bodies that are left out
     const Moment* before = &judged.expected;
     const Moment* now = &actual;
     if (!settings.ignoredBodies.empty())
     {
-        if (const std::string why =
-                WhyNotLeftOut(settings.ignoredBodies, candidate, judged.expected);
-            !why.empty())
-        {
-            return Error{ErrorKind::Unusable,
-                         candidate.name + ": bodies cannot be left out, for " + why + "."};
-        }
         less[0] = judged.expected;
         less[1] = actual;
+        if (const std::string why = WhyNotLessBodies(settings.ignoredBodies, candidate, less[0],
+                                                     less[1], judged.limits);
+            !why.empty())
+        {
+            verdict.status = GoldenStatus::NotCompared;
+            verdict.message = candidate.name + ": bodies cannot be left out, for " + why + ".";
+            return judged;
+        }
         before = &less[0];
         now = &less[1];
-        if (candidate.camera)
-        {
-            const std::vector<PixelBounds> regions =
-                RegionsOf(settings.ignoredBodies, *before, *now, *candidate.camera);
-            compare.ignored.insert(compare.ignored.end(), regions.begin(), regions.end());
-        }
-        LeaveOut(settings.ignoredBodies, less[0], less[1]);
     }
-    Differences differences = Compare(*before, *now, compare, verdict.pixels);
+    Differences differences = Compare(*before, *now, judged.limits, verdict.pixels);
     differences.moments = actual.sheet && *actual.sheet != *judged.expected.sheet;
     if (differences.pixels && candidate.sheet && !differences.moments)
     {
-        differences.since = FirstPicture(*before->frame, *now->frame, *candidate.sheet, compare);
+        differences.since =
+            FirstPicture(*before->frame, *now->frame, *candidate.sheet, judged.limits);
     }
     judged.firstStep = differences.since;
     if (differences.onTheWay)
@@ -364,6 +420,14 @@ GoldenCandidate CandidateOf(ContactSheet sheet, std::string name)
     candidate.frame = std::move(sheet.frame);
     candidate.sheet = sheet.layout;
     return candidate;
+}
+
+std::string WithRemedy(const GoldenVerdict& verdict, const std::string& remedy)
+{
+    const std::size_t ours = verdict.message.rfind("run `" + verdict.accept + "`");
+    return verdict.accept.empty() || ours == std::string::npos
+               ? verdict.message
+               : verdict.message.substr(0, ours) + remedy;
 }
 
 ReferenceStore::ReferenceStore(std::filesystem::path references, std::filesystem::path output)
@@ -400,28 +464,29 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     Result<Judged> judged = JudgeMoment(m_references, candidate, settings);
     if (!judged)
     {
-        // What cannot be compared has not passed, either. The first error is the one to tell.
-        (void)files->WriteVerdict({name, "error", judged.GetError().message});
         return judged.GetError();
     }
     GoldenVerdict& verdict = judged->verdict;
     const Result<void> written = files->WriteVerdict(
-        {name, StatusWord(verdict.status), verdict.message, &candidate, &judged->limits,
-         &verdict.pixels, judged->firstStep, judged->firstBodies});
+        {name, StatusWord(verdict.status), verdict.message, verdict.accept, &candidate,
+         &judged->limits, &verdict.pixels, judged->firstStep, judged->firstBodies});
     if (verdict.status == GoldenStatus::Same)
     {
         // What passes also passes where nothing can be written, such as in a folder that is read
-        // only.
+        // only; only that nobody can read of it later.
+        verdict.warning = written ? "" : written.GetError().message;
         return std::move(verdict);
     }
     if (!written)
     {
         return With(verdict, written.GetError());
     }
-    return verdict.status == GoldenStatus::Missing
-               ? ReportMissing(std::move(verdict), *files, judged->actual,
-                               (candidate.sheet ? OptionsFor(*candidate.sheet) : "") +
-                                   OptionFor(m_references))
+    if (!verdict.accept.empty())
+    {
+        return ReportAlone(std::move(verdict), *files, judged->actual);
+    }
+    return verdict.status == GoldenStatus::NotCompared
+               ? std::move(verdict)
                : ReportDifferent(std::move(verdict), *files, judged->expected, judged->actual);
 }
 
@@ -431,8 +496,16 @@ Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs a
     {
         return Unusable(candidate.name, why);
     }
+    if (as == AcceptAs::ForThisRenderer && candidate.renderer.empty())
+    {
+        return Error{ErrorKind::Unusable, candidate.name +
+                                              ": nobody knows which renderer drew it; accept it "
+                                              "for all renderers."};
+    }
+    const bool isOfOne = as == AcceptAs::ForThisRenderer ||
+                         HasOwnPicture(m_references, candidate.name, candidate.renderer);
     return Store(m_references, candidate.name, Take(candidate, Moment{}),
-                 as == AcceptAs::ForThisRenderer ? candidate.renderer : "");
+                 isOfOne ? candidate.renderer : "");
 }
 
 std::vector<std::string> ReferenceStore::Names() const

@@ -130,6 +130,8 @@ const char* StatusWord(GoldenStatus status)
         return "drawlist";
     case GoldenStatus::Pixels:
         return "pixels";
+    case GoldenStatus::NotCompared:
+        break;
     }
     return "error";
 }
@@ -141,6 +143,10 @@ std::string ToJson(const VerdictRecord& record)
     object.Add("name", Quoted(record.name));
     object.Add("status", Quoted(record.status));
     object.Add("message", Quoted(record.message));
+    if (!record.accept.empty())
+    {
+        object.Add("accept", Quoted(record.accept));
+    }
     if (record.limits != nullptr)
     {
         AddLimits(object, *record.limits);

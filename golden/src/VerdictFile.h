@@ -19,8 +19,9 @@ namespace boxreel
 struct VerdictRecord
 {
     std::string_view name;
-    std::string_view status;  ///< StatusWord, or "error": it could not be compared
+    std::string_view status;  ///< StatusWord
     std::string_view message; ///< what differs, without what to do about it
+    std::string_view accept;  ///< the command that makes it the reference; empty: look first
     const GoldenCandidate* candidate = nullptr;
     const CompareSettings* limits = nullptr;
     const Comparison* pixels = nullptr;
@@ -28,7 +29,7 @@ struct VerdictRecord
     std::vector<int> firstBodies{};          ///< which part there, as far as it can be told
 };
 
-/// "same", "missing", "state", "drawlist", "pixels".
+/// "same", "missing", "state", "drawlist", "pixels", or "error" for what could not be compared.
 const char* StatusWord(GoldenStatus status);
 
 /// As JSON (RFC 8259), a field a line.

@@ -340,7 +340,7 @@ Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& 
             return Error{ErrorKind::Unusable,
                          name.PathOf(number).string() +
                              " exists already; choose another name or folder, continue what was "
-                             "stopped (--resume), or allow overwriting (--force)."};
+                             "stopped (boxreel's --resume), or allow overwriting (--force)."};
         }
     }
     // Whether the folder can be written to is known before anything is simulated.

@@ -27,7 +27,7 @@ struct StatusLook
 };
 
 constexpr StatusLook kLooks[] = {
-    {"error", "not compared", "a file could not be read, or a body to leave out is not there"},
+    {"error", "not compared", "the reference is damaged, or a body to leave out is not there"},
     {"state", "state", "the worlds differ: some body is elsewhere or moves otherwise"},
     {"drawlist", "geometry", "the same world draws something else"},
     {"pixels", "pixels", "the same geometry, other pixels"},
@@ -193,10 +193,12 @@ Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
                        name + "\">\n<h2><a href=\"#" + name + "\">" + name +
                        "</a> <span class=\"badge " + shown.status + "\">" +
                        HtmlText(LabelOf(shown.status)) + "</span></h2>\n" + Message(shown);
-    if (shown.status == "missing")
+    if (!shown.accept.empty() && IsFailure(moment))
     {
-        text += "<p>If the picture is right, accept it: <code>boxreel golden accept " + name +
-                "</code>, or run the test with <code>BOXREEL_GOLDEN_ACCEPT=missing</code>.</p>\n";
+        const char* const which = shown.status == "missing" ? "missing" : "changed";
+        text += "<p>If the picture is right, accept it: <code>" + HtmlText(shown.accept) +
+                "</code>, or run the test with <code>BOXREEL_GOLDEN_ACCEPT=" + which +
+                "</code>.</p>\n";
     }
     for (const ReportedVerdict& other : moment.others)
     {

@@ -21,7 +21,7 @@ namespace boxreel
 std::vector<std::int64_t> StepsAround(std::int64_t first, std::int64_t last);
 
 /// By name. A name that is none of our scenes has none. `against`: another build of the program,
-/// whose pictures become the expected ones; empty: none.
+/// by its whole path, whose pictures become the expected ones; empty: none.
 Result<std::map<std::string, FilmStrip>> MakeStrips(const std::vector<ReportedMoment>& moments,
                                                     const std::filesystem::path& against,
                                                     Backend backend);

@@ -63,6 +63,7 @@ ReportedVerdict FromJson(const json& file)
     verdict.name = file.at("name");
     verdict.status = file.at("status");
     verdict.message = file.at("message");
+    verdict.accept = file.value("accept", "");
     verdict.renderer = file.value("renderer", "");
     verdict.limits = LimitsOf(file);
     if (RankOf(verdict.status) == std::ssize(kSeverity))

@@ -5,6 +5,7 @@
 #include "GoldenScenes.h"
 #include "Terminal.h"
 
+#include <algorithm>
 #include <set>
 
 namespace boxreel
@@ -71,6 +72,21 @@ Result<GoldenSelection> SelectFilm(const GoldenOptions& options)
     return GoldenSelection{.film = std::move(film)};
 }
 
+/// A moment that is named twice, by itself or with all of its scene, is looked at once.
+void AddOnce(std::vector<GoldenSelection>& selections, const GoldenSelection& more)
+{
+    const auto covers = [](const GoldenSelection& a, const GoldenSelection& b) {
+        return a.scene == b.scene && (a.moment.empty() || a.moment == b.moment);
+    };
+    if (std::none_of(selections.begin(), selections.end(),
+                     [&](const GoldenSelection& known) { return covers(known, more); }))
+    {
+        std::erase_if(selections,
+                      [&](const GoldenSelection& known) { return covers(more, known); });
+        selections.push_back(more);
+    }
+}
+
 Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
 {
     std::vector<GoldenSelection> selections;
@@ -88,7 +104,7 @@ Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
         {
             return selection.GetError();
         }
-        selections.push_back(*selection);
+        AddOnce(selections, *selection);
     }
     if (names.empty())
     {
@@ -113,6 +129,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     std::size_t moments = 0;
     std::size_t failures = 0;
     std::set<std::string> names;
+    std::string warning; // the first: where one file cannot be written, none can
     for (const GoldenSelection& selection : selections)
     {
         const Result<std::vector<GoldenVerdict>> verdicts =
@@ -125,6 +142,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
         {
             const bool isSame = verdict.status == GoldenStatus::Same;
             names.insert(verdict.name);
+            warning = warning.empty() ? verdict.warning : warning;
             ++moments;
             failures += isSame ? 0 : 1;
             const Result<void> written =
@@ -135,6 +153,10 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
                 return written.GetError();
             }
         }
+    }
+    if (!warning.empty())
+    {
+        WriteMessage("boxreel: no verdict is kept of what passed: " + warning);
     }
     const std::string what = Count(moments, "moment");
     const std::string output = folders.output.string();
@@ -168,6 +190,7 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
 {
     const ReferenceStore store(folders.references, folders.output);
     std::size_t moments = 0;
+    std::size_t same = 0;
     for (const GoldenSelection& selection : selections)
     {
         const Result<std::vector<GoldenVerdict>> accepted =
@@ -180,6 +203,7 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
         for (const GoldenVerdict& verdict : *accepted)
         {
             const bool isSame = verdict.status == GoldenStatus::Same;
+            same += isSame ? 1 : 0;
             const Result<void> written = WriteOutput(
                 isSame ? "same  " + verdict.name + "\n" : "accepted  " + verdict.message + "\n");
             if (!written)
@@ -188,8 +212,9 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
             }
         }
     }
-    const Result<void> written = WriteOutput(Count(moments, "moment") + " accepted in '" +
-                                             folders.references.string() + "'\n");
+    const Result<void> written = WriteOutput(
+        Count(moments, "moment") + " accepted in '" + folders.references.string() + "'" +
+        (same == 0 ? "" : ", " + std::to_string(same) + " of them as they were") + "\n");
     if (!written)
     {
         return written.GetError();
@@ -197,13 +222,18 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
     return 0;
 }
 
-Result<int> VerifyAgainst(const std::filesystem::path& program,
+Result<int> VerifyAgainst(const std::filesystem::path& given,
                           const std::vector<GoldenSelection>& selections)
 {
+    const Result<fs::path> program = FindOtherProgram(given);
+    if (!program)
+    {
+        return program.GetError();
+    }
     std::size_t failures = 0;
     for (const GoldenSelection& selection : selections)
     {
-        const Result<std::string> difference = CompareWith(program, selection);
+        const Result<std::string> difference = CompareWith(*program, selection);
         if (!difference)
         {
             return difference.GetError();
@@ -219,9 +249,9 @@ Result<int> VerifyAgainst(const std::filesystem::path& program,
     }
     const std::string what = Count(selections.size(), "scene");
     const Result<void> written =
-        WriteOutput(what + (failures == 0 ? ": each step as " + program.string() + " does it\n"
+        WriteOutput(what + (failures == 0 ? ": each step as " + given.string() + " does it\n"
                                           : ": " + std::to_string(failures) + " not as " +
-                                                program.string() + " does them\n"));
+                                                given.string() + " does them\n"));
     if (!written)
     {
         return written.GetError();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "CommandGoldenReport.h"
 
+#include "CommandGoldenState.h"
 #include "Terminal.h"
 
 #include <report/ReportPage.h>
@@ -47,6 +48,11 @@ Result<void> CheckGoldenReportPath(const fs::path& path, bool force)
                                               "' is a folder; name a file in it, such as '" +
                                               (path / "report.html").string() + "'."};
     }
+    if (fs::exists(path, code) && !fs::is_regular_file(path, code))
+    {
+        return Error{ErrorKind::Unusable,
+                     "'" + path.string() + "' is no plain file; name one, such as 'report.html'."};
+    }
     if (!force && fs::exists(path, code) && !IsReport(path))
     {
         return Error{ErrorKind::Unusable, "'" + path.string() +
@@ -66,6 +72,12 @@ Result<void> CheckGoldenReportPath(const fs::path& path, bool force)
 Result<void> WriteGoldenReport(const GoldenReportOptions& options,
                                const std::set<std::string>& only)
 {
+    const Result<fs::path> against =
+        options.against.empty() ? fs::path() : FindOtherProgram(options.against);
+    if (!against)
+    {
+        return against.GetError();
+    }
     std::vector<fs::path> folders = options.folders;
     if (folders.empty())
     {
@@ -88,7 +100,7 @@ Result<void> WriteGoldenReport(const GoldenReportOptions& options,
         return usable;
     }
     const Result<std::map<std::string, FilmStrip>> strips =
-        MakeStrips(*moments, options.against, options.backend);
+        MakeStrips(*moments, *against, options.backend);
     if (!strips)
     {
         return strips.GetError();

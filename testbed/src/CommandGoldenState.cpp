@@ -81,16 +81,24 @@ private:
 
 } // namespace
 
-Result<std::string> CompareWith(const std::filesystem::path& program,
-                                const GoldenSelection& selection)
+Result<std::filesystem::path> FindOtherProgram(const std::filesystem::path& program)
 {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(program, ignored))
     {
-        return Error{ErrorKind::Unusable, "--against " + program.string() +
-                                              ": there is no such file; give the program of "
-                                              "another build, such as build/boxreel."};
+        const bool isFolder = std::filesystem::is_directory(program, ignored);
+        return Error{ErrorKind::Unusable,
+                     "--against " + program.string() +
+                         (isFolder ? ": it is a folder" : ": there is no such file") +
+                         "; give the program of another build, such as build/boxreel."};
     }
+    // A name without a folder would be looked for along PATH, where another program may have it.
+    return std::filesystem::absolute(program);
+}
+
+Result<std::string> CompareWith(const std::filesystem::path& program,
+                                const GoldenSelection& selection)
+{
     const std::string scene = SceneSlug(selection.scene->name);
     const Result<GoldenRun> ours = SimulateGolden(selection);
     if (!ours)

@@ -31,8 +31,8 @@ Result<PixelBounds> ParseRectangle(const std::string& option, const std::string&
 {
     const Error refusal{ErrorKind::Unusable,
                         option + " '" + text +
-                            "': give X,Y,WxH in pixels from the top left corner, such as "
-                            "10,20,300x40."};
+                            "': give X,Y,WxH in pixels from the top left corner, each up to 65535, "
+                            "such as 10,20,300x40."};
     const std::vector<std::string> parts = SplitAt(',', text);
     const std::vector<std::string> sides =
         parts.size() == 3 ? SplitAt('x', parts[2]) : std::vector<std::string>();

@@ -321,8 +321,12 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
     AddFlag(*command, "--test", play.test,
             "Only look at what it expects and at what was approved; makes no\nfilms and "
             "shots");
-    AddFlag(*command, "--accept", play.accept,
-            "Pictures become the references that they would be compared with");
+    CLI::Option* accept =
+        AddFlag(*command, "--accept", play.accept,
+                "Pictures become the references that they would be compared with");
+    AddFlag(*command, "--for-this-renderer", play.forThisRenderer,
+            "With --accept: only pictures drawn by the same renderer are\ncompared with these")
+        ->needs(accept);
     AddForce(*command, play.force);
     AddFlag(*command, "--resume", play.resume, "Go on with films that were stopped");
     AddBackend(*command, play.backend);

@@ -382,6 +382,7 @@ Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golde
     candidate.name = golden.name;
     candidate.stateHash = StateHashText(session->World());
     candidate.state = ReadWorldState(session->World());
+    candidate.renderer = renderer->Description();
     const Overlay* const panel = look.hud || look.panels ? &content.overlay : nullptr;
     if (const Result<void> drawn =
             renderer->Draw(content.list, content.camera, candidate.frame, panel);
@@ -410,7 +411,9 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
         std::string line = "accepted  " + golden.name;
         if (options.accept)
         {
-            if (const Result<void> accepted = store.Accept(*candidate); !accepted)
+            const AcceptAs as =
+                options.forThisRenderer ? AcceptAs::ForThisRenderer : AcceptAs::TheOneCompared;
+            if (const Result<void> accepted = store.Accept(*candidate, as); !accepted)
             {
                 return play.script.At(golden.line, accepted.GetError());
             }
@@ -428,11 +431,7 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
                 return play.script.At(golden.line, verdict.GetError());
             }
             failures += isSame ? 0 : 1;
-            const std::string why = verdict->status == GoldenStatus::Missing
-                                        ? golden.name + ": there is no reference; look at " +
-                                              (output / (golden.name + ".actual.png")).string() +
-                                              ", and if it is right, play it again with --accept."
-                                        : verdict->message;
+            const std::string why = WithRemedy(*verdict, "play it again with --accept.");
             line = isSame ? "same  " + golden.name
                           : Red("FAIL", stdout) + "  " + play.script.file.string() + ":" +
                                 std::to_string(golden.line) + ": " + why;

@@ -126,6 +126,7 @@ struct PlayOptions
     bool check = false;         ///< only whether it can be played
     bool test = false;          ///< only what it expects and what was approved
     bool accept = false;        ///< pictures become the references that they would be compared with
+    bool forThisRenderer = false; ///< and the pictures for the renderer that draws them alone
     bool force = false;
     bool resume = false; ///< films that were stopped are gone on with
     Backend backend = Backend::Auto;

@@ -5,6 +5,7 @@
 
 #include <golden/StateHash.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace boxreel
@@ -24,6 +25,15 @@ constexpr Moment kMoments[] = {
     {"2s", Duration{2'000'000'000}},
     {"5s", Duration{5'000'000'000}},
 };
+
+std::int64_t LastStep(const GoldenSelection& selection, const Rational& stepsPerSecond)
+{
+    const auto named =
+        std::find_if(std::begin(kMoments), std::end(kMoments),
+                     [&](const Moment& moment) { return selection.moment == moment.name; });
+    return StepAt((named != std::end(kMoments) ? *named : *std::rbegin(kMoments)).time,
+                  stepsPerSecond);
+}
 
 // Simulates up to `step`, one step at a time.
 StateTrace Advance(SceneSession& session, std::int64_t step)
@@ -186,7 +196,7 @@ Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection
         }
         accepted.push_back(*std::move(verdict));
         return store.Accept(candidate, acceptance.forThisRenderer ? AcceptAs::ForThisRenderer
-                                                                  : AcceptAs::ForAll);
+                                                                  : AcceptAs::TheOneCompared);
     };
     const Result<void> visited = VisitGoldenMoments(selection, renderer, accept);
     if (!visited)
@@ -194,6 +204,16 @@ Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection
         return visited.GetError();
     }
     return accepted;
+}
+
+Result<std::int64_t> LastStepOf(const GoldenSelection& selection)
+{
+    const Result<SceneSession> session = OpenGolden(selection);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    return LastStep(selection, session->StepsPerSecond());
 }
 
 Result<GoldenRun> SimulateGolden(const GoldenSelection& selection,
@@ -204,15 +224,9 @@ Result<GoldenRun> SimulateGolden(const GoldenSelection& selection,
     {
         return session.GetError();
     }
-    for (const Moment& moment : kMoments)
-    {
-        if (!lastStep && (selection.moment == moment.name || &moment == std::end(kMoments) - 1))
-        {
-            lastStep = StepAt(moment.time, session->StepsPerSecond());
-        }
-    }
     GoldenRun run;
-    run.trace = Advance(*session, *lastStep);
+    run.trace =
+        Advance(*session, lastStep ? *lastStep : LastStep(selection, session->StepsPerSecond()));
     run.stateHash = StateHashText(session->World());
     run.state = ReadWorldState(session->World());
     return run;

@@ -80,6 +80,9 @@ Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection
                                                 const ReferenceStore& store, Renderer& renderer,
                                                 const GoldenAcceptance& acceptance = {});
 
+/// The step of the selection's last moment.
+Result<std::int64_t> LastStepOf(const GoldenSelection& selection);
+
 /// The steps that a selection goes through and the state at its end.
 struct GoldenRun
 {

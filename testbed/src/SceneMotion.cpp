@@ -305,19 +305,23 @@ void SceneMotion::AddDimensions(const SceneSession& session, DrawList& list) con
     }
 }
 
-/// With texts that keep clear of bodies, signs, and lines of other dimensions, also of later ones.
+/// With texts that keep clear of bodies where they are and where they are seen to have been, signs,
+/// and lines of other dimensions, also of later ones.
 DrawList SceneMotion::Dimensions(SceneSession& session) const
 {
-    DrawList lines;
-    AddDimensions(session, lines);
-    std::erase_if(lines.items, [](const DrawItem& item) { return item.kind == DrawKind::Text; });
+    DrawList inTheWay;
+    AddDimensions(session, inTheWay);
+    std::erase_if(inTheWay.items, [](const DrawItem& item) { return item.kind == DrawKind::Text; });
     DrawList picture = DrawListOf(session.World(), b2Draw::e_shapeBit);
     AddJointGlyphs(session.World(), ViewOfEverything(session.CurrentCamera()), picture);
-    for (DrawItem& item : lines.items)
+    AddPoses(session, inTheWay);
+    AddTrails(session, inTheWay);
+    for (DrawItem& item : inTheWay.items)
     {
-        item.layer = DrawLayer::JointGlyphs; // in the way, as a sign
+        // As a body or as a sign is.
+        item.layer = item.layer == DrawLayer::Poses ? DrawLayer::Shapes : DrawLayer::JointGlyphs;
     }
-    Append(picture, lines);
+    Append(picture, inTheWay);
     AddDimensions(session, picture);
     DrawList dimensions;
     Append(dimensions, picture,

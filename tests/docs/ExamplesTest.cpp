@@ -103,6 +103,16 @@ TEST(Examples, TheSweepDrawsSixPicturesTwice)
     EXPECT_THAT(TextOf(folder / "sweep.pdf"), testing::StartsWith("%PDF"));
 }
 
+TEST(Examples, TheSweepDrawsDrawingsOnly)
+{
+    const TemporaryFolder folder;
+    const std::string command = "cd '" + (folder / "").string() + "' && ";
+    EXPECT_NE(std::system((command + BOXREEL_SWEEP " sweep.png 2> said").c_str()), 0);
+    EXPECT_EQ(TextOf(folder / "said"),
+              "sweep.png is no drawing; name a file that ends in .svg or .pdf.\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "sweep.png"));
+}
+
 #ifdef BOXREEL_BOX2D24_FILM
 TEST(Examples, AWorldOfBox2D24IsFilmed)
 {

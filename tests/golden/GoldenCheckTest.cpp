@@ -103,6 +103,48 @@ TEST_F(GoldenCheck, AcceptsBothWhenAllAreWanted)
     EXPECT_TRUE(Check(changed).passed) << "what has been accepted is the reference now";
 }
 
+TEST_F(GoldenCheck, AcceptsPixelsAloneForTheRendererThatDrewThem)
+{
+    Approve(candidate);
+    GoldenCandidate repainted = Candidate("start", SmallScene(), {.outline = 2});
+    repainted.renderer = changed.renderer = "Some GL";
+    settings.accept = GoldenAccept::ThisRenderer;
+    EXPECT_FALSE(Check(changed).passed) << "other geometry is no matter of a renderer";
+    const GoldenOutcome outcome = Check(repainted);
+    EXPECT_TRUE(outcome.passed) << outcome.message;
+    EXPECT_TRUE(fs::exists(settings.references / "frames" / "start@some-gl.png"));
+    settings.accept = GoldenAccept::None;
+    EXPECT_TRUE(Check(candidate).passed);
+    EXPECT_TRUE(Check(repainted).passed);
+}
+
+TEST_F(GoldenCheck, AcceptsAnewWhatIsDamaged)
+{
+    Approve(candidate);
+    std::ofstream(settings.references / "frames" / "start.png") << "damaged";
+    const GoldenOutcome damaged = Check(candidate);
+    EXPECT_FALSE(damaged.passed);
+    EXPECT_THAT(damaged.message, testing::EndsWith("if it is right, run this test once with "
+                                                   "BOXREEL_GOLDEN_ACCEPT=changed in the "
+                                                   "environment."));
+    settings.accept = GoldenAccept::Changed;
+    EXPECT_TRUE(Check(candidate).passed);
+    settings.accept = GoldenAccept::None;
+    EXPECT_TRUE(Check(candidate).passed);
+}
+
+TEST_F(GoldenCheck, AcceptsNothingWhereThatWouldNotHelp)
+{
+    Approve(candidate);
+    CompareSettings settingsOfBodies;
+    settingsOfBodies.ignoredBodies = {3};
+    settings.accept = GoldenAccept::All;
+    const GoldenOutcome outcome = CheckGolden(candidate, settingsOfBodies, settings, accepted);
+    EXPECT_FALSE(outcome.passed);
+    EXPECT_THAT(outcome.message,
+                testing::EndsWith("no camera says where they are in the picture."));
+}
+
 TEST_F(GoldenCheck, LeavesAReferenceThatIsTheSameAlone)
 {
     Approve(candidate);
@@ -192,6 +234,8 @@ TEST(GoldenSettings, AreOverriddenByTheEnvironment)
     EXPECT_EQ(GoldenSettingsFromEnvironment("compiled")->accept, GoldenAccept::Missing);
     environment.accept.Set("all");
     EXPECT_EQ(GoldenSettingsFromEnvironment("compiled")->accept, GoldenAccept::All);
+    environment.accept.Set("this-renderer");
+    EXPECT_EQ(GoldenSettingsFromEnvironment("compiled")->accept, GoldenAccept::ThisRenderer);
 }
 
 TEST(GoldenSettings, RefuseAWordThatAcceptsNothing)
@@ -201,7 +245,7 @@ TEST(GoldenSettings, RefuseAWordThatAcceptsNothing)
     const auto settings = GoldenSettingsFromEnvironment("compiled");
     ASSERT_FALSE(settings);
     EXPECT_EQ(settings.GetError().message, "BOXREEL_GOLDEN_ACCEPT is 'yes'; set it to missing, "
-                                           "changed or all, or not at all.");
+                                           "changed, all or this-renderer, or not at all.");
 }
 
 TEST(GoldenSettings, AskForAFolderOfReferences)

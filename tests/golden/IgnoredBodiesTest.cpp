@@ -70,7 +70,9 @@ struct IgnoredBodies : testing::Test
         CompareSettings settings;
         settings.ignoredBodies = std::move(ignored);
         const Result<GoldenVerdict> verdict = store.Verify(candidate, settings);
-        return verdict ? "" : verdict.GetError().message;
+        EXPECT_EQ(verdict->status, GoldenStatus::NotCompared);
+        EXPECT_EQ(verdict->accept, "") << "it would not help";
+        return verdict->message;
     }
 
     TemporaryFolder folder;
@@ -115,6 +117,14 @@ TEST_F(IgnoredBodies, AreThereOrAreRefused)
     EXPECT_THAT(Refusal(candidate, {1, 3}), HasSubstr("there is no body 3, the last is 2"));
     candidate.camera.reset();
     EXPECT_THAT(Refusal(candidate, {1}), HasSubstr("no camera says where they are"));
+}
+
+TEST_F(IgnoredBodies, AreNeverAll)
+{
+    const GoldenCandidate candidate = Seen(TwoBodies());
+    ASSERT_TRUE(store.Accept(candidate));
+    EXPECT_EQ(Verify(candidate, {1, 2}).status, GoldenStatus::Same);
+    EXPECT_THAT(Refusal(candidate, {0, 1, 2}), HasSubstr("then none is left to compare"));
 }
 
 TEST_F(IgnoredBodies, CannotBeToldFromAHashAlone)

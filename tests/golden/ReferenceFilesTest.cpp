@@ -41,6 +41,19 @@ protected:
         return verdict ? Error{} : verdict.GetError();
     }
 
+    /// Of a reference that is damaged; and what was approved is as it was.
+    std::string Damage(const GoldenCandidate& candidate)
+    {
+        const Result<GoldenVerdict> verdict = m_store.Verify(candidate);
+        EXPECT_TRUE(verdict) << verdict.GetError().message;
+        EXPECT_EQ(verdict ? verdict->status : GoldenStatus::Same, GoldenStatus::NotCompared);
+        const std::string message = verdict ? verdict->message : "";
+        EXPECT_THAT(message, AllOf(HasSubstr(candidate.name + ": its reference is damaged: "),
+                                   HasSubstr("if it is right, run `boxreel golden accept " +
+                                             candidate.name)));
+        return message;
+    }
+
     Error AcceptError(const GoldenCandidate& candidate)
     {
         const Result<void> accepted = m_store.Accept(candidate);
@@ -122,11 +135,10 @@ TEST_F(ReferenceFiles, LinksThatLeadOutOfTheFolderAreRefused)
     fs::create_directories(m_folder / "outside");
     fs::create_directories(m_references / "frames");
     fs::create_directory_symlink(m_folder / "outside", m_references / "frames/pyramid");
-    for (const Error& error :
-         {VerifyError(Candidate("pyramid/3s")), AcceptError(Candidate("pyramid/3s"))})
+    for (const std::string& message :
+         {Damage(Candidate("pyramid/3s")), AcceptError(Candidate("pyramid/3s")).message})
     {
-        EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.message, AllOf(HasSubstr("frames/pyramid"), HasSubstr("remove it")));
+        EXPECT_THAT(message, AllOf(HasSubstr("frames/pyramid"), HasSubstr("remove it")));
     }
     EXPECT_TRUE(fs::is_empty(m_folder / "outside"));
     EXPECT_FALSE(fs::exists(m_references / "state")) << "nothing half accepted";
@@ -139,7 +151,7 @@ TEST_F(ReferenceFiles, AFileThatIsALinkOutOrNowhereIsRefused)
     for (const char* target : {"secret", "nowhere"})
     {
         fs::create_symlink(m_folder / target, m_references / "state/scene.txt");
-        EXPECT_EQ(VerifyError(Candidate("scene")).kind, ErrorKind::Unusable);
+        EXPECT_THAT(Damage(Candidate("scene")), HasSubstr("remove it"));
         EXPECT_EQ(AcceptError(Candidate("scene")).kind, ErrorKind::Unusable);
         fs::remove(m_references / "state/scene.txt");
     }
@@ -168,7 +180,7 @@ TEST_F(ReferenceFiles, LinksThatStayInsideAreFollowed)
     EXPECT_EQ(verdict->status, GoldenStatus::Same);
 }
 
-TEST_F(ReferenceFiles, ATruncatedPictureIsAnErrorThatNamesIt)
+TEST_F(ReferenceFiles, ATruncatedPictureIsNamedAndCanBeAcceptedAgain)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     const fs::path png = m_references / "frames/scene.png";
@@ -177,12 +189,13 @@ TEST_F(ReferenceFiles, ATruncatedPictureIsAnErrorThatNamesIt)
          {std::size_t(0), std::size_t(20), whole.size() / 2, whole.size() - 12})
     {
         WriteBytes(png, whole.substr(0, size));
-        EXPECT_THAT(VerifyError(Candidate("scene")).message, HasSubstr(png.string()))
-            << size << " bytes";
+        EXPECT_THAT(Damage(Candidate("scene")), HasSubstr(png.string())) << size << " bytes";
+        ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+        EXPECT_EQ(m_store.Judge(Candidate("scene"))->status, GoldenStatus::Same);
     }
 }
 
-TEST_F(ReferenceFiles, ADamagedPackedListIsAnErrorThatNamesIt)
+TEST_F(ReferenceFiles, ADamagedPackedListIsNamedAndCanBeAcceptedAgain)
 {
     const GoldenCandidate candidate{"scene", "", LongList(), Frame()};
     ASSERT_TRUE(m_store.Accept(candidate));
@@ -195,14 +208,14 @@ TEST_F(ReferenceFiles, ADamagedPackedListIsAnErrorThatNamesIt)
           flipped, std::string("plain text\n")})
     {
         WriteBytes(packed, bytes);
-        const Error error = VerifyError(candidate);
-        EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.message, AllOf(HasSubstr(packed.string()), HasSubstr("gzip"),
-                                         HasSubstr("accept it again")));
+        EXPECT_THAT(Damage(candidate),
+                    AllOf(HasSubstr(packed.string()), HasSubstr("gzip"), HasSubstr("restore it")));
+        ASSERT_TRUE(m_store.Accept(candidate));
+        EXPECT_EQ(m_store.Judge(candidate)->status, GoldenStatus::Same);
     }
 }
 
-TEST_F(ReferenceFiles, ADamagedStateIsAnErrorThatNamesIt)
+TEST_F(ReferenceFiles, ADamagedStateIsNamedAndCanBeAcceptedAgain)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     const fs::path state = m_references / "state/scene.txt";
@@ -210,9 +223,27 @@ TEST_F(ReferenceFiles, ADamagedStateIsAnErrorThatNamesIt)
          {"", "0123456789abcdef", "0123456789abcde\n", "0123456789ABCDEF\n", "<<<<<<< HEAD\n...."})
     {
         WriteBytes(state, bytes);
-        const Error error = VerifyError(Candidate("scene"));
-        EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.message, AllOf(HasSubstr(state.string()), HasSubstr("16 hex digits")));
+        EXPECT_THAT(Damage(Candidate("scene")),
+                    AllOf(HasSubstr(state.string()), HasSubstr("16 hex digits")));
+        ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+        EXPECT_EQ(m_store.Judge(Candidate("scene"))->status, GoldenStatus::Same);
+    }
+}
+
+TEST_F(ReferenceFiles, LineEndsThatACheckoutConvertedAreNamed)
+{
+    ASSERT_TRUE(m_store.Accept(Candidate("scene")));
+    for (const char* file : {"drawlist/scene.txt", "state/scene.txt"})
+    {
+        std::string text = ReadBytes(m_references / file);
+        for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 2))
+        {
+            text.insert(at, "\r");
+        }
+        WriteBytes(m_references / file, text);
+        EXPECT_THAT(Damage(Candidate("scene")),
+                    AllOf(HasSubstr(file), HasSubstr("CR LF"), HasSubstr(".gitattributes")));
+        ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     }
 }
 
@@ -239,7 +270,7 @@ TEST_F(ReferenceFiles, AcceptingThatFailsAtOneFileLeavesTheOthersAsTheyWere)
     GoldenCandidate changed = Candidate("scene", WithoutItem(SmallScene(), 4));
     changed.stateHash = "ffffffffffffffff";
     EXPECT_THAT(AcceptError(changed).message, HasSubstr("frames/scene.png"));
-    EXPECT_THAT(VerifyError(changed).message, HasSubstr("frames/scene.png"));
+    EXPECT_THAT(Damage(changed), HasSubstr("frames/scene.png"));
     EXPECT_EQ(ReadBytes(m_references / "state/scene.txt"), "0123456789abcdef\n");
     EXPECT_EQ(ReadBytes(m_references / "drawlist/scene.txt"), list);
 }
@@ -253,6 +284,8 @@ TEST_F(ReferenceFiles, AnOutputThatCannotBeWrittenIsAnErrorThatStillTellsTheDiff
     const Result<GoldenVerdict> same = store.Verify(Candidate("scene"));
     ASSERT_TRUE(same) << same.GetError().message;
     EXPECT_EQ(same->status, GoldenStatus::Same) << "nothing needs to be written";
+    EXPECT_THAT(same->warning, HasSubstr((m_folder / "file").string()));
+    EXPECT_EQ(m_store.Verify(Candidate("scene"))->warning, "");
 
     const Result<GoldenVerdict> different =
         store.Verify(Candidate("scene", SmallScene(), {.outline = 2}));

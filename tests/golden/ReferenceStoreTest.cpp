@@ -187,19 +187,21 @@ TEST_F(ReferenceStoreTest, SeesAWorldThatWentAnotherWayToTheSameState)
     EXPECT_THAT(verdict.message, HasSubstr("differ on the way, from step 41 on, and come to"));
 }
 
-TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreAnError)
+TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreDamage)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.state = {{{0, 0, 0, 0, 0, 0, 0}, {1, 1, 1.051f, 0, 0, 0, 0}}};
     Accept(candidate);
     std::ofstream(m_references / "state/pyramid/3s.txt")
         << "0123456789abcdef\n0 0 0 0\n1 1 1.02 0\n";
-    const Error error = VerifyError(candidate);
-    EXPECT_EQ(error.kind, ErrorKind::Unusable);
-    EXPECT_THAT(error.message, HasSubstr("are not those that its hash stands for"));
+    const GoldenVerdict verdict = Verify(candidate);
+    EXPECT_EQ(verdict.status, GoldenStatus::NotCompared);
+    EXPECT_THAT(verdict.message, HasSubstr("are not those that its hash stands for"));
+    Accept(candidate);
+    EXPECT_EQ(Verify(candidate).status, GoldenStatus::Same);
 }
 
-TEST_F(ReferenceStoreTest, ATraceThatIsCutIsNoReferenceThatPasses)
+TEST_F(ReferenceStoreTest, ATraceThatIsCutIsDamageAndNotBlamedOnTheWorld)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.trace = {{{41, "00000000", "00"}, {42, "00000001", "01"}}};
@@ -208,12 +210,14 @@ TEST_F(ReferenceStoreTest, ATraceThatIsCutIsNoReferenceThatPasses)
         Accept(candidate);
         std::ofstream(m_references / "trace/pyramid/3s.txt") << cut;
         const GoldenVerdict verdict = Verify(candidate);
-        EXPECT_EQ(verdict.status, GoldenStatus::State) << cut;
-        EXPECT_THAT(verdict.message, HasSubstr("which only one of them has"));
+        EXPECT_EQ(verdict.status, GoldenStatus::NotCompared) << cut;
+        EXPECT_THAT(verdict.message,
+                    HasSubstr(*cut == '\0' ? "has no step; restore it"
+                                           : "the steps of its trace are not those"));
     }
 }
 
-TEST_F(ReferenceStoreTest, ADamagedStateOrTraceIsAnErrorThatNamesTheFile)
+TEST_F(ReferenceStoreTest, ADamagedStateOrTraceIsAVerdictThatNamesTheFile)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.state = {{{0, 0, 0, 0, 0, 0, 0}}};
@@ -222,10 +226,20 @@ TEST_F(ReferenceStoreTest, ADamagedStateOrTraceIsAnErrorThatNamesTheFile)
     {
         Accept(candidate);
         std::ofstream(m_references / file, std::ios::app) << "and more\n";
-        const Error error = VerifyError(candidate);
-        EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.message, AllOf(HasSubstr(file), HasSubstr("\"and more\"")));
+        const GoldenVerdict verdict = Verify(candidate);
+        EXPECT_EQ(verdict.status, GoldenStatus::NotCompared);
+        EXPECT_THAT(verdict.message, AllOf(HasSubstr(file), HasSubstr("\"and more\"")));
+        EXPECT_TRUE(fs::exists(m_output / "pyramid/3s.actual.png")) << "to be looked at";
     }
+}
+
+TEST_F(ReferenceStoreTest, TellsACommandThatAShellReadsRight)
+{
+    const ReferenceStore store(m_folder / "it's mine", m_output);
+    const GoldenVerdict verdict = *store.Verify(m_candidate);
+    EXPECT_EQ(verdict.accept, "boxreel golden accept pyramid/3s --references '" +
+                                  (m_folder / "it'\\''s mine").string() + "'");
+    EXPECT_THAT(WithRemedy(verdict, "nod."), testing::EndsWith("if it is right, nod."));
 }
 
 TEST_F(ReferenceStoreTest, ComparesARendererWithAPictureOfItsOwnWhereThereIsOne)
@@ -244,6 +258,29 @@ TEST_F(ReferenceStoreTest, ComparesARendererWithAPictureOfItsOwnWhereThereIsOne)
     there.frame = here.frame;
     EXPECT_EQ(Verify(there).status, GoldenStatus::Pixels);
     EXPECT_THAT(m_store.Names(), ElementsAre("pyramid/3s"));
+}
+
+TEST_F(ReferenceStoreTest, AcceptsAnewThePictureThatARendererIsComparedWith)
+{
+    GoldenCandidate here = m_candidate;
+    here.renderer = "OSMesa, llvmpipe (LLVM 15.0.6)";
+    GoldenCandidate there = m_candidate;
+    there.renderer = "EGL, some GPU";
+    FillRect(there.frame, 0, 0, 40, 40, kLight);
+    Accept(here);
+    ASSERT_TRUE(m_store.Accept(there, AcceptAs::ForThisRenderer));
+    FillRect(there.frame, 40, 40, 80, 80, kLight);
+    Accept(there);
+    EXPECT_EQ(Verify(there).status, GoldenStatus::Same) << "its own is renewed";
+    EXPECT_EQ(Verify(here).status, GoldenStatus::Same) << "the one for all stays";
+}
+
+TEST_F(ReferenceStoreTest, AcceptsForOneRendererOnlyWhatSaysWhoDrewIt)
+{
+    const Result<void> accepted = m_store.Accept(m_candidate, AcceptAs::ForThisRenderer);
+    ASSERT_FALSE(accepted);
+    EXPECT_THAT(accepted.GetError().message, HasSubstr("nobody knows which renderer drew it"));
+    EXPECT_FALSE(fs::exists(m_references));
 }
 
 TEST_F(ReferenceStoreTest, JudgesWithoutLeavingAnything)

@@ -73,7 +73,9 @@ TEST_F(VerdictFile, ReplacesThatOfAnEarlierComparison)
     fs::remove_all(references);
     const std::string json = Verified(candidate);
     EXPECT_THAT(json,
-                AllOf(HasSubstr("\"status\": \"missing\""), HasSubstr("there is no reference")));
+                AllOf(HasSubstr("\"status\": \"missing\""), HasSubstr("there is no reference"),
+                      HasSubstr("\"accept\": \"boxreel golden accept pyramid/3s --references '" +
+                                references.string() + "'\"")));
     EXPECT_THAT(json, Not(HasSubstr("Look at"))) << "the page shows it, wherever it is read";
 }
 
@@ -94,7 +96,8 @@ TEST_F(VerdictFile, SaysThatSomethingCouldNotBeCompared)
     ASSERT_TRUE(store.Accept(candidate));
     ASSERT_THAT(Verified(candidate), HasSubstr("\"status\": \"same\""));
     std::ofstream(references / "frames/pyramid/3s.png") << "damaged";
-    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"status\": \"error\""), HasSubstr("3s.png")))
+    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"status\": \"error\""), HasSubstr("3s.png"),
+                                           HasSubstr("\"accept\": \"boxreel golden accept pyra")))
         << "it does not pass any more";
 }
 

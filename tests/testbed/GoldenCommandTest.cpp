@@ -141,6 +141,55 @@ TEST_F(GoldenCommand, AcceptsAPictureForOneRendererAlone)
                               "2s.png", AllOf(StartsWith("2s@osmesa"), EndsWith(".png"))));
     Blacken("r/frames/bridge/2s.png");
     EXPECT_EQ(RunIn({"verify", "bridge/2s"}).code, 0) << "compared with its own";
+    const std::string own =
+        folder / "r/frames/bridge" / *std::max_element(pictures.begin(), pictures.end());
+    Blacken(fs::relative(own, folder.Path()));
+    EXPECT_EQ(RunIn({"verify", "bridge/2s"}).code, 2);
+    EXPECT_EQ(RunIn({"accept", "bridge/2s"}).code, 0);
+    EXPECT_EQ(RunIn({"verify", "bridge/2s"}).code, 0) << "its own was accepted";
+}
+
+TEST_F(GoldenCommand, TellsADamagedReferenceBesideTheOthersAndAcceptsItAnew)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge"}).code, 0);
+    std::ofstream(folder / "r/state/bridge/0.5s.txt") << "<<<<<<< HEAD\n";
+    const Outcome damaged = RunIn({"verify", "bridge", "--report", "page.html"});
+    EXPECT_EQ(damaged.code, 2) << damaged.errors;
+    EXPECT_THAT(damaged.output,
+                AllOf(HasSubstr("FAIL  bridge/0.5s: its reference is damaged: "),
+                      HasSubstr("run `boxreel golden accept bridge/0.5s --references 'r'`"),
+                      HasSubstr("same  bridge/5s"), HasSubstr("3 moments: 1 not as approved")));
+    EXPECT_TRUE(fs::exists(folder / "page.html"));
+    const Outcome accepted = RunIn({"accept", "bridge", "--only", "changed"});
+    EXPECT_THAT(accepted.output, StartsWith("accepted  bridge/0.5s: its reference is damaged"));
+    EXPECT_EQ(RunIn({"verify", "bridge"}).code, 0);
+}
+
+TEST_F(GoldenCommand, CountsAMomentOnceHoweverOftenItIsNamed)
+{
+    const std::string first = RunIn({"accept", "bridge/2s", "bridge", "bridge"}).output;
+    EXPECT_THAT(first, HasSubstr("3 moments accepted in 'r'\n"));
+    EXPECT_THAT(RunIn({"accept", "bridge", "bridge/2s"}).output,
+                HasSubstr("3 moments accepted in 'r', 3 of them as they were"));
+}
+
+TEST_F(GoldenCommand, SaysThatAVerdictOfWhatPassedIsNotKept)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge"}).code, 0);
+    std::ofstream(folder / "o") << "a file where the folder should be";
+    const Outcome outcome = RunIn({"verify", "bridge"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.errors, StartsWith("boxreel: no verdict is kept of what passed: Cannot"));
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+}
+
+TEST_F(GoldenCommand, WritesReportsToPlainFilesOnly)
+{
+    ExpectRefusal({"verify", "bridge", "--references", ".", "--report", "/dev/full"},
+                  "is no plain file");
+    ASSERT_EQ(RunTool({"mkfifo", "pipe.html"}, folder.Path()).code, 0);
+    ExpectRefusal({"verify", "bridge", "--references", ".", "--report", "pipe.html"},
+                  "is no plain file");
 }
 
 TEST_F(GoldenCommand, SaysWhereAChangedWorldParted)
@@ -178,9 +227,14 @@ TEST_F(GoldenCommand, LeavesOutBodies)
     EXPECT_EQ(RunIn({"verify", "bridge/0.5s", "--ignore-body", "16"}).code, 2);
     EXPECT_EQ(RunIn({"verify", "bridge/0.5s", "--ignore-body", "3,17"}).code, 0);
     ExpectRefusal({"verify", "bridge", "--ignore-body", "wheel"}, "give numbers of bodies");
-    const Outcome beyond = RunIn({"verify", "bridge/0.5s", "--ignore-body", "99"});
-    EXPECT_EQ(beyond.code, 1);
-    EXPECT_THAT(beyond.errors, HasSubstr("there is no body 99, the last is 38"));
+    ASSERT_EQ(RunIn({"accept", "pyramid/0.5s"}).code, 0);
+    const Outcome beyond =
+        RunIn({"verify", "bridge/0.5s", "pyramid/0.5s", "--ignore-body", "3,17,99"});
+    EXPECT_EQ(beyond.code, 2);
+    EXPECT_THAT(beyond.output,
+                AllOf(HasSubstr("FAIL  bridge/0.5s: bodies cannot be left out, for there is no "
+                                "body 99, the last is 38."),
+                      HasSubstr("same  pyramid/0.5s")));
 }
 
 TEST_F(GoldenCommand, ComparesFilmsByTheirContactSheets)
@@ -247,10 +301,12 @@ TEST_F(GoldenCommand, FindsTheStepTheBodyAndTheDistanceByAnotherBuildsRun)
     EXPECT_EQ(differs.code, 2) << differs.errors;
     EXPECT_THAT(differs.output, AllOf(HasSubstr("from step 43 on, body 17 first"),
                                       HasSubstr("body 17: 0.03 m lower")));
+    EXPECT_THAT(Run({"verify", "bridge", "--against", "other"}).output, HasSubstr("from step 43"))
+        << "the file here, not one of this name along PATH";
     EXPECT_EQ(Run({"verify", "bridge/0.5s", "--against", other.string()}).code, 0)
         << "until half a second it is the same";
     ExpectRefusal({"verify", "bridge", "--against", "nothing"}, "there is no such file");
-    ExpectRefusal({"verify", "bridge", "--against", "."}, "there is no such file");
+    ExpectRefusal({"verify", "bridge", "--against", "."}, "it is a folder");
     ExpectRefusal({"verify", "bridge", "--against", "/bin/true"}, "knows `golden state`");
     ExpectRefusal({"verify", "bridge", "--against", "/bin/false"},
                   "Give another build of boxreel.");

@@ -84,7 +84,7 @@ TEST_F(PlayCommand, ComparesPicturesWithWhatWasApproved)
     Outcome outcome = Play();
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, AllOf(HasSubstr("FAIL  a.play:2: start/1s: there is no reference"),
-                                      HasSubstr("--accept")));
+                                      HasSubstr("if it is right, play it again with --accept.\n")));
     outcome = Play({"--accept"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.output, "accepted  start/1s\n");
@@ -95,6 +95,11 @@ TEST_F(PlayCommand, ComparesPicturesWithWhatWasApproved)
     outcome = Play();
     EXPECT_EQ(outcome.code, 2) << "a bomb fell";
     EXPECT_THAT(outcome.output, HasSubstr("FAIL  a.play:3: "));
+    EXPECT_EQ(Play({"--for-this-renderer"}).code, 1) << "nothing is accepted then";
+    EXPECT_EQ(Play({"--accept", "--for-this-renderer"}).code, 0);
+    EXPECT_EQ(Play().code, 0);
+    EXPECT_THAT(folder.Files(),
+                Contains(testing::StartsWith("references/frames/start/1s@osmesa-")));
 }
 
 TEST_F(PlayCommand, ChecksWithoutMakingAnything)

@@ -194,6 +194,14 @@ TEST(SceneMotion, MeasuresBetweenBodiesWhereTheyAre)
     EXPECT_NEAR(std::stod(list.texts[0]), distance, 0.005);
 }
 
+Vec2 TextAt(const DrawList& list)
+{
+    const auto text = std::find_if(list.items.begin(), list.items.end(), [](const DrawItem& item) {
+        return item.kind == DrawKind::Text;
+    });
+    return list.points.at(text->first);
+}
+
 TEST(SceneMotion, TheTextOfADimensionKeepsClearOfLaterDimensions)
 {
     SceneSession session = Open("newtons-cradle");
@@ -205,14 +213,24 @@ TEST(SceneMotion, TheTextOfADimensionKeepsClearOfLaterDimensions)
     const DrawList both = motion->Notes(session);
     look.dimensions.pop_back();
     const DrawList first = SceneMotion::Create(look, session, {0})->Notes(session);
-    const auto textAt = [](const DrawList& list) {
-        const auto text =
-            std::find_if(list.items.begin(), list.items.end(),
-                         [](const DrawItem& item) { return item.kind == DrawKind::Text; });
-        return list.points.at(text->first);
-    };
-    EXPECT_FALSE(textAt(both) == textAt(first));
+    EXPECT_FALSE(TextAt(both) == TextAt(first));
     EXPECT_EQ(both.texts.size(), 2u);
+}
+
+TEST(SceneMotion, TheTextOfADimensionKeepsClearOfWhereABodyIsSeenToHaveBeen)
+{
+    SceneSession session = Open("newtons-cradle");
+    const b2Vec2 start = FindBodies(session.World(), {1}).front()->GetWorldCenter();
+    MotionLook look;
+    // Its text would lie over the middle of where the ball began.
+    const float below = start.y - float(15.0 / session.CurrentCamera().pixelsPerMeter);
+    look.dimensions = {{Vec2{start.x - 4, below}, Vec2{start.x + 4, below}}};
+    const Vec2 alone = TextAt(Added("newtons-cradle", look, 45));
+    look.strobe = StrobeChoice{{{}, 45}, {false, {1}}}; // the start, and now
+    EXPECT_FALSE(TextAt(Added("newtons-cradle", look, 45)) == alone);
+    look.strobe.reset();
+    look.trail = BodyChoice{false, {1}};
+    EXPECT_FALSE(TextAt(Added("newtons-cradle", look, 45)) == alone);
 }
 
 TEST(SceneMotion, LabelsKeepClearOfNotes)

@@ -20,9 +20,10 @@ namespace boxreel
 enum class GoldenAccept
 {
     None,
-    Missing, ///< those without a reference
-    Changed, ///< those that differ from theirs
-    All,     ///< both
+    Missing,      ///< those without a reference
+    Changed,      ///< those that differ from theirs, or whose reference is damaged
+    All,          ///< both
+    ThisRenderer, ///< those that differ in pixels alone: for the renderer that drew them alone
 };
 
 /// What a golden test compares with, and what it may change.

@@ -24,8 +24,8 @@
 /// ASSERT_GOLDEN, ASSERT_GOLDEN_WORLD and ASSERT_GOLDEN_FILM end the test when they fail.
 /// References lie in the folder BOXREEL_GOLDEN_REFERENCES (environment, else a definition with
 /// which the test is compiled), failures leave their pictures in BOXREEL_GOLDEN_OUTPUT
-/// (golden-output below the working folder), BOXREEL_GOLDEN_ACCEPT=missing|changed|all makes
-/// candidates the references.
+/// (golden-output below the working folder), BOXREEL_GOLDEN_ACCEPT=missing|changed|all|
+/// this-renderer makes candidates the references.
 namespace boxreel::golden_test
 {
 

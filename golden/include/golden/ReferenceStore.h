@@ -45,7 +45,7 @@ GoldenCandidate CandidateOf(ContactSheet sheet, std::string name);
 /// Which picture becomes the reference.
 enum class AcceptAs
 {
-    ForAll,          ///< the one that every renderer is compared with
+    TheOneCompared,  ///< this renderer's own where it has one, else the one for all
     ForThisRenderer, ///< one that only candidates of the same `renderer` are compared with
 };
 
@@ -53,10 +53,11 @@ enum class AcceptAs
 enum class GoldenStatus
 {
     Same,
-    Missing,  ///< no reference: fails, the candidate is written to the output folder
-    State,    ///< the worlds differ
-    DrawList, ///< same world, other geometry
-    Pixels,   ///< same geometry, other pixels
+    Missing,     ///< no reference: fails, the candidate is written to the output folder
+    State,       ///< the worlds differ
+    DrawList,    ///< same world, other geometry
+    Pixels,      ///< same geometry, other pixels
+    NotCompared, ///< fails: the reference is damaged, or bodies that are to be left out cannot be
 };
 
 /// What comparing one candidate has found.
@@ -64,9 +65,15 @@ struct GoldenVerdict
 {
     std::string name;                            ///< of the reference
     GoldenStatus status = GoldenStatus::Missing; ///< how it ended
-    std::string message; ///< a sentence or two: what differs first, and where the pictures lie
-    Comparison pixels;   ///< what comparing the pictures has found
+    std::string message;      ///< a sentence or two: what differs first, and where the pictures lie
+    std::string accept = {};  ///< what a person runs where there is nothing to compare with; empty:
+                              ///< there is, or accepting would not help
+    Comparison pixels;        ///< what comparing the pictures has found
+    std::string warning = {}; ///< of what passed: why no file says so; empty when one does
 };
+
+/// The verdict's message, with another way to accept where it says one.
+std::string WithRemedy(const GoldenVerdict& verdict, const std::string& remedy);
 
 /// A folder of what was approved.
 class ReferenceStore
@@ -78,8 +85,8 @@ public:
     ReferenceStore(std::filesystem::path references, std::filesystem::path output);
 
     /// Compares the candidate with its reference, and leaves files of what differs. An Error only
-    /// when a file cannot be read or written, the name is not usable, or a body that is to be left
-    /// out is not there; a difference is a verdict.
+    /// when the name is not usable or a file of a failure cannot be written; a difference is a
+    /// verdict, and so is a reference that cannot be read.
     Result<GoldenVerdict> Verify(const GoldenCandidate& candidate,
                                  const CompareSettings& settings = {}) const;
 
@@ -87,8 +94,10 @@ public:
     Result<GoldenVerdict> Judge(const GoldenCandidate& candidate,
                                 const CompareSettings& settings = {}) const;
 
-    /// Makes the candidate the reference. Files are written whole or not at all.
-    Result<void> Accept(const GoldenCandidate& candidate, AcceptAs as = AcceptAs::ForAll) const;
+    /// Makes the candidate the reference, whatever there was. Files are written whole or not at
+    /// all. Unusable for a renderer alone when the candidate does not say which.
+    Result<void> Accept(const GoldenCandidate& candidate,
+                        AcceptAs as = AcceptAs::TheOneCompared) const;
 
     /// Names that have a reference, sorted.
     std::vector<std::string> Names() const;

@@ -56,12 +56,15 @@ TEST_F(Page, SaysThatAllIsAsApproved)
 
 TEST_F(Page, CountsEachVerdictAndShowsWhatDiffers)
 {
+    ReportedMoment missing = Moment("d", "missing");
+    missing.shown.accept = "boxreel golden accept d --references '<r>'";
     const std::string page = Of({Moment("a", "same"), Moment("b", "state"), Moment("c", "state"),
-                                 Moment("d", "missing"), Moment("e", "accepted")});
-    EXPECT_THAT(page,
-                AllOf(HasSubstr("<title>5 moments: 3 not as approved, 1 accepted just now</title>"),
-                      HasSubstr(">2 state</button>"), HasSubstr(">1 missing</button>"),
-                      HasSubstr("<code>boxreel golden accept d</code>")));
+                                 missing, Moment("e", "accepted")});
+    EXPECT_THAT(
+        page,
+        AllOf(HasSubstr("<title>5 moments: 3 not as approved, 1 accepted just now</title>"),
+              HasSubstr(">2 state</button>"), HasSubstr(">1 missing</button>"),
+              HasSubstr("<code>boxreel golden accept d --references &#39;&lt;r&gt;&#39;</code>")));
     EXPECT_THAT(page,
                 AllOf(HasSubstr("id=\"b\""), HasSubstr("id=\"e\""), Not(HasSubstr("id=\"a\""))));
 }

@@ -77,6 +77,15 @@ TEST(FilmStrips, AreNotMadeByAProgramThatDoesSomethingElse)
     EXPECT_THAT(strip.note, HasSubstr("verify again"));
 }
 
+TEST(FilmStrips, AreNotSimulatedToAStepThatTheirMomentDoesNotReach)
+{
+    ReportedMoment moment = Parted("bridge/0.5s");
+    moment.shown.firstStep = moment.shown.lastStep = 4'000'000'000'000'000'000; // years
+    EXPECT_THAT(StripOf(moment).note, HasSubstr("verify again"));
+    moment = Parted("bridge/0.5s", 12, 31); // a step beyond half a second
+    EXPECT_THAT(StripOf(moment).note, HasSubstr("verify again"));
+}
+
 TEST(FilmStrips, AreOfTheEarliestMomentOfAScene)
 {
     const auto strips =

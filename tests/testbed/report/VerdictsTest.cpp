@@ -94,8 +94,9 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
     Leave("out", "a", "state",
           R"(, "step": 120, "firstStep": 43, "firstBodies": [17, 3], "firstHash": "01234567",
              "limits": "cross-machine allows 0.05 %", "ignoredBodies": [3])");
-    Leave("out", "b", "missing",
-          R"(, "accepted": true, "limits": "exact allows 0 pixels", "ignored": [[0, 0, 8, 8]])");
+    Leave(
+        "out", "b", "missing",
+        R"(, "accepted": true, "accept": "do it", "limits": "exact allows 0 pixels", "ignored": [[0, 0, 8, 8]])");
     const std::vector<ReportedMoment> moments = Collect({"out"});
     ASSERT_THAT(moments, SizeIs(2));
     const ReportedVerdict& state = moments[0].shown;
@@ -104,7 +105,9 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
     EXPECT_THAT(state.firstBodies, testing::ElementsAre(17, 3));
     EXPECT_EQ(state.firstHash, "01234567");
     EXPECT_EQ(state.limits, "cross-machine allows 0.05 %; bodies left out: 1");
+    EXPECT_EQ(state.accept, "");
     EXPECT_EQ(moments[1].shown.status, "accepted");
+    EXPECT_EQ(moments[1].shown.accept, "do it");
     EXPECT_EQ(moments[1].shown.limits, "exact allows 0 pixels; rectangles left out: 1");
 }
 

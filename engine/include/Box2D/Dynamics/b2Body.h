@@ -55,8 +55,10 @@ struct b2BodyDef
 class b2Body
 {
 public:
-    /// Attaches a copy of the definition's shape and updates the mass. nullptr while the world is
-    /// locked.
+    /// Attaches a copy of the definition's shape and updates the mass. nullptr, after an assert
+    /// where they are on: while the world is locked; of no definition or no shape; of a shape
+    /// without points, without a size, or that reaches further than 1e15 m. A density, friction or
+    /// restitution that is negative or not finite becomes 0.
     b2Fixture* CreateFixture(const b2FixtureDef* def);
     /// The same from a shape and a density [kg/m^2], >= 0; all else as in b2FixtureDef.
     b2Fixture* CreateFixture(const b2Shape* shape, float32 density);

@@ -48,13 +48,17 @@ public:
     /// What DrawDebugData draws with; nullptr: nothing.
     void SetDebugDraw(b2Draw* debugDraw);
 
-    /// A body of the world's, from a definition, which is copied; nullptr while the world is
-    /// locked.
+    /// A body of the world's, from a definition, which is copied. nullptr, after an assert where
+    /// they are on: while the world is locked, and of no definition. A value that is none, such as
+    /// a velocity that is not finite, becomes the default of b2BodyDef.
     b2Body* CreateBody(const b2BodyDef* def);
     /// Takes it away with its fixtures, joints and contacts. Not while the world is locked.
     void DestroyBody(b2Body* body);
-    /// A joint between two bodies of the world's, from a definition, which is copied; nullptr while
-    /// the world is locked.
+    /// A joint between two bodies of the world's, from a definition, which is copied. nullptr,
+    /// after an assert where they are on: while the world is locked; of no definition; without two
+    /// different bodies, both of this world; of a type that is no joint's; with a number out of the
+    /// range that its definition says, or not finite; and of a gear whose two joints are not
+    /// revolute or prismatic or do not move two different bodies of this world.
     b2Joint* CreateJoint(const b2JointDef* def);
     /// Takes it away; its bodies wake. Not while the world is locked.
     void DestroyJoint(b2Joint* joint);
@@ -105,14 +109,16 @@ public:
     /// With more, contacts are found once a step, and the bodies then move in small steps of a
     /// scheme of second order: free flight is exact, joints are solved exactly and lose no energy.
     /// The iterations given to Step are shared out over the small steps, at least one to each:
-    /// b2IterationsOfASubStep.
+    /// b2IterationsOfASubStep. Another number asserts and becomes the nearest of these; while the
+    /// world is locked nothing changes.
     void SetSubStepCount(int32 count);
     int32 GetSubStepCount() const; ///< 1 to 64
 
     /// How many threads share the work of a step, the calling one included; 1 to 64, and 1 unless
     /// said. The results are the same to the last bit whatever the number. Callbacks come from the
     /// calling thread, in the same order. While a step lasts the others wait busily, callbacks
-    /// included: small worlds, and more threads than processors, only cost.
+    /// included: small worlds, and more threads than processors, only cost. Another number asserts
+    /// and becomes the nearest of these; while the world is locked nothing changes.
     void SetThreadCount(int32 count);
     int32 GetThreadCount() const; ///< 1 to 64
 
