@@ -75,8 +75,9 @@ Error CannotFinish(const fs::path& path, int code)
 
 Error InTheWay(const fs::path& path)
 {
-    return CannotWrite(ErrorKind::Unusable, path,
-                       "it exists already; choose another name or allow overwriting (boxreel's --force)");
+    return CannotWrite(
+        ErrorKind::Unusable, path,
+        "it exists already; choose another name or allow overwriting (boxreel's --force)");
 }
 
 Error PartInTheWay(const fs::path& path, const fs::path& part)
@@ -124,8 +125,9 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
             {
                 ::close(descriptor);
                 return CannotWrite(ErrorKind::Unusable, path,
-                                   part.string() + " was left by a run that was stopped; continue "
-                                                   "it (boxreel's --resume) or begin anew (--force)");
+                                   part.string() +
+                                       " was left by a run that was stopped; continue "
+                                       "it (boxreel's --resume) or begin anew (--force)");
             }
             if (::ftruncate(descriptor, 0) == 0)
             {

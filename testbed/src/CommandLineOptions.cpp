@@ -321,12 +321,10 @@ void DeclarePlay(CLI::App& program, ParsedOptions& parsed)
     AddFlag(*command, "--test", play.test,
             "Only look at what it expects and at what was approved; makes no\nfilms and "
             "shots");
-    CLI::Option* accept =
-        AddFlag(*command, "--accept", play.accept,
-                "Pictures become the references that they would be compared with");
+    AddFlag(*command, "--accept", play.accept,
+            "Pictures become the references that they would be compared with");
     AddFlag(*command, "--for-this-renderer", play.forThisRenderer,
-            "With --accept: only pictures drawn by the same renderer are\ncompared with these")
-        ->needs(accept);
+            "With --accept: only pictures drawn by the same renderer are\ncompared with these");
     AddForce(*command, play.force);
     AddFlag(*command, "--resume", play.resume, "Go on with films that were stopped");
     AddBackend(*command, play.backend);

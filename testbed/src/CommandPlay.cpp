@@ -478,6 +478,12 @@ std::string Count(std::size_t number, const std::string& thing)
 
 Result<int> RunPlay(const PlayOptions& options)
 {
+    if (options.forThisRenderer && !options.accept)
+    {
+        return Error{ErrorKind::Unusable,
+                     "--for-this-renderer says for whom pictures are accepted; "
+                     "give --accept as well."};
+    }
     Result<Script> script = ReadScript(options.script);
     if (!script)
     {

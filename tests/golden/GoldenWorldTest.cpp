@@ -49,6 +49,7 @@ TEST_F(GoldenWorld, IsACandidateAtAllThreeDepths)
     EXPECT_EQ(candidate->name, "box/0s");
     EXPECT_EQ(candidate->stateHash, StateHashText(world));
     EXPECT_EQ(candidate->list, DrawListOf(world));
+    EXPECT_NE(candidate->renderer, "") << "it may have a picture of its own";
     EXPECT_EQ(candidate->frame.width, 480);
     EXPECT_EQ(candidate->frame.height, 270);
 }

@@ -48,7 +48,7 @@ protected:
     void StopAfterGroups(int process, int signal, int frame = 200) const
     {
         const std::string named = "\"" + std::to_string(frame) + "\"";
-        for (int i = 0; i < 20000; ++i)
+        for (int i = 0; i < 100'000; ++i) // ms; the thread sanitizer takes a while
         {
             for (const auto& entry : std::filesystem::directory_iterator(folder.Path()))
             {

@@ -341,7 +341,10 @@ TEST_F(GoldenCommand, EndsAnotherProgramThatNeverStopsTalking)
     const Outcome outcome = Run({"verify", "bridge", "--against", other.string()});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_THAT(outcome.errors, HasSubstr("it wrote more than 64 MB. Give another build"));
-    EXPECT_LT(outcome.peakKilobytes, 600'000) << "a few times what it may write";
+    if (!BOXREEL_IS_SANITIZED)
+    {
+        EXPECT_LT(outcome.peakKilobytes, 600'000) << "a few times what it may write";
+    }
 }
 
 TEST_F(GoldenCommand, SaysWhatWasAllowedThoughNothingDiffers)

@@ -221,16 +221,24 @@ TEST(SceneMotion, TheTextOfADimensionKeepsClearOfWhereABodyIsSeenToHaveBeen)
 {
     SceneSession session = Open("newtons-cradle");
     const b2Vec2 start = FindBodies(session.World(), {1}).front()->GetWorldCenter();
+    const float pixel = 1.0f / float(session.CurrentCamera().pixelsPerMeter);
+    // The text of a line that lies stands 42 pixels above what is measured, half a text included.
+    const auto measured = [&](float y) {
+        const float below = y - 42.0f * pixel;
+        return std::vector<DimensionChoice>{{Vec2{start.x - 4, below}, Vec2{start.x + 4, below}}};
+    };
     MotionLook look;
-    // Its text would lie over the middle of where the ball began.
-    const float below = start.y - float(15.0 / session.CurrentCamera().pixelsPerMeter);
-    look.dimensions = {{Vec2{start.x - 4, below}, Vec2{start.x + 4, below}}};
-    const Vec2 alone = TextAt(Added("newtons-cradle", look, 45));
-    look.strobe = StrobeChoice{{{}, 45}, {false, {1}}}; // the start, and now
-    EXPECT_FALSE(TextAt(Added("newtons-cradle", look, 45)) == alone);
-    look.strobe.reset();
+    look.dimensions = measured(start.y);
+    const Vec2 overTrail = TextAt(Added("newtons-cradle", look, 45));
+    EXPECT_NEAR(overTrail.y, start.y, 8.0f * pixel);
     look.trail = BodyChoice{false, {1}};
-    EXPECT_FALSE(TextAt(Added("newtons-cradle", look, 45)) == alone);
+    EXPECT_FALSE(TextAt(Added("newtons-cradle", look, 45)) == overTrail);
+    look.trail.reset();
+    look.dimensions = measured(start.y + 1.0f); // the ball's outline
+    const Vec2 overPose = TextAt(Added("newtons-cradle", look, 45));
+    EXPECT_NEAR(overPose.y, start.y + 1.0f, 8.0f * pixel);
+    look.strobe = StrobeChoice{{{}, 45}, {false, {1}}}; // the start, and now
+    EXPECT_FALSE(TextAt(Added("newtons-cradle", look, 45)) == overPose);
 }
 
 TEST(SceneMotion, LabelsKeepClearOfNotes)

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int kWidth = 336;
-constexpr int kHeight = 1240; // nothing of it is below the edge
+constexpr int kHeight = 1040; // nothing of it is below the edge
 
 /// A scene that was filmed for two seconds; times that a person can check against the panel.
 PanelFacts FactsAt(std::int64_t step)
