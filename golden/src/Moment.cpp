@@ -156,7 +156,7 @@ Result<std::optional<Frame>> ReadFrame(const fs::path& root, const std::string& 
     Result<Frame> frame = ReadPng(*path);
     if (!frame)
     {
-        return Error{ErrorKind::Unusable, frame.GetError().message + " Restore it."};
+        return frame.GetError();
     }
     return std::optional<Frame>(*std::move(frame));
 }

@@ -162,7 +162,8 @@ Error Explain(CLI::App& program, const CLI::ParseError& error)
     {
         return UnexpectedWord(command);
     }
-    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    const bool isRequired = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (isRequired && (!CommandNames(command).empty() || !command.remaining().empty()))
     {
         return MissingCommand(command);
     }

@@ -287,6 +287,8 @@ TEST_F(GoldenCommand, PrintsAStateAndTheStepsToIt)
     EXPECT_THAT(trace.output,
                 testing::MatchesRegex("1 [0-9a-f]{8} [0-9a-f]{39}\n2 [0-9a-f]{8} [0-9a-f]{39}\n3 "
                                       "[0-9a-f]{8} [0-9a-f]{39}\n"));
+    ExpectRefusal({"state"}, "SCENE is required; `boxreel golden state --help`");
+    ExpectRefusal({"state", "--setp", "3"}, "Unknown option '--setp'; did you mean '--step'?");
     ExpectRefusal({"state", "bride"}, "did you mean 'bridge'?");
     ExpectRefusal({"state", "bridge", "--step", "-1"}, "--step");
 }
