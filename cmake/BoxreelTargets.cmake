@@ -8,7 +8,7 @@ set(BOXREEL_COMPILE_OPTIONS -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow 
 # GCC 12 takes "a" + std::string for an overflow, depending on what it has inlined (GCC's bug 105651,
 # mended in 13). Later ones and clang look at the same code.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  list(APPEND BOXREEL_COMPILE_OPTIONS -Wno-restrict -Wno-stringop-overflow)
+  list(APPEND BOXREEL_COMPILE_OPTIONS -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 
 # boxreel_configure(TARGET): language level, warnings, exact floating point, sanitizers.

@@ -49,7 +49,7 @@ void WorkbenchLog::Begin(std::string scene, std::vector<std::string> options,
 
 void WorkbenchLog::Add(ScriptAction action, std::int64_t step, const b2World& world)
 {
-    using Kind = ScriptAction::Kind;
+    constexpr auto kMove = ScriptAction::Kind::Move;
     if (step != m_lastStep)
     {
         m_lastStep = step;
@@ -58,7 +58,7 @@ void WorkbenchLog::Add(ScriptAction action, std::int64_t step, const b2World& wo
     action.at.when = step;
     std::vector<ScriptAction>& actions = m_script.actions;
     // Of all places that the mouse was at before a step, the step sees the last.
-    if (action.kind == Kind::Move && !actions.empty() && actions.back().kind == Kind::Move &&
+    if (action.kind == kMove && !actions.empty() && actions.back().kind == kMove &&
         std::get<std::int64_t>(actions.back().at.when) == step)
     {
         actions.pop_back();
