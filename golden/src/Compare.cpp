@@ -40,6 +40,25 @@ std::string Rounded(double value)
     return {text, end};
 }
 
+/// A share as a percentage that, read again, is this share: a limit is never rounded.
+std::string Percent(double share)
+{
+    for (int digits = 3; digits < 17; ++digits)
+    {
+        char text[32];
+        const auto end = std::to_chars(text, text + sizeof text, 100.0 * share,
+                                       std::chars_format::general, digits)
+                             .ptr;
+        double percent = 0.0;
+        std::from_chars(text, end, percent);
+        if (percent / 100.0 == share)
+        {
+            return {text, end};
+        }
+    }
+    return Number(100.0 * share);
+}
+
 std::string Pixels(std::int64_t count)
 {
     return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
@@ -90,7 +109,7 @@ std::string DescribeLimits(const CompareSettings& settings)
     if (settings.maxRatio < 1.0 || settings.maxPixels == kAnyNumberOfPixels)
     {
         text += (settings.maxPixels == kAnyNumberOfPixels ? "" : ", ") +
-                Rounded(100.0 * settings.maxRatio) + " %";
+                Percent(settings.maxRatio) + " %";
     }
     text += " over a distance of " + Number(settings.tolerance);
     if (settings.edgeShift > 0.0)
@@ -120,7 +139,7 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
     }
     if (result.differentPixels == 0)
     {
-        return text + "no bit differs" + ignored + " (" + DescribeLimits(settings) + ")";
+        return text + "no pixel differs" + ignored + " (" + DescribeLimits(settings) + ")";
     }
     if (result.overTolerance == 0)
     {

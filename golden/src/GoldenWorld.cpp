@@ -32,6 +32,7 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
     candidate.name = name;
     candidate.stateHash = StateHashText(world);
     candidate.state = ReadWorldState(world);
+    candidate.trace = look.trace;
     candidate.list = DrawListOf(world, look.layers);
     candidate.camera = camera;
     candidate.renderer = renderer->Description();

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cinttypes>
 #include <cstdint>
+#include <cstdio>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -58,8 +60,8 @@ Result<Kept> Read(const fs::path& root, const fs::path& relative)
     // A checkout may convert them, and then every line would differ without looking different.
     if (kept.text && kept.text->find("\r\n") != std::string::npos)
     {
-        return Damaged(kept, " has lines that end in CR LF; give its folder the attribute -text in "
-                             ".gitattributes, and");
+        return Damaged(kept, " has lines that end in CR LF (give its folder the attribute -text in "
+                             ".gitattributes)");
     }
     return kept;
 }
@@ -127,14 +129,17 @@ std::string KeyedName(const std::string& name, const std::string& renderer)
     return renderer.empty() ? name : name + "@" + key;
 }
 
-/// Which moments of a film are on its contact sheet. One line, to be read by a person as well.
+/// Which moments of a film are on its contact sheet, and how its pictures lie there. Two lines, to
+/// be read by a person as well.
 std::string SheetText(const SheetLayout& layout)
 {
     std::array<char, 32> digits;
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), layout.stepsPerSecond).ptr;
     return "every " + std::to_string(layout.every) + " steps, " + std::string(digits.data(), end) +
-           " a second\n";
+           " a second\n" + std::to_string(layout.pictures) + " pictures of " +
+           std::to_string(layout.width) + "x" + std::to_string(layout.height) + ", " +
+           std::to_string(layout.columns) + " in a row\n";
 }
 
 Result<std::optional<Frame>> ReadFrame(const fs::path& root, const std::string& name)
@@ -299,6 +304,23 @@ bool HasOwnPicture(const fs::path& references, const std::string& name, const st
     std::error_code code;
     return !renderer.empty() &&
            fs::exists(references / Relative(kFrames, KeyedName(name, renderer), ".png"), code);
+}
+
+std::optional<SheetLayout> LayoutOf(const std::string& sheet)
+{
+    SheetLayout layout;
+    if (std::sscanf(sheet.c_str(),
+                    "every %18" SCNd64
+                    " steps, %40lf a second\n%3zu pictures of %5dx%5d, %3d in a row",
+                    &layout.every, &layout.stepsPerSecond, &layout.pictures, &layout.width,
+                    &layout.height, &layout.columns) != 6)
+    {
+        return std::nullopt;
+    }
+    const bool isUsable = layout.pictures >= 1 && layout.pictures <= kMostSheetPictures &&
+                          layout.width >= 1 && layout.height >= 1 && layout.columns >= 1 &&
+                          SheetText(layout) == sheet;
+    return isUsable ? std::optional(layout) : std::nullopt;
 }
 
 Moment Take(const GoldenCandidate& candidate, const Moment& expected)

@@ -4,6 +4,7 @@
 #include "ReferenceFiles.h"
 
 #include <debugdraw/Result.h>
+#include <golden/ContactSheet.h>
 #include <golden/ReferenceStore.h>
 #include <render/Frame.h>
 
@@ -25,7 +26,7 @@ struct Moment
     std::optional<StateTrace> trace;
     std::optional<std::string> list; ///< as text
     std::optional<Frame> frame;
-    std::optional<std::string> sheet; ///< which moments of a film the frame shows, as text
+    std::optional<std::string> sheet; ///< which moments of a film the frame shows, and where
 };
 
 /// What was approved under a name; everything absent when nothing was.
@@ -37,6 +38,9 @@ Result<Moment> ReadReference(const std::filesystem::path& references, const std:
 /// A candidate without a state does not ask for that depth. An empty list or frame does not either,
 /// unless something was approved: then it is a scene that stopped drawing.
 Moment Take(const GoldenCandidate& candidate, const Moment& expected);
+
+/// What the text of a sheet says; none when it is not one that Take wrote.
+std::optional<SheetLayout> LayoutOf(const std::string& sheet);
 
 /// Whether this renderer has a picture of its own under the name.
 bool HasOwnPicture(const std::filesystem::path& references, const std::string& name,

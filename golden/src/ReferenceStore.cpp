@@ -24,27 +24,65 @@ Error Unusable(const std::string& name, const std::string& why)
     return Error{ErrorKind::Unusable, "\"" + name + "\" cannot name a reference: " + why + "."};
 }
 
-/// The step of the first picture of a film's contact sheet that differs by itself; none when there
-/// is none, for instance because what is scattered is too much only in all.
-std::optional<std::int64_t> FirstPicture(const Frame& expected, const Frame& actual,
-                                         const SheetLayout& layout, CompareSettings settings)
+/// A film as it is compared.
+struct SheetView
 {
-    settings.paintsDifference = false;
-    const auto isOn = [](const PixelBounds& place, const Frame& sheet) {
-        return place.x1 <= sheet.width && place.y1 <= sheet.height;
-    };
-    // Where one film is longer, its pictures lie on gray of the other sheet, or beyond it.
-    for (std::size_t i = 0; i < kMostSheetPictures; ++i)
+    const Frame& frame;
+    const SheetLayout& layout; ///< all of it lies on the frame
+};
+
+bool HaveSameSize(const SheetLayout& a, const SheetLayout& b)
+{
+    return a.width == b.width && a.height == b.height;
+}
+
+bool LiesOn(const Frame& frame, const SheetLayout& layout)
+{
+    const PixelBounds row =
+        layout.Place(std::min(layout.pictures, std::size_t(layout.columns)) - 1);
+    return row.x1 <= frame.width && layout.Place(layout.pictures - 1).y1 <= frame.height;
+}
+
+/// How the pictures of two films of the same moments part: the step of the first that differs by
+/// itself, or that only one film has; none when all are of another size, or differ together only.
+std::optional<std::int64_t> FirstPicture(const SheetView& expected, const SheetView& actual,
+                                         CompareSettings settings)
+{
+    if (!HaveSameSize(expected.layout, actual.layout))
     {
-        const PixelBounds place = layout.Place(i);
-        const int on = int(isOn(place, expected)) + int(isOn(place, actual));
-        if (on == 1 ||
-            (on == 2 && !Compare(CutOut(expected, place), CutOut(actual, place), settings).equal))
+        return std::nullopt;
+    }
+    settings.paintsDifference = false;
+    const std::size_t count = std::min(expected.layout.pictures, actual.layout.pictures);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        if (!Compare(CutOut(expected.frame, expected.layout.Place(i)),
+                     CutOut(actual.frame, actual.layout.Place(i)), settings)
+                 .equal)
         {
-            return layout.Step(i);
+            return expected.layout.Step(i);
         }
     }
-    return std::nullopt;
+    return expected.layout.pictures == actual.layout.pictures
+               ? std::nullopt
+               : std::optional(expected.layout.Step(count));
+}
+
+/// "3 pictures instead of 4, ", "pictures of 160x90 instead of 320x180, ", or nothing.
+std::string OtherLayout(const SheetLayout& expected, const SheetLayout& actual)
+{
+    const auto size = [](const SheetLayout& sheet) {
+        return std::to_string(sheet.width) + "x" + std::to_string(sheet.height);
+    };
+    if (!HaveSameSize(expected, actual))
+    {
+        return "pictures of " + size(actual) + " instead of " + size(expected) + ", ";
+    }
+    return expected.pictures == actual.pictures
+               ? ""
+               : std::to_string(actual.pictures) +
+                     (actual.pictures == 1 ? " picture" : " pictures") + " instead of " +
+                     std::to_string(expected.pictures) + ", ";
 }
 
 struct Differences
@@ -55,6 +93,7 @@ struct Differences
     bool pixels = false;
     bool moments = false;              // of a film, on the sheets
     std::optional<std::int64_t> since; // the step of the picture of a sheet that differs first
+    std::string layout;                // how many pictures it has, or how large, where that differs
 };
 
 std::string FirstLine(const std::string& text)
@@ -130,6 +169,7 @@ std::string Explain(const Moment& expected, const Moment& actual, const Differen
                    FirstLine(*expected.sheet) + "; " + picture;
         }
         return (actual.list ? "same geometry, other pixels: " : "other pixels: ") +
+               differences.layout +
                (differences.since ? "from step " + std::to_string(*differences.since) + " on: "
                                   : "") +
                picture;
@@ -146,13 +186,49 @@ Error With(const GoldenVerdict& verdict, const Error& error)
     return Error{error.kind, verdict.message + " " + error.message};
 }
 
-void SayMissing(GoldenVerdict& verdict, const Moment& expected, const Moment& actual,
-                const fs::path& references)
+bool IsNothingKept(const Moment& expected)
 {
+    return !expected.state && !expected.trace && !expected.list && !expected.frame &&
+           !expected.sheet;
+}
+
+/// The depths of the actual moment for which there is something to compare with.
+Moment Comparable(const Moment& expected, Moment actual)
+{
+    if (!expected.state)
+    {
+        actual.state.reset();
+        actual.bodies = {};
+    }
+    if (!expected.trace)
+    {
+        actual.trace.reset();
+    }
+    if (!expected.list)
+    {
+        actual.list.reset();
+    }
+    if (!expected.frame)
+    {
+        actual.frame.reset();
+    }
+    if (!expected.sheet)
+    {
+        actual.sheet.reset();
+    }
+    return actual;
+}
+
+/// What there is does not differ, or there is nothing.
+void SayMissing(GoldenVerdict& verdict, const Moment& expected,
+                const std::vector<std::string>& missing, const fs::path& references)
+{
+    const std::string files = " (" + Join(missing) + " missing in " + references.string() + ")";
     verdict.status = GoldenStatus::Missing;
-    verdict.message = verdict.name + ": there is no reference (" +
-                      Join(MissingFiles(verdict.name, expected, actual)) + " missing in " +
-                      references.string() + ").";
+    verdict.message =
+        verdict.name + (IsNothingKept(expected) ? ": there is no reference" + files + "."
+                                                : ": a part of the reference is not there" + files +
+                                                      ", and the rest is the same.");
 }
 
 /// With which the command makes this sheet of a film.
@@ -362,17 +438,27 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     }
     judged.expected = *std::move(expected);
     judged.actual = Take(candidate, judged.expected);
-    const Moment& actual = judged.actual;
-    if (!MissingFiles(candidate.name, judged.expected, actual).empty())
+    const std::vector<std::string> missing =
+        MissingFiles(candidate.name, judged.expected, judged.actual);
+    if (IsNothingKept(judged.expected))
     {
-        SayMissing(verdict, judged.expected, actual, references);
+        SayMissing(verdict, judged.expected, missing, references);
         verdict.accept = CommandToAccept(candidate, references);
         return judged;
     }
+    const Moment actual = Comparable(judged.expected, judged.actual);
     if (const std::string why = WhyNotWhole(judged.expected, actual); !why.empty())
     {
         return SayDamaged(std::move(judged), candidate, references,
                           "in " + references.string() + " " + why + "; restore it.");
+    }
+    const std::optional<SheetLayout> sheet =
+        actual.sheet ? LayoutOf(*judged.expected.sheet) : std::nullopt;
+    if (actual.sheet && (!sheet || !LiesOn(*judged.expected.frame, *sheet)))
+    {
+        return SayDamaged(std::move(judged), candidate, references,
+                          "in " + references.string() +
+                              " its sheet's text is not that of its picture; restore it.");
     }
     Moment less[2]; // the files of a failure have the bodies that are left out
     const Moment* before = &judged.expected;
@@ -393,11 +479,15 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
         now = &less[1];
     }
     Differences differences = Compare(*before, *now, judged.limits, verdict.pixels);
-    differences.moments = actual.sheet && *actual.sheet != *judged.expected.sheet;
-    if (differences.pixels && candidate.sheet && !differences.moments)
+    if (sheet)
+    {
+        differences.moments = FirstLine(*actual.sheet) != FirstLine(*judged.expected.sheet);
+        differences.layout = OtherLayout(*sheet, *candidate.sheet);
+    }
+    if (differences.pixels && sheet && !differences.moments)
     {
         differences.since =
-            FirstPicture(*before->frame, *now->frame, *candidate.sheet, judged.limits);
+            FirstPicture({*before->frame, *sheet}, {*now->frame, *candidate.sheet}, judged.limits);
     }
     judged.firstStep = differences.since;
     if (differences.onTheWay)
@@ -407,7 +497,13 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     }
     verdict.status = StatusOf(differences);
     verdict.message =
-        candidate.name + ": " + Explain(*before, *now, differences, verdict.pixels) + ".";
+        candidate.name + ": " + Explain(*before, *now, differences, verdict.pixels) +
+        (missing.empty() ? "" : "; " + Join(missing) + " missing in " + references.string()) + ".";
+    if (verdict.status == GoldenStatus::Same && !missing.empty())
+    {
+        SayMissing(verdict, judged.expected, missing, references);
+        verdict.accept = CommandToAccept(candidate, references);
+    }
     return judged;
 }
 
@@ -502,10 +598,15 @@ Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs a
                                               ": nobody knows which renderer drew it; accept it "
                                               "for all renderers."};
     }
-    const bool isOfOne = as == AcceptAs::ForThisRenderer ||
-                         HasOwnPicture(m_references, candidate.name, candidate.renderer);
+    const bool isOfOne =
+        as == AcceptAs::ForThisRenderer || HasOwnPicture(candidate.name, candidate.renderer);
     return Store(m_references, candidate.name, Take(candidate, Moment{}),
                  isOfOne ? candidate.renderer : "");
+}
+
+bool ReferenceStore::HasOwnPicture(const std::string& name, const std::string& renderer) const
+{
+    return boxreel::HasOwnPicture(m_references, name, renderer);
 }
 
 std::vector<std::string> ReferenceStore::Names() const

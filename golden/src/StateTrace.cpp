@@ -114,7 +114,8 @@ std::optional<TraceDifference> FirstDifference(const StateTrace& expected, const
         }
         if (a->world != b->world)
         {
-            return TraceDifference{a->step, BodiesThatDiffer(a->bodies, b->bodies), false};
+            return TraceDifference{a->step, BodiesThatDiffer(a->bodies, b->bodies), false,
+                                   a == expected.steps.begin() && a->step > 1};
         }
     }
     if (a != expected.steps.end() || b != actual.steps.end())
@@ -126,7 +127,9 @@ std::optional<TraceDifference> FirstDifference(const StateTrace& expected, const
 
 std::string Describe(const TraceDifference& difference)
 {
-    const std::string step = "from step " + std::to_string(difference.step) + " on";
+    const std::string number = std::to_string(difference.step);
+    const std::string step = difference.isFirst ? "at step " + number + ", if not before"
+                                                : "from step " + number + " on";
     const std::vector<int>& bodies = difference.bodies;
     if (difference.isOfOne)
     {
@@ -145,7 +148,7 @@ std::string Describe(const TraceDifference& difference)
     return step + ", " + names +
            (bodies.size() > kNamed ? " and " + std::to_string(bodies.size() - kNamed) + " more"
                                    : "") +
-           " first";
+           (difference.isFirst ? "" : " first");
 }
 
 } // namespace boxreel

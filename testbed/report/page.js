@@ -395,12 +395,13 @@ function divergence(data) {
   }
   const who = firstBodies.length === 0 ? "" : firstBodies.length === 1 ? `, body ${firstBodies[0]}`
     : `, bodies ${firstBodies.slice(0, 8).join(", ")}${firstBodies.length > 8 ? "\u2026" : ""}`;
+  const isFirstKnown = firstStep === since && since > 1;
   const box = make("section", {class: "divergence"},
-    make("h3", {}, `First divergence: step ${firstStep}${firstStep === since && since > 1 ? " or before" : ""}${step === undefined ? "" : ` of ${step}`}${who}`));
+    make("h3", {}, `First divergence: step ${firstStep}${isFirstKnown ? " or before" : ""}${step === undefined ? "" : ` of ${step}`}${who}`));
   if (!strip) return box;
   if (strip.note) box.append(make("p", {class: "message"}, strip.note));
   // Of steps before `since` no trace was compared.
-  const remark = at => at === firstStep ? ": first to differ" : at > firstStep ? "" : at === 0 ? ": as created" : at >= since ? ": same" : "";
+  const remark = at => at === firstStep ? (isFirstKnown ? ": differs" : ": first to differ") : at > firstStep ? "" : at === 0 ? ": as created" : at >= since ? ": same" : "";
   const film = make("div", {class: "strip", tabindex: 0, role: "region", "aria-label": "Steps around the first divergence"});
   for (const shot of strip.pictures) {
     const rows = [["expected", shot.expected], ["actual", shot.actual], ["expected, close", shot.expectedCloseUp], ["actual, close", shot.closeUp]];

@@ -279,6 +279,12 @@ Result<int> RunGolden(const GoldenOptions& options)
         return Error{ErrorKind::Unusable, "--against compares what worlds do, and a film shows no "
                                           "world; leave out --against or --film."};
     }
+    if (!options.film.empty() && !options.compare.ignoredBodies.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "--ignore-body names bodies of a world, and of a film nobody "
+                     "knows where they are; leave out rectangles by --ignore."};
+    }
     if (!options.against.empty() && Effective(options.compare).preset != CompareSettings().preset)
     {
         return Error{ErrorKind::Unusable, "--against compares all bodies of each step, bit by bit; "

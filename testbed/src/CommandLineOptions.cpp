@@ -82,9 +82,9 @@ void AddPath(CLI::App& command, const std::string& names, const std::string& uni
              const std::vector<std::string>& ends)
 {
     const auto read = [&path, names](const std::string& text) {
-        if (text.empty() && names.starts_with("--"))
+        if (text.empty() && names.starts_with("-"))
         {
-            Refuse(names + " is empty; give a name.");
+            Refuse(names.substr(0, names.find(',')) + " is empty; give a name.");
         }
         path = text;
     };

@@ -186,6 +186,12 @@ Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection
         {
             return verdict.GetError();
         }
+        if (acceptance.forThisRenderer && verdict->status == GoldenStatus::Same &&
+            !store.HasOwnPicture(candidate.name, candidate.renderer))
+        {
+            verdict->status = GoldenStatus::Missing;
+            verdict->message = candidate.name + ": this renderer had no picture of its own.";
+        }
         const bool isMissing = verdict->status == GoldenStatus::Missing;
         const bool isSame = verdict->status == GoldenStatus::Same;
         const GoldenFilter only = acceptance.only;

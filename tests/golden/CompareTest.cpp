@@ -141,7 +141,7 @@ TEST(CompareSameMachine, PassesAnEqualPicture)
     EXPECT_TRUE(result.equal);
     EXPECT_EQ(result.differentPixels, 0);
     EXPECT_EQ(result.firstX, -1);
-    EXPECT_THAT(result.verdict, HasSubstr("equal: no bit differs"));
+    EXPECT_THAT(result.verdict, HasSubstr("equal: no pixel differs"));
 }
 
 TEST(CompareSameMachine, FailsAPictureShiftedByOnePixel)
@@ -332,7 +332,7 @@ TEST(CompareIgnored, LeavesOutWhatLiesInARectangle)
     EXPECT_TRUE(result.equal) << result.verdict;
     EXPECT_EQ(result.differentPixels, 0);
     EXPECT_EQ(result.largestDistance, 0.0);
-    EXPECT_THAT(result.verdict, HasSubstr("no bit differs, 100 pixels ignored ("));
+    EXPECT_THAT(result.verdict, HasSubstr("no pixel differs, 100 pixels ignored ("));
     EXPECT_EQ(result.compared, 64 * 64 - 100) << "where they overlap, pixels count once";
     for (const PixelBounds& bounds : {PixelBounds{11, 10, 20, 20}, PixelBounds{10, 11, 20, 20},
                                       PixelBounds{10, 10, 19, 20}, PixelBounds{10, 10, 20, 19}})
@@ -525,12 +525,25 @@ TEST(CompareVerdict, NamesWhatAProgramChangedOfAPreset)
         "over a distance of 0.01 and edges 0.4 px elsewhere, 9 in any 8x8");
 }
 
+TEST(CompareVerdict, RoundsNoLimit)
+{
+    CompareSettings own;
+    for (const auto& [ratio, text] : {std::pair(0.9999, ", 99.99 % over"),
+                                      {0.0000012345678, ", 0.00012345678 % over"},
+                                      {0.07, ", 7 % over"},
+                                      {0.001, ", 0.1 % over"}})
+    {
+        own.maxRatio = ratio;
+        EXPECT_THAT(DescribeLimits(own), HasSubstr(text));
+    }
+}
+
 TEST(CompareVerdict, NamesRatioAndEdgesWhereTheyCount)
 {
     const Frame expected = Filled(64, 64, kDark);
     EXPECT_EQ(
         Compare(expected, expected, CompareSettings::CrossMachine()).verdict,
-        "equal: no bit differs (cross-machine allows 0.05 % over a distance of 0.01 and edges "
+        "equal: no pixel differs (cross-machine allows 0.05 % over a distance of 0.01 and edges "
         "0.2 px elsewhere, 8 in any 16x16)");
     CompareSettings own;
     own.maxRatio = 0.001;

@@ -141,7 +141,15 @@ TEST(ContactSheet, IsAGoldenTestThatSaysWhenAFilmChanged)
     EXPECT_TRUE(std::filesystem::exists(folder / "output/film/grays.side-by-side.png"));
     const std::string shorter = Film(folder, "shorter.mkv", 30, 2.5).string();
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(shorter, "film/grays"),
-                            "film/grays: other pixels: from step 150 on: pixels different");
+                            "film/grays: other pixels: 5 pictures instead of 8, from step 150 on: "
+                            "pixels different");
+    const std::string shortest = Film(folder, "shortest.mkv", 30, 1.5).string();
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(shortest, "film/grays"),
+                            "film/grays: other pixels: 3 pictures instead of 8, from step 90 on: "
+                            "pixels different");
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(film, "film/grays", {.width = 32}),
+                            "film/grays: other pixels: pictures of 32x16 instead of 64x32, pixels "
+                            "different");
     EXPECT_GOLDEN_FILM(other, "film/grays", {}, {.tolerance = 0.1});
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(film, "film/grays", {.every = 60}),
                             "film/grays: other moments of a film: every 60 steps, 60 a second "
@@ -150,6 +158,31 @@ TEST(ContactSheet, IsAGoldenTestThatSaysWhenAFilmChanged)
         EXPECT_GOLDEN_FILM(film, "film/grays", {.stepsPerSecond = 120.0, .every = 60}),
         "every 60 steps, 120 a second instead of every 30 steps, 60 a second; pixels equal");
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM("nothing.mkv", "film/grays"), "nothing.mkv");
+}
+
+TEST(ContactSheet, WhoseTextIsDamagedIsNoReference)
+{
+    const TemporaryFolder folder;
+    GoldenEnvironment environment;
+    environment.references.Set((folder / "approved").c_str());
+    environment.output.Set((folder / "output").c_str());
+    const std::string film = Film(folder, "film.mkv", 30, 2.0).string();
+    environment.accept.Set("missing");
+    EXPECT_GOLDEN_FILM(film, "grays");
+    environment.accept.Set(nullptr);
+    EXPECT_GOLDEN_FILM(film, "grays");
+    for (const char* const text :
+         {"", "every 30 steps, 60 a second\n",
+          "every 30 steps, 60 a second\n4 pictures of 64x33, 4 in a row\n",
+          "every 30 steps, 60 a second\n5 pictures of 64x32, 4 in a row\n",
+          "every 30 steps, 60 a second\n4 pictures of 64x32, 4 in a row\nand more\n",
+          "every 30 steps, 60 a second\n0 pictures of 64x32, 0 in a row\n",
+          "every 30 steps, 60 a second\n4 pictures of -64x99999, 999 in a row\n"})
+    {
+        std::ofstream(folder / "approved/sheet/grays.txt") << text;
+        EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(film, "grays"),
+                                "its sheet's text is not that of its picture");
+    }
 }
 
 } // namespace

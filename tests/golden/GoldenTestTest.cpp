@@ -7,6 +7,7 @@
 
 #include <Box2D/Box2D.h>
 
+#include <golden/StateHash.h>
 #include <render/Png.h>
 
 #include <gtest/gtest-spi.h>
@@ -103,6 +104,33 @@ TEST_F(GoldenMacros, AWorldIsAcceptedPassesAndSaysThatTheMotionChanged)
     ball->SetLinearVelocity(b2Vec2(0.001f, 0.0f)); // nothing that a picture shows
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_WORLD(world, "macro/world"),
                             "macro/world: the worlds differ");
+}
+
+TEST_F(GoldenMacros, AWorldWhoseStepsAreKeptSaysWhereItParted)
+{
+    Accept("missing");
+    for (const float push : {0.0f, 1.0f})
+    {
+        b2World falling(b2Vec2(0.0f, -10.0f));
+        AddBall(falling, 0.0f);
+        b2Body* const pushed = AddBall(falling, 3.0f);
+        StateTrace trace;
+        for (int step = 1; step <= 6; ++step)
+        {
+            pushed->ApplyForceToCenter(b2Vec2(step == 4 ? push : 0.0f, 0.0f), true);
+            falling.Step(1.0f / 60.0f, 8, 3);
+            trace.steps.push_back(ReadTraceStep(falling, step));
+        }
+        if (push == 0.0f)
+        {
+            EXPECT_GOLDEN_WORLD(falling, "macro/way", {.trace = trace});
+            Accept(nullptr);
+            EXPECT_GOLDEN_WORLD(falling, "macro/way", {.trace = trace});
+            continue;
+        }
+        EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_WORLD(falling, "macro/way", {.trace = trace}),
+                                "macro/way: the worlds differ from step 4 on, body 1 first");
+    }
 }
 
 TEST_F(GoldenMacros, AWorldMayHaveALookOfItsOwn)

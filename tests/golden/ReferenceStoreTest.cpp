@@ -132,6 +132,37 @@ TEST_F(ReferenceStoreTest, FailsWhenOneDepthHasNoReference)
     }
 }
 
+TEST_F(ReferenceStoreTest, ComparesWhatThereIsWhereAPartIsMissing)
+{
+    Accept(m_candidate);
+    fs::remove(m_references / "drawlist/pyramid/3s.txt");
+    const GoldenVerdict same = Verify(m_candidate);
+    EXPECT_EQ(same.status, GoldenStatus::Missing);
+    EXPECT_THAT(same.message,
+                AllOf(HasSubstr("a part of the reference is not there (drawlist/pyramid/3s.txt"),
+                      HasSubstr("and the rest is the same")));
+    GoldenCandidate other = Moved();
+    other.stateHash = "fedcba9876543210";
+    const GoldenVerdict differs = Verify(other);
+    EXPECT_EQ(differs.status, GoldenStatus::State) << "nothing that is only missing";
+    EXPECT_THAT(differs.message,
+                AllOf(HasSubstr("the worlds differ"),
+                      HasSubstr("; drawlist/pyramid/3s.txt missing in " + m_references.string())));
+    EXPECT_TRUE(fs::exists(m_output / "pyramid/3s.expected.png"));
+}
+
+TEST_F(ReferenceStoreTest, AFilmIsNoMissingPartOfAScene)
+{
+    Accept(m_candidate);
+    GoldenCandidate film;
+    film.name = m_candidate.name;
+    film.frame = Filled(64, 32, {9, 9, 9, 255});
+    film.sheet = SheetLayout{1, 64, 32, 1, 30, 60.0};
+    const GoldenVerdict verdict = Verify(film);
+    EXPECT_EQ(verdict.status, GoldenStatus::DrawList) << "a film has none";
+    EXPECT_THAT(verdict.message, HasSubstr("; sheet/pyramid/3s.txt missing in "));
+}
+
 TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestIsTheSame)
 {
     Accept(m_candidate);
@@ -177,7 +208,7 @@ TEST_F(ReferenceStoreTest, SeesAWorldThatWentAnotherWayToTheSameState)
     candidate.trace.steps[0].world = "00000001";
     const GoldenVerdict verdict = Verify(candidate);
     EXPECT_EQ(verdict.status, GoldenStatus::State);
-    EXPECT_THAT(verdict.message, HasSubstr("differ on the way, from step 41 on, and come to"));
+    EXPECT_THAT(verdict.message, HasSubstr("differ on the way, at step 41, if not before, and come to"));
 }
 
 TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreDamage)

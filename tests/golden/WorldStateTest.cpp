@@ -172,6 +172,20 @@ TEST(StateTraceDifference, FindsABodyOfManyWhereItsRowAndItsColumnCross)
     EXPECT_THAT(difference->bodies, ElementsAre(2 * 4 + 1));
 }
 
+TEST(StateTraceDifference, MayBeOfAStepBeforeTheFirstThatIsKept)
+{
+    const StateTrace expected = Trace({{31, "00000000", "000"}, {32, "00000001", "123"}});
+    StateTrace actual = expected;
+    actual.steps[1] = {32, "00000009", "153"};
+    EXPECT_EQ(Describe(*FirstDifference(expected, actual)), "from step 32 on, body 1 first");
+    actual.steps[0] = {31, "00000008", "020"};
+    EXPECT_EQ(Describe(*FirstDifference(expected, actual)), "at step 31, if not before, body 1");
+    EXPECT_EQ(
+        Describe(*FirstDifference(Trace({{1, "00000000", "0"}}), Trace({{1, "00000001", "1"}}))),
+        "from step 1 on, body 0 first")
+        << "there is no step before the first";
+}
+
 TEST(StateTraceDifference, KnowsTheStepWhereNoDigitTells)
 {
     for (const char* digits : {"00", "0/0"})
@@ -179,6 +193,6 @@ TEST(StateTraceDifference, KnowsTheStepWhereNoDigitTells)
         const auto difference =
             FirstDifference(Trace({{7, "00000000", "00"}}), Trace({{7, "00000001", digits}}));
         ASSERT_TRUE(difference);
-        EXPECT_EQ(Describe(*difference), "from step 7 on");
+        EXPECT_EQ(Describe(*difference), "at step 7, if not before");
     }
 }

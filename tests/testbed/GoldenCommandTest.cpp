@@ -113,7 +113,13 @@ TEST_F(GoldenCommand, AcceptsOnlyWhatIsMissingOrOnlyWhatChanged)
 {
     ASSERT_EQ(RunIn({"accept", "bridge"}).code, 0);
     Blacken("r/frames/bridge/2s.png");
+    for (const char* const depth : {"state", "trace", "drawlist"})
+    {
+        fs::remove_all(folder / "r" / depth / "bridge/5s.txt");
+        fs::remove_all(folder / "r" / depth / "bridge/5s.txt.gz");
+    }
     fs::remove(folder / "r/frames/bridge/5s.png");
+    fs::remove(folder / "r/state/bridge/2s.txt");
     const Outcome missing = RunIn({"accept", "bridge", "--only", "missing"});
     EXPECT_THAT(missing.output, AllOf(StartsWith("accepted  bridge/5s: there is no reference"),
                                       HasSubstr("1 moment accepted"), Not(HasSubstr("bridge/2s"))));
@@ -131,7 +137,11 @@ TEST_F(GoldenCommand, AcceptsOnlyWhatIsMissingOrOnlyWhatChanged)
 TEST_F(GoldenCommand, AcceptsAPictureForOneRendererAlone)
 {
     ASSERT_EQ(RunIn({"accept", "bridge/2s"}).code, 0);
-    ASSERT_EQ(RunIn({"accept", "bridge/2s", "--for-this-renderer"}).code, 0);
+    EXPECT_THAT(RunIn({"accept", "bridge/2s", "--for-this-renderer", "--only", "missing"}).output,
+                AllOf(HasSubstr("accepted  bridge/2s: this renderer had no picture of its own"),
+                      Not(HasSubstr("as they were"))));
+    EXPECT_THAT(RunIn({"accept", "bridge/2s", "--for-this-renderer"}).output,
+                HasSubstr("1 of them as they were"));
     std::vector<std::string> pictures;
     for (const auto& entry : fs::directory_iterator(folder / "r/frames/bridge"))
     {
@@ -227,6 +237,9 @@ TEST_F(GoldenCommand, LeavesOutBodies)
     EXPECT_EQ(RunIn({"verify", "bridge/0.5s", "--ignore-body", "16"}).code, 2);
     EXPECT_EQ(RunIn({"verify", "bridge/0.5s", "--ignore-body", "3,17"}).code, 0);
     ExpectRefusal({"verify", "bridge", "--ignore-body", "wheel"}, "give numbers of bodies");
+    ExpectRefusal({"verify", "menu", "--film", "menu.mp4", "--ignore-body", "3"},
+                  "of a film nobody knows where they are");
+    ExpectRefusal({"report", "-o", ""}, "-o is empty; give a name.");
     ASSERT_EQ(RunIn({"accept", "pyramid/0.5s"}).code, 0);
     const Outcome beyond =
         RunIn({"verify", "bridge/0.5s", "pyramid/0.5s", "--ignore-body", "3,17,99"});

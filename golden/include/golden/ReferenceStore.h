@@ -99,6 +99,9 @@ public:
     Result<void> Accept(const GoldenCandidate& candidate,
                         AcceptAs as = AcceptAs::TheOneCompared) const;
 
+    /// Whether this renderer (a Description()) has a picture of its own under the name.
+    bool HasOwnPicture(const std::string& name, const std::string& renderer) const;
+
     /// Names that have a reference, sorted.
     std::vector<std::string> Names() const;
 

@@ -79,14 +79,15 @@ struct TraceDifference
     std::int64_t step = 0;   ///< the first that differs
     std::vector<int> bodies; ///< those that may differ there, by number; empty: not to be told
     bool isOfOne = false;    ///< only one of the traces has that step
+    bool isFirst = false;    ///< no step before it was compared, so they may have parted earlier
 };
 
 /// None when both have the same steps and each is the same. A digit may be the same by chance (one
-/// in 16) where a body differs; the step is never in doubt.
+/// in 16) where a body differs; the step is never in doubt, unless it is the first of the traces.
 std::optional<TraceDifference> FirstDifference(const StateTrace& expected,
                                                const StateTrace& actual);
 
-/// "from step 43 on, body 17 first".
+/// "from step 43 on, body 17 first", or "at step 121, if not before, body 17".
 std::string Describe(const TraceDifference& difference);
 
 } // namespace boxreel
