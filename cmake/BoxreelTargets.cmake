@@ -11,6 +11,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   list(APPEND BOXREEL_COMPILE_OPTIONS -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 
+# GCC's garbage collector begins at 128 MB, which most sources here pass: a tenth of the time of compiling. In kB.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND BOXREEL_COMPILE_OPTIONS "SHELL:--param ggc-min-heapsize=500000")
+endif()
+
 # boxreel_configure(TARGET): language level, warnings, exact floating point, sanitizers.
 function(boxreel_configure target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -113,6 +118,9 @@ function(boxreel_add_tests name)
   boxreel_compile_together(boxreel_${name}_tests ALONE ${ARG_ALONE})
   target_precompile_headers(boxreel_${name}_tests REUSE_FROM boxreel_test_headers)
   target_link_libraries(boxreel_${name}_tests PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
+  if(BOXREEL_HAS_GOLD_LINKER AND NOT BOXREEL_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_link_options(boxreel_${name}_tests PRIVATE -fuse-ld=gold)
+  endif()
   gtest_discover_tests(boxreel_${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${timeout} ${ARG_PROPERTIES})
 endfunction()

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,8 +27,6 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace bench
 {
@@ -430,6 +429,7 @@ Result<void> Run(int count, char** words)
 } // namespace bench
 
 int main(int count, char** words)
+try
 {
     const boxreel::Result<void> done = bench::Run(count, words);
     if (!done)
@@ -438,4 +438,9 @@ int main(int count, char** words)
         return int(done.GetError().kind);
     }
     return 0;
+}
+catch (const std::exception& thrown) // such as memory that is not there
+{
+    std::fprintf(stderr, "%s\n", thrown.what());
+    return int(boxreel::ErrorKind::Failed);
 }

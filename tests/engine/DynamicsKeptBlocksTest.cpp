@@ -142,7 +142,7 @@ TEST(DynamicsKeptBlocks, AreMadeAnewWhenAContactComesOrGoesOrChangesItsForm)
     const int32 index = c.colorIndex;
     c.color = -1; // as if it were not yet in any
     graph.Add(contact);
-    const int32 own = c.color;
+    const std::int8_t own = c.color;
     EXPECT_EQ(graph.ChangeOf(own), Change::Contacts);
     graph.Settle(own);
     EXPECT_EQ(graph.ChangeOf(own), Change::None);

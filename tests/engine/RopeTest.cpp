@@ -47,7 +47,7 @@ b2Rope Make(const b2RopeDef& def)
 
 void RunFor(b2Rope& rope, float32 seconds, int32 iterations = 10)
 {
-    for (int32 i = 0; i < static_cast<int32>(seconds / kStep + 0.5f); ++i)
+    for (long i = 0; i < std::lround(seconds / kStep); ++i)
     {
         rope.Step(kStep, iterations);
     }

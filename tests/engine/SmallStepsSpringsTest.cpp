@@ -188,7 +188,7 @@ TEST(SmallStepsSpring, DampsAsItShould)
                 off = b2Max(off, b2Abs(-4.0f - load->GetPosition().y - way));
             }
             EXPECT_LT(off, 0.01f) << hz << " Hz, ratio " << ratio;
-            RecordProperty(("off " + std::to_string(hz) + " " + std::to_string(ratio)).c_str(),
+            RecordProperty("off " + std::to_string(hz) + " " + std::to_string(ratio),
                            std::to_string(off));
         }
     }

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstring>
 #include <random>
 
@@ -283,7 +286,8 @@ private:
 
 bool SameBits(const SolverBody& a, const SolverBody& b)
 {
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    using Bits = std::array<std::byte, sizeof(SolverBody)>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 void ExpectSameAsThePlainSolver(unsigned seed)

@@ -13,7 +13,6 @@ using namespace boxreel;
 using namespace boxreel::test;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::Not;
 
 namespace
 {

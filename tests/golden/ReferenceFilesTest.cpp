@@ -13,10 +13,7 @@
 using namespace boxreel;
 using namespace boxreel::test;
 using testing::AllOf;
-using testing::AnyOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
 namespace

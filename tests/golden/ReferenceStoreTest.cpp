@@ -17,7 +17,6 @@ using namespace boxreel;
 using namespace boxreel::test;
 using testing::AllOf;
 using testing::ElementsAre;
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
