@@ -9,7 +9,6 @@
 namespace
 {
 
-using dynamics::kStep;
 using dynamics::Scene;
 
 /// Two dynamic boxes, one in the other, made from these definitions: are they in contact after a

@@ -11,7 +11,6 @@ namespace
 {
 
 using boxreel::FrameRange;
-using boxreel::FrameRun;
 using testing::ElementsAre;
 using testing::HasSubstr;
 

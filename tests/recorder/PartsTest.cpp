@@ -16,7 +16,6 @@ namespace
 {
 
 using namespace testfilm;
-using boxreel::Chroma;
 using boxreel::FilmPart;
 using boxreel::Frame;
 using boxreel::FrameRange;
@@ -28,7 +27,6 @@ using boxreel::StoredFrame;
 using boxreel::VideoReader;
 using boxreel::VideoSettings;
 using boxreel::VideoWriter;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr int kWidth = 96;

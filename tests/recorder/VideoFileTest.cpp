@@ -35,7 +35,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::UnorderedElementsAre;
 
 const VideoSettings kSmall{.width = 64, .height = 48, .framesPerSecond = {25, 1}};
 

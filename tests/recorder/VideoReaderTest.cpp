@@ -15,7 +15,6 @@ namespace
 {
 
 using namespace testfilm;
-using boxreel::Error;
 using boxreel::ErrorKind;
 using boxreel::Frame;
 using boxreel::Quality;

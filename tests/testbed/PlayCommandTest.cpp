@@ -26,7 +26,6 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 
 class PlayCommand : public testing::Test
 {

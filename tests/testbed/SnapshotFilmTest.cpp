@@ -16,7 +16,6 @@ namespace
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 constexpr const char* kMachine = R"({"gravity":{"x":0,"y":-10},"body":[
