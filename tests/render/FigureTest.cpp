@@ -281,7 +281,7 @@ TEST(Figure, NamesGroupsInAnyScriptAndKeepsLayersAndPanelsApart)
 TEST(Figure, HoldsAnyText)
 {
     DrawList list;
-    list.AddText({5, 200}, std::string("\x01\xff<\xC3>]]>&amp;\xED\xA0\x80\"'\n\n\0last", 26),
+    list.AddText({5, 200}, std::string("\x01\xff<\xC3>]]>&amp;\xED\xA0\x80\"'\n\n\0last", 25),
                  kWhite);
     Figure figure = FigureOf(list);
     figure.title = "<b>\x02\xFE";
