@@ -63,7 +63,9 @@ public:
     /// Takes it away; its bodies wake. Not while the world is locked.
     void DestroyJoint(b2Joint* joint);
 
-    /// Moves time on. `timeStep` in seconds, should not vary; 8 and 3 are good iteration counts.
+    /// Moves time on. `timeStep` in seconds, 0 to a million, should not vary; 8 and 3 are good
+    /// iteration counts, none is below 0. Nothing is done, after an assert where they are on, while
+    /// the world is locked or with a step that is negative or not finite; a longer step is cut.
     void Step(float32 timeStep, int32 velocityIterations, int32 positionIterations);
     /// Forgets all forces and torques; only needed when automatic clearing is off.
     void ClearForces();
