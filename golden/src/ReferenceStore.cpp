@@ -212,7 +212,7 @@ Moment Comparable(const Moment& expected, Moment actual)
     {
         actual.frame.reset();
     }
-    if (!expected.sheet)
+    if (!expected.sheet || !expected.frame) // it says how the picture's parts lie
     {
         actual.sheet.reset();
     }

@@ -48,8 +48,9 @@ constexpr Entry kFiles[] = {
      "The papers of a part, or of a film that is not whole: the command, the state of the world, "
      "the frames."},
     {"golden/references", "What was approved, in the checkout around the current folder."},
-    {"build/golden-output", "What differed from it, to look at; golden-output in the current folder "
-                            "where there is no checkout."},
+    {"build/golden-output",
+     "What differed from it, to look at; golden-output in the current folder "
+     "where there is no checkout."},
 };
 
 /// Text that means itself: nothing in it is roff's, and dashes can be copied to a shell.

@@ -168,6 +168,12 @@ TEST(ContactSheet, WhoseTextIsDamagedIsNoReference)
     environment.output.Set((folder / "output").c_str());
     const std::string film = Film(folder, "film.mkv", 30, 2.0).string();
     environment.accept.Set("missing");
+    EXPECT_GOLDEN_FILM(film, "torn");
+    environment.accept.Set(nullptr);
+    std::filesystem::remove(folder / "approved/frames/torn.png");
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_FILM(film, "torn"),
+                            "a part of the reference is not there (frames/torn.png missing");
+    environment.accept.Set("missing");
     EXPECT_GOLDEN_FILM(film, "grays");
     environment.accept.Set(nullptr);
     EXPECT_GOLDEN_FILM(film, "grays");

@@ -207,7 +207,8 @@ TEST_F(ReferenceStoreTest, SeesAWorldThatWentAnotherWayToTheSameState)
     candidate.trace.steps[0].world = "00000001";
     const GoldenVerdict verdict = Verify(candidate);
     EXPECT_EQ(verdict.status, GoldenStatus::State);
-    EXPECT_THAT(verdict.message, HasSubstr("differ on the way, at step 41, if not before, and come to"));
+    EXPECT_THAT(verdict.message,
+                HasSubstr("differ on the way, at step 41, if not before, and come to"));
 }
 
 TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreDamage)
