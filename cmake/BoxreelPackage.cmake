@@ -42,9 +42,9 @@ foreach(library avutil swscale avcodec avformat)
     list(APPEND loaded lib${library}${major})
   endif()
 endforeach()
-# libosmesa6 and EGL draw (Context.h). Cairo and FreeType write PDF, and DejaVu
-# is the one font; WebP's three write and read animations.
-list(APPEND loaded libosmesa6 libegl1 libegl-mesa0 libcairo2 libfreetype6 fonts-dejavu-core libwebp7 libwebpmux3 libwebpdemux2)
+# libosmesa6 and EGL draw (Context.h), the latter with the drivers of libgl1-mesa-dri. Cairo and
+# FreeType write PDF, and DejaVu is the one font; WebP's three write and read animations.
+list(APPEND loaded libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri libcairo2 libfreetype6 fonts-dejavu-core libwebp7 libwebpmux3 libwebpdemux2)
 list(JOIN loaded ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libglfw3") # the window, where there is a screen
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "bash-completion, libboxreel-dev")

@@ -26,7 +26,7 @@ constexpr unsigned kRenderer = 0x1F01;            // GL_RENDERER
 
 constexpr int kMostDevices = 32; // more GPUs than a machine has
 
-constexpr const char* kPackages = "libegl1 libegl-mesa0";
+constexpr const char* kPackages = "libegl1 libegl-mesa0 libgl1-mesa-dri";
 
 /// The library's functions; displays, devices, configurations and contexts are pointers.
 struct Egl

@@ -166,6 +166,10 @@ _boxreel()
         kind="words $options"
     elif [[ -n $commands && $number -eq 0 ]]; then
         kind="words $commands"
+        # The script of a checkout that builds the program has a command of its own.
+        if [[ $path == boxreel ]] && IFS= read -r -N 2 word 2>/dev/null <"$program" && [[ $word == '#!' ]]; then
+            kind+=' test'
+        fi
     else
         _boxreel_kind "$path $((number + 1))"
         kind=${kind:-words $options}

@@ -90,8 +90,14 @@ std::string FunctionOf(const std::string& path)
     return name;
 }
 
+/// The script of a checkout that builds the program has a command of its own.
+constexpr const char* kScriptsOwn = R"sh(            local begin=
+            read -r -k 2 -u 0 begin 2>/dev/null <$program
+            [[ $begin == '#!' ]] && commands+=('test:Build everything and run the tests')
+)sh";
+
 /// Of a command that has others below it.
-std::string CommandBody(const CommandText& command)
+std::string CommandBody(const CommandText& command, bool isProgram)
 {
     std::string body = Line("1:command:->command") + Line("*::word:->word");
     body += "\n    case $state in\n        command)\n            commands=(\n";
@@ -100,7 +106,9 @@ std::string CommandBody(const CommandText& command)
         body += "                " +
                 ShellQuoted(LastWord(next.path) + ":" + Escaped(next.summary)) + "\n";
     }
-    body += "            )\n            _describe -t commands command commands ;;\n"
+    body += "            )\n";
+    body += isProgram ? kScriptsOwn : "";
+    body += "            _describe -t commands command commands ;;\n"
             "        word)\n            case $line[1] in\n";
     for (const CommandText& next : command.commands)
     {
@@ -128,7 +136,7 @@ std::string Function(const CommandText& command)
         text +=
             Line((word.isList ? "*:" : ":") + Escaped(word.name) + ":" + Action(word.completion));
     }
-    return text + (command.commands.empty() ? "\n" : CommandBody(command)) + "}\n\n";
+    return text + (command.commands.empty() ? "\n" : CommandBody(command, isProgram)) + "}\n\n";
 }
 
 constexpr const char* kScenes = R"sh(

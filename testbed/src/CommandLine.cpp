@@ -32,9 +32,8 @@ public:
         {
             if (option->get_positional())
             {
-                const bool isList = option->get_expected_max() > 1;
-                usage +=
-                    isList ? " [" + option->get_name(true) + "...]" : " " + option->get_name(true);
+                const WordText word = WordOf(*option);
+                usage += " " + UsageOf(word, word.name);
             }
         }
         const bool hasCommands = !command->get_subcommands({}).empty();

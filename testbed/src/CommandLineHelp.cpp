@@ -38,8 +38,8 @@ CommandText Describe(CLI::App& command, const std::string& path)
     {
         if (option->get_positional())
         {
-            text.words.push_back(WordText{option->get_name(true), option->get_description(),
-                                          option->get_expected_max() > 1, CompletionOf(*option)});
+            text.words.push_back(WordOf(*option));
+            text.words.back().completion = CompletionOf(*option);
         }
         else
         {
@@ -54,6 +54,15 @@ CommandText Describe(CLI::App& command, const std::string& path)
 }
 
 } // namespace
+
+WordText WordOf(const CLI::Option& option)
+{
+    return {.name = option.get_name(true),
+            .help = option.get_description(),
+            .isList = option.get_expected_max() > 1,
+            .isOptional = option.get_expected_min() == 0,
+            .completion = {}};
+}
 
 /// The parser keeps nothing of ours with an option but checks, which have names: this one lets
 /// everything pass, and its name is the kind, a digit, and a line for each word.

@@ -70,11 +70,11 @@ void Refuse(const std::string& message)
     throw CLI::ValidationError(message);
 }
 
-void AddScene(CLI::App& command, std::string& scene)
+CLI::Option* AddScene(CLI::App& command, std::string& scene)
 {
     CLI::Option* option =
         command.add_option("SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file");
-    Completes(option->type_name(""), {Completion::Kind::Scenes, {".json"}});
+    return Completes(option->type_name(""), {Completion::Kind::Scenes, {".json"}});
 }
 
 void AddPath(CLI::App& command, const std::string& names, const std::string& unit,

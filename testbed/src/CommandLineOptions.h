@@ -66,6 +66,8 @@ CommandText DescribeCommands(CLI::App& program);
 /// Says what shells offer there.
 CLI::Option* Completes(CLI::Option* option, const Completion& completion);
 Completion CompletionOf(CLI::Option& option);
+/// Of an option that is a word by itself, without what completes it.
+WordText WordOf(const CLI::Option& option);
 
 /// One of a few words.
 template <class Value>
@@ -161,7 +163,7 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
 }
 
 /// Options that several commands share.
-void AddScene(CLI::App& command, std::string& scene);
+CLI::Option* AddScene(CLI::App& command, std::string& scene);
 /// `unit`: DIR for a folder. `ends`: of the files' names, for shells; none: any.
 void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
              std::filesystem::path& path, const std::string& help,

@@ -135,7 +135,7 @@ std::string Usage(const CommandText& command)
     std::string usage = Bold(command.path);
     for (const WordText& word : command.words)
     {
-        usage += word.isList ? " [" + Italic(word.name) + "...]" : " " + Italic(word.name);
+        usage += " " + UsageOf(word, Italic(word.name));
     }
     return usage +
            (command.commands.empty() ? " [" + Italic("OPTIONS") + "]" : " " + Italic("COMMAND"));

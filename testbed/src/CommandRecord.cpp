@@ -42,11 +42,12 @@ Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
     return CheckPicturePath(options.thumbnail, options.film.overwrite);
 }
 
-/// Said before the work of a part that nothing can be joined to.
+/// Said before the work of a part that nothing can be joined to; pictures need no joining.
 void TellLooseParts(const RecordOptions& options, const FilmPlan& plan)
 {
     const std::int64_t first = plan.frames.First();
-    if (options.range && HasPapers(options, plan) && first % plan.groupFrames != 0)
+    const bool arePictures = options.output.extension() == ".png";
+    if (options.range && !arePictures && HasPapers(options, plan) && first % plan.groupFrames != 0)
     {
         WriteMessage("boxreel: Frame " + std::to_string(first) + " is within a group of " +
                      std::to_string(plan.groupFrames) +

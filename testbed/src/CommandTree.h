@@ -31,7 +31,8 @@ struct WordText
 {
     std::string name;
     std::string help;
-    bool isList = false; ///< any number of them, the last of a command's words
+    bool isList = false;     ///< any number of them, the last of a command's words
+    bool isOptional = false; ///< it may be left out
     Completion completion;
 };
 
@@ -54,6 +55,14 @@ struct CommandText
     std::vector<OptionText> options;
     std::vector<CommandText> commands;
 };
+
+/// As a usage line shows it; `name` may be marked up: SCENE, [SCENE] that may be left out,
+/// [SCENE...].
+inline std::string UsageOf(const WordText& word, const std::string& name)
+{
+    const std::string shown = word.isList ? name + "..." : name;
+    return word.isList || word.isOptional ? "[" + shown + "]" : shown;
+}
 
 /// The command and all below it, each before those below.
 inline std::vector<const CommandText*> AllCommands(const CommandText& command)

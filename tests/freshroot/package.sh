@@ -30,7 +30,11 @@ inside 'cd /tmp && for film in mp4 webm mkv gif webp apng; do boxreel record pyr
     >"$work/films.log" 2>&1 || { tail "$work/films.log"; fail 'a film of some kind is not made'; }
 inside 'cd /tmp && boxreel shot car --at 1s -o car.pdf && boxreel shot car --at 1s -o car.png --ui && test -s car.pdf && test -s car.png' ||
     fail 'pictures'
-inside 'boxreel doctor' >"$work/doctor.log" 2>&1 || { cat "$work/doctor.log"; fail 'the doctor finds something wrong'; }
+# The doctor ends well when one library can draw; here all that it asks for must be.
+{ inside 'boxreel doctor' >"$work/doctor.log" 2>&1 && ! grep '^FAIL' "$work/doctor.log"; } ||
+    { cat "$work/doctor.log"; fail 'the doctor finds something wrong'; }
+inside 'cd /tmp && for backend in osmesa egl; do boxreel shot car --at 1s -o $backend.png --backend $backend || exit 1; done && cmp osmesa.png egl.png' \
+    >"$work/backends.log" 2>&1 || { tail "$work/backends.log"; fail 'one of the two libraries that draw'; }
 inside 'zcat /usr/share/man/man1/boxreel.1.gz | grep -q "^.TH BOXREEL"' || fail 'the manual page'
 # minbase leaves out bash-completion, which would load the file by its name.
 inside 'bash -c "source /usr/share/bash-completion/completions/boxreel && complete -p boxreel"' >/dev/null || fail 'completion for bash'

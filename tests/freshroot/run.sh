@@ -3,10 +3,10 @@
 #
 # run.sh CHECKOUT WORK_DIR
 #
-# Tries the README's first command where nothing is installed: a minimal Debian 12 in a folder, with
-# git, sh and apt, in which the checkout's last commit is cloned. Reports how long the first and the
-# second film took; fails on what goes wrong, never on a time. Packages come from wherever this
-# machine's own apt gets them.
+# Tries the README's two commands where nothing is installed: a minimal Debian 12 in a folder, with
+# git, sh and apt, in which the checkout's last commit is cloned. Reports how long the first film, the
+# second one and the tests took; fails on what goes wrong, never on a time. Packages come from wherever
+# this machine's own apt gets them.
 #
 # Exit codes: 0 all is well, 77 this machine cannot try it, anything else a failure. After a failure
 # the folder stays for a look.
@@ -54,5 +54,14 @@ for film in "$root/srv/boxreel/pyramid.mp4" "$root/tmp/second.mp4"; do
     [ "$codec,$shown" = h264,600 ] || fail "$film should show 600 frames of H.264, not $codec,$shown"
 done
 cmp "$root/srv/boxreel/pyramid.mp4" "$root/tmp/second.mp4" || fail 'the two films are not the same'
-rm -rf "$root"
 echo "first film after $first s (packages, build, film), second after $second s"
+
+# ------------------------------------------------------------------------------ the tests
+
+started=$(seconds)
+inside 'cd /srv/boxreel && ./boxreel test' >"$work/tests.log" 2>&1 ||
+    { grep -A 100 'The following tests FAILED' "$work/tests.log" || tail -n 40 "$work/tests.log"; fail 'the tests there'; }
+count=$(sed -n 's/^100% tests passed, 0 tests failed out of //p' "$work/tests.log")
+[ "${count:-0}" -ge 3000 ] || fail "only ${count:-0} tests were run"
+rm -rf "$root"
+echo "$count tests passed there after $(since "$started") s (packages, build, tests)"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "SceneFileRound.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <iterator>
 #include <random>
 
@@ -52,7 +52,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     std::string text(reinterpret_cast<const char*>(data), size);
     if (random() % 2 == 0 && ChangeNumber(text, most, random))
     {
-        std::memcpy(data, text.data(), text.size());
+        std::copy(text.begin(), text.end(), data);
         return text.size();
     }
     return LLVMFuzzerMutate(data, size, most);

@@ -281,7 +281,7 @@ TEST(Context, NamesEachBackEndThatWasTriedItsLibraryItsErrorAndItsPackage)
               "object file: No such file or directory); install it with: apt install libosmesa6\n"
               "  egl: libNoSuchEgl.so.1 did not load (libNoSuchEgl.so.1: cannot open shared object "
               "file: No such file or directory); install it with: apt install libegl1 "
-              "libegl-mesa0\n"
+              "libegl-mesa0 libgl1-mesa-dri\n"
               "The variable BOXREEL_BACKEND chooses one: auto, osmesa, egl, egl-gpu.");
 }
 

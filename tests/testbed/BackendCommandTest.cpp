@@ -125,7 +125,7 @@ TEST_F(BackendCommand, NothingToDrawWithIsSaidBeforeAnythingIsSimulated)
                 "  osmesa: libOSMesa.so.8 did not load \\(.*invalid ELF header\\); install it "
                 "with: apt install libosmesa6\n"
                 "  egl: libEGL.so.1 did not load \\(.*invalid ELF header\\); install it with: apt "
-                "install libegl1 libegl-mesa0\n"
+                "install libegl1 libegl-mesa0 libgl1-mesa-dri\n"
                 "The variable BOXREEL_BACKEND chooses one: auto, osmesa, egl, egl-gpu.\n"));
         EXPECT_THAT(folder.Files(), IsEmpty()) << command[0];
     }

@@ -474,6 +474,8 @@ TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
                 HasSubstr("Usage: boxreel diff A B [OPTIONS]\n"));
     EXPECT_THAT(Parsed<TextRequest>("golden verify --help").text,
                 HasSubstr("Usage: boxreel golden verify [NAMES...] [OPTIONS]\n"));
+    EXPECT_THAT(Parsed<TextRequest>("ui --help").text,
+                HasSubstr("Usage: boxreel ui [SCENE] [OPTIONS]\n"));
 }
 
 TEST(CommandLine, HelpFitsATerminalOfHundredColumns)

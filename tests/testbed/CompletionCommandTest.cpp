@@ -54,8 +54,7 @@ protected:
                 echo
             done
         )sh");
-        std::vector<std::string> words{"bash", "--noprofile", "--norc",
-                                       "-u",   "ask.bash",    BOXREEL_PROGRAM};
+        std::vector<std::string> words{"bash", "--noprofile", "--norc", "-u", "ask.bash", program};
         words.insert(words.end(), lines.begin(), lines.end());
         const Outcome outcome = RunTool(words, folder.Path());
         EXPECT_EQ(outcome.errors, "");
@@ -109,8 +108,7 @@ protected:
             }
             zle -N zle-line-init
         )sh");
-        const std::string programFolder =
-            std::filesystem::path(BOXREEL_PROGRAM).parent_path().string();
+        const std::string programFolder = std::filesystem::path(program).parent_path().string();
         const Outcome outcome =
             RunTool({"env", "ZDOTDIR=" + folder.Path().string(), "PROGRAM_FOLDER=" + programFolder,
                      "TERM=dumb", "script", "-qec", "zsh -o no_global_rcs -i", "/dev/null"},
@@ -125,7 +123,16 @@ protected:
         return completed;
     }
 
+    /// What a checkout's script does once all is built.
+    void CallThroughAScript()
+    {
+        program = (folder / "boxreel").string();
+        Write("boxreel", std::string("#!/bin/sh\nexec ") + BOXREEL_PROGRAM + " \"$@\"\n");
+        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    }
+
     TemporaryFolder folder;
+    std::string program = BOXREEL_PROGRAM;
 };
 
 TEST_F(CompletionCommand, BashOffersEveryCommandAndOption)
@@ -258,6 +265,18 @@ TEST_F(CompletionCommand, ZshAlsoFindsTheScriptInAFolderOfFunctions)
               (std::vector<std::string>{"boxreel record ", "boxreel shot newtons-cradle "}));
 }
 
+TEST_F(CompletionCommand, OffersWhatTheScriptOfACheckoutCanDoToo)
+{
+    EXPECT_THAT(BashOffer("te"), testing::IsEmpty()) << "the program itself has no such command";
+    CallThroughAScript();
+    EXPECT_THAT(BashOffers({"te", "golden te"}),
+                testing::ElementsAre(testing::ElementsAre("test"), testing::IsEmpty()));
+    EXPECT_THAT(BashOffer("''"), testing::IsSupersetOf({"record", "test"}));
+    EXPECT_EQ(ZshCompletes({"./boxreel te", "./boxreel rec"},
+                           "autoload -Uz compinit; compinit -u -D; source ./zsh"),
+              (std::vector<std::string>{"./boxreel test ", "./boxreel record "}));
+}
+
 TEST_F(CompletionCommand, TheScriptOfACheckoutBuildsNothingMeanwhile)
 {
     const std::string build = std::filesystem::path(BOXREEL_PROGRAM).parent_path().string();
@@ -282,8 +301,9 @@ TEST_F(CompletionCommand, GroffHasNothingToSayOfTheManualPage)
         {"groff", "-man", "-ww", "-Tascii", "-P-cbou", "-rLL=200n", "boxreel.1"}, folder.Path());
     EXPECT_EQ(shown.code, 0) << "Is groff installed?";
     EXPECT_EQ(shown.errors, "");
-    for (const char* text : {"-o, --output FILE", "boxreel golden verify [NAMES...] [OPTIONS]",
-                             "17.y < -10", "\n       75     Stopped", "peers'"})
+    for (const char* text :
+         {"-o, --output FILE", "boxreel golden verify [NAMES...] [OPTIONS]",
+          "boxreel ui [SCENE] [OPTIONS]", "17.y < -10", "\n       75     Stopped", "peers'"})
     {
         EXPECT_THAT(shown.output, HasSubstr(text));
     }

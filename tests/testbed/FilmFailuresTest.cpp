@@ -190,9 +190,9 @@ TEST_F(FilmFailures, WhatCannotBeAsItIsAskedForIsSaidBeforeAnythingIsSimulated)
 
 TEST_F(FilmFailures, APartThatNothingCanBeJoinedToIsSaidToBeOne)
 {
-    const auto errors = [this](const char* range) {
+    const auto errors = [this](const char* range, const char* output = "a.mkv") {
         const Outcome outcome =
-            RunBoxreel({"record", "pyramid", "-o", "a.mkv", "--frames", "20", "--size", "64x64",
+            RunBoxreel({"record", "pyramid", "-o", output, "--frames", "20", "--size", "64x64",
                         "--progress", "none", "--group", "10", "--force", "--frame-range", range},
                        folder.Path());
         EXPECT_EQ(outcome.code, 0);
@@ -200,6 +200,7 @@ TEST_F(FilmFailures, APartThatNothingCanBeJoinedToIsSaidToBeOne)
     };
     EXPECT_THAT(errors("15-19"), HasSubstr("Frame 15 is within a group of 10 frames"));
     EXPECT_THAT(errors("10-19"), testing::Not(HasSubstr("within a group")));
+    EXPECT_EQ(errors("15-19", "pictures-##.png"), "");
 }
 
 TEST_F(FilmFailures, AMergedFilmThatHasNoRoomIsOneSentenceAndThePartsStay)

@@ -29,13 +29,15 @@ public:
     b2BroadPhase(const b2BroadPhase&) = delete;
     b2BroadPhase& operator=(const b2BroadPhase&) = delete;
 
-    /// Adds a proxy; its pairs are told by the next UpdatePairs.
+    /// Adds a proxy with this box [m]; its pairs are told by the next UpdatePairs. Returns its
+    /// number. Boxes as in b2DynamicTree::CreateProxy.
     int32 CreateProxy(const b2AABB& aabb, void* userData);
 
-    /// Removes a proxy. Its pairs are the caller's to remove.
+    /// Removes a proxy. Its pairs are the caller's to remove. A number of no proxy asserts and
+    /// changes nothing, here and below.
     void DestroyProxy(int32 proxyId);
 
-    /// Call this whenever the proxy moves; pairs may be new when it has left its stored box.
+    /// Call this whenever the proxy moves [m]; pairs may be new when it has left its stored box.
     void MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& displacement);
 
     /// Has all pairs of this proxy told again by the next UpdatePairs.

@@ -75,8 +75,8 @@ struct b2Manifold
 /// A manifold in world coordinates, for those who look at it.
 struct b2WorldManifold
 {
-    /// The shapes may have moved a little since the manifold was computed. Does nothing for a
-    /// manifold without points.
+    /// From a manifold, where the shapes are, and their radii [m], >= 0. The shapes may have moved
+    /// a little since the manifold was computed. Does nothing for a manifold without points.
     void Initialize(const b2Manifold* manifold, const b2Transform& xfA, float32 radiusA,
                     const b2Transform& xfB, float32 radiusB);
 
@@ -122,7 +122,7 @@ struct b2RayCastOutput
     float32 fraction = 0.0f; ///< 0 to b2RayCastInput::maxFraction
 };
 
-/// An axis-aligned box.
+/// An axis-aligned box. Nothing is checked but by IsValid.
 struct b2AABB
 {
     /// Are the bounds sorted and finite?
@@ -158,15 +158,16 @@ struct b2AABB
                aabb.upperBound.x <= upperBound.x && aabb.upperBound.y <= upperBound.y;
     }
 
-    /// A ray that starts inside does not hit.
+    /// Where a ray meets the box. False, and `output` is as it was: nowhere. A ray that starts
+    /// inside does not hit.
     bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input) const;
 
-    b2Vec2 lowerBound; ///< the lower left corner
-    b2Vec2 upperBound; ///< the upper right corner
+    b2Vec2 lowerBound; ///< the lower left corner [m]
+    b2Vec2 upperBound; ///< the upper right corner [m]; no coordinate is below lowerBound's
 };
 
 /// Where two shapes touch, one function for each pair of kinds that can; no points: they do not.
-/// Impulses are left at zero.
+/// Impulses are left at zero. No pointer is null, transforms are finite.
 void b2CollideCircles(b2Manifold* manifold, const b2CircleShape* circleA, const b2Transform& xfA,
                       const b2CircleShape* circleB, const b2Transform& xfB);
 /// As b2CollideCircles; the normal points from the polygon to the circle.
@@ -183,13 +184,13 @@ void b2CollideEdgeAndCircle(b2Manifold* manifold, const b2EdgeShape* edgeA, cons
 void b2CollideEdgeAndPolygon(b2Manifold* manifold, const b2EdgeShape* edgeA, const b2Transform& xfA,
                              const b2PolygonShape* polygonB, const b2Transform& xfB);
 
-/// Keeps the part of a segment where b2Dot(normal, p) <= offset and returns how many of its ends
-/// are left in vOut: 2 or, when all is beyond, 0 (1 when one end lies exactly on the line). An end
-/// made by clipping gets the id (vertexIndexA of A, face of B).
+/// Keeps the part of a segment where b2Dot(normal, p) <= offset [m], the normal of unit length, and
+/// returns how many of its ends are left in vOut: 2 or, when all is beyond, 0 (1 when one end lies
+/// exactly on the line). An end made by clipping gets the id (vertexIndexA of A, face of B).
 int32 b2ClipSegmentToLine(b2ClipVertex vOut[2], const b2ClipVertex vIn[2], const b2Vec2& normal,
                           float32 offset, int32 vertexIndexA);
 
-/// Do the shapes, or these children of them, overlap? Radii count.
+/// Do the shapes, or these children of them (0 <= index < GetChildCount()), overlap? Radii count.
 bool b2TestOverlap(const b2Shape* shapeA, int32 indexA, const b2Shape* shapeB, int32 indexB,
                    const b2Transform& xfA, const b2Transform& xfB);
 

@@ -18,13 +18,15 @@ struct b2DistanceProxy
     /// Looks at the same shape.
     b2DistanceProxy& operator=(const b2DistanceProxy& other);
 
-    /// Looks at the shape, or at the given child of a chain.
+    /// Looks at the shape, or at the given child of a chain, 0 <= index < its GetChildCount(); of
+    /// another it asserts, and the proxy has no vertices.
     void Set(const b2Shape* shape, int32 index);
 
-    /// The index of the vertex furthest in direction d; of equals, the first.
+    /// The index of the vertex furthest in direction d, of any length; of equals, the first. There
+    /// is one at least.
     int32 GetSupport(const b2Vec2& d) const;
 
-    /// The vertex furthest in direction d.
+    /// The vertex furthest in direction d [m]; as GetSupport.
     const b2Vec2& GetSupportVertex(const b2Vec2& d) const { return m_vertices[GetSupport(d)]; }
 
     int32 GetVertexCount() const { return m_count; } ///< 1 or more
@@ -37,8 +39,8 @@ struct b2DistanceProxy
 
     b2Vec2 m_buffer[2];                 ///< the vertices of an edge
     const b2Vec2* m_vertices = nullptr; ///< the shape's, or m_buffer [m]
-    int32 m_count = 0;                  ///< of vertices
-    float32 m_radius = 0.0f;            ///< around the vertices' hull [m]
+    int32 m_count = 0;                  ///< of vertices; 0: not set yet
+    float32 m_radius = 0.0f;            ///< around the vertices' hull [m], >= 0
 };
 
 inline int32 b2DistanceProxy::GetSupport(const b2Vec2& d) const
@@ -83,9 +85,10 @@ struct b2DistanceOutput
     b2Vec2 pointA;           ///< the closest point of A, in the world [m]
     b2Vec2 pointB;           ///< the closest point of B, in the world [m]
     float32 distance = 0.0f; ///< 0 when they overlap [m]
-    int32 iterations = 0;    ///< of GJK
+    int32 iterations = 0;    ///< of GJK, 0 or more
 };
 
 /// The closest points of two shapes, by the algorithm of Gilbert, Johnson and Keerthi. The cache is
-/// read and written.
+/// read and written. No pointer is null; a proxy without vertices asserts, and the distance is
+/// b2_maxFloat.
 void b2Distance(b2DistanceOutput* output, b2SimplexCache* cache, const b2DistanceInput* input);

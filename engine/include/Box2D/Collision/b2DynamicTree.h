@@ -30,14 +30,17 @@ public:
     b2DynamicTree(const b2DynamicTree&) = delete;
     b2DynamicTree& operator=(const b2DynamicTree&) = delete;
 
-    /// Adds a proxy whose box is the given one, made b2_aabbExtension larger on every side.
+    /// Adds a proxy whose box is the given one [m], made b2_aabbExtension larger on every side.
+    /// Returns its number. A box that is not valid asserts.
     int32 CreateProxy(const b2AABB& aabb, void* userData);
 
-    /// Removes a proxy; its number may be given to another.
+    /// Removes a proxy; its number may be given to another. A number of no proxy asserts and
+    /// changes nothing, here and in all that move one.
     void DestroyProxy(int32 proxyId);
 
     /// Follows a proxy that moves: while its box stays inside the stored one nothing happens and
-    /// the answer is false; else the stored box is made anew, larger and ahead of the displacement.
+    /// the answer is false; else the stored box is made anew, larger and ahead of the displacement
+    /// [m].
     bool MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& displacement);
 
     /// The same three steps for callers with a margin of their own: the box is stored as it is.
@@ -49,10 +52,10 @@ public:
     void SetProxyAABB(int32 proxyId, const b2AABB& fatAABB);
     /// Leaves the proxy where it is in the tree and lets the boxes above it grow: cheaper, but the
     /// tree gets worse with every call until SetProxyAABB or RebuildBottomUp puts it right. The
-    /// box must contain the stored one.
+    /// box must contain the stored one, else it asserts and nothing changes.
     void EnlargeProxy(int32 proxyId, const b2AABB& fatAABB);
 
-    /// What CreateProxy was given.
+    /// What CreateProxy was given. The number must be a proxy's, in these three.
     void* GetUserData(int32 proxyId) const { return GetLeaf(proxyId).link.userData; }
     /// What CreateProxyExact was given.
     int32 GetUserIndex(int32 proxyId) const { return GetLeaf(proxyId).link.userIndex; }
@@ -96,10 +99,11 @@ public:
     /// 0 for a tree of one proxy or none.
     int32 GetHeight() const;
 
-    /// The largest difference of height between two siblings.
+    /// The largest difference of height between two siblings, 0 or more.
     int32 GetMaxBalance() const;
 
-    /// The perimeters of all nodes over that of the root: what a query pays on average.
+    /// The perimeters of all nodes over that of the root, 0 without proxies: what a query pays on
+    /// average.
     float32 GetAreaRatio() const;
 
     /// Builds the tree anew from all its leaves, better than insertion does. Takes O(n log^2 n).
@@ -116,7 +120,7 @@ public:
     /// three has been called the tree is good for nothing but more of the same.
     void SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB);
 
-    /// Subtracts the new origin, given in old coordinates, from every box.
+    /// Subtracts the new origin [m], given in old coordinates, from every box.
     void ShiftOrigin(const b2Vec2& newOrigin);
 
 private:

@@ -14,7 +14,7 @@ struct b2TOIInput
     b2DistanceProxy proxyB; ///< the second shape
     b2Sweep sweepA;      ///< only the motion between the two counts, so both may share any origin
     b2Sweep sweepB;      ///< of the second; see sweepA
-    float32 tMax = 1.0f; ///< the sweeps are looked at from 0 to here
+    float32 tMax = 1.0f; ///< the sweeps are looked at from 0 to here, 0 to 1
 };
 
 /// What b2TimeOfImpact has found.

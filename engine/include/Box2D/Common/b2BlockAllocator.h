@@ -21,7 +21,8 @@ public:
     b2BlockAllocator(const b2BlockAllocator&) = delete;
     b2BlockAllocator& operator=(const b2BlockAllocator&) = delete;
 
-    /// Memory aligned for any object; null when size is 0. Not initialised.
+    /// Memory of so many bytes, aligned for any object; null when size is 0 and, after an assert,
+    /// when it is negative. Not initialised.
     void* Allocate(int32 size);
 
     /// Takes a block back; the size must be the one it was allocated with. Null is allowed.

@@ -65,9 +65,9 @@ public:
     const b2Vec2& GetViewLower() const { return m_viewLower; } ///< as SetView was given [m]
     const b2Vec2& GetViewUpper() const { return m_viewUpper; } ///< as SetView was given [m]
 
-    /// A closed outline, counter-clockwise.
+    /// A closed outline, counter-clockwise, of vertexCount points [m].
     virtual void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) = 0;
-    /// A filled convex polygon, counter-clockwise.
+    /// A filled convex polygon, counter-clockwise, of vertexCount points [m].
     virtual void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount,
                                   const b2Color& color) = 0;
     /// An outline; centre and radius [m].

@@ -21,9 +21,9 @@ struct b2Vec2
 
     /// The opposite vector.
     constexpr b2Vec2 operator-() const { return {-x, -y}; }
-    /// Component 0 or 1.
+    /// Component i, 0 or 1.
     constexpr float32 operator()(int32 i) const { return i == 0 ? x : y; }
-    /// Component 0 or 1, to be written.
+    /// Component i, 0 or 1, to be written.
     constexpr float32& operator()(int32 i) { return i == 0 ? x : y; }
 
     /// Adds, component by component.
@@ -257,10 +257,10 @@ struct b2Rot
 {
     /// No rotation.
     constexpr b2Rot() = default;
-    /// By an angle [rad].
+    /// By an angle [rad], finite.
     explicit b2Rot(float32 angle) { Set(angle); }
 
-    /// To an angle [rad].
+    /// To an angle [rad], finite.
     void Set(float32 angle) { box2d::SinCos(angle, &s, &c); }
     /// Becomes what changes nothing.
     constexpr void SetIdentity() { *this = b2Rot(); }
@@ -427,7 +427,7 @@ constexpr b2Vec2 b2Clamp(const b2Vec2& a, const b2Vec2& low, const b2Vec2& high)
 /// about it at a constant rate.
 struct b2Sweep
 {
-    /// The body's transform at beta, where 0 is alpha0 and 1 the end of the step.
+    /// The body's transform at beta, 0 to 1, where 0 is alpha0 and 1 the end of the step.
     void GetTransform(b2Transform* xf, float32 beta) const;
 
     /// Moves the start of the sweep forward to the fraction alpha of the step, alpha0 <= alpha < 1.

@@ -101,8 +101,8 @@ inline constexpr float32 b2_angularSleepTolerance = 2.0f / 180.0f * b2_pi;
 
 // ---- Memory
 
-/// Where every large block of the engine comes from and goes back to. Never returns null: running
-/// out of memory ends the program with a sentence.
+/// Where every large block of the engine comes from and goes back to; `size` in bytes, >= 0. Never
+/// returns null: running out of memory ends the program with a sentence.
 void* b2Alloc(int32 size);
 /// Gives back what b2Alloc returned; null is nothing to give back.
 void b2Free(void* memory);
@@ -112,8 +112,9 @@ typedef void* (*b2AllocFunction)(std::size_t size);
 /// Takes back what the function beside it returned.
 typedef void (*b2FreeFunction)(void* memory);
 
-/// Puts the program's memory system behind b2Alloc and b2Free; nulls bring malloc and free back.
-/// Call it before the first world is made, for a block must return to where it came from.
+/// Puts the program's memory system behind b2Alloc and b2Free; nulls bring malloc and free back,
+/// and so does, after an assert, a null for one of them. Call it before the first world is made,
+/// for a block must return to where it came from.
 void b2SetAllocator(b2AllocFunction alloc, b2FreeFunction free);
 
 // ---- Logging

@@ -30,12 +30,14 @@ enum b2BodyType
     b2_dynamicBody,    ///< fully simulated
 };
 
-/// All that is needed to create a body. Can be reused.
+/// All that is needed to create a body. Can be reused. Numbers are finite unless said; what
+/// b2World::CreateBody does with others is said there.
 struct b2BodyDef
 {
-    b2BodyType type = b2_staticBody;            ///< what moves it
-    b2Vec2 position = b2Vec2(0.0f, 0.0f);       ///< of the body's origin [m]
-    float32 angle = 0.0f;                       ///< anticlockwise from the x axis [rad]
+    b2BodyType type = b2_staticBody;      ///< what moves it
+    b2Vec2 position = b2Vec2(0.0f, 0.0f); ///< of the body's origin [m], each within 1e15 of zero
+    /// Anticlockwise from the x axis [rad], within 1e15 of zero.
+    float32 angle = 0.0f;
     b2Vec2 linearVelocity = b2Vec2(0.0f, 0.0f); ///< of the body's origin [m/s]
     float32 angularVelocity = 0.0f;             ///< anticlockwise [rad/s]
     /// Rate at which the velocity decays [1/s], >= 0; infinity: no motion.
@@ -48,10 +50,12 @@ struct b2BodyDef
     bool bullet = false;         ///< continuous collision against moving bodies too
     bool active = true;          ///< whether it takes part in collision and dynamics
     void* userData = nullptr;    ///< anything of the program's
-    float32 gravityScale = 1.0f; ///< times the world's gravity; 0: none
+    float32 gravityScale = 1.0f; ///< times the world's gravity; 0: none, negative: against it
 };
 
-/// A rigid body. Created by b2World::CreateBody, destroyed by b2World::DestroyBody.
+/// A rigid body. Created by b2World::CreateBody, destroyed by b2World::DestroyBody. A number that
+/// is out of the range said at its function, or not finite, asserts and changes nothing. Points and
+/// vectors that are only turned or moved from frame to frame may be any.
 class b2Body
 {
 public:
@@ -62,18 +66,20 @@ public:
     b2Fixture* CreateFixture(const b2FixtureDef* def);
     /// The same from a shape and a density [kg/m^2], >= 0; all else as in b2FixtureDef.
     b2Fixture* CreateFixture(const b2Shape* shape, float32 density);
-    /// Removes it and its contacts, and updates the mass; not while the world is locked.
+    /// Removes it and its contacts, and updates the mass. While the world is locked, and of no
+    /// fixture of this body, it asserts and nothing goes.
     void DestroyFixture(b2Fixture* fixture);
 
-    /// Moves the body's origin. Contacts are updated in the next step. False, and nothing is moved,
-    /// while the world is locked.
+    /// Moves the body's origin [m] and turns it [rad]; position and angle are within 1e15 of zero.
+    /// Contacts are updated in the next step, what touches it wakes. False, and nothing is moved,
+    /// after an assert where they are on: while the world is locked, and for a number out of range.
     bool SetTransform(const b2Vec2& position, float32 angle);
     /// From the body's frame to the world.
     const b2Transform& GetTransform() const { return m_data.transform; }
     const b2Vec2& GetPosition() const { return m_data.transform.p; } ///< of the origin [m]
     /// From the x axis, anticlockwise [rad]; not normalised: grows with every turn.
     float32 GetAngle() const { return float32(m_data.pose.angle); }
-    /// Turns it about its origin [rad].
+    /// Turns it about its origin [rad]; as SetTransform.
     void SetAngle(float32 angle) { SetTransform(GetPosition(), angle); }
     const b2Vec2& GetWorldCenter() const { return m_data.worldCenter; } ///< the centre of mass [m]
     /// As GetWorldCenter [m].
@@ -81,29 +87,38 @@ public:
     /// Of mass, in its frame [m].
     const b2Vec2& GetLocalCenter() const { return m_data.localCenter; }
 
-    /// Of the centre of mass [m/s].
+    /// Of the centre of mass [m/s], finite; wakes the body unless 0. Static bodies have none: for
+    /// them nothing is done.
     void SetLinearVelocity(const b2Vec2& v);
     /// Of the centre of mass [m/s].
     const b2Vec2& GetLinearVelocity() const { return m_data.linearVelocity; }
-    void SetAngularVelocity(float32 omega); ///< anticlockwise; wakes the body unless 0 [rad/s]
+    /// Anticlockwise [rad/s], finite; as SetLinearVelocity.
+    void SetAngularVelocity(float32 omega);
     float32 GetAngularVelocity() const { return m_data.angularVelocity; } ///< anticlockwise [rad/s]
 
-    /// At a world point [N]; off the centre of mass it turns the body. `wake` false leaves a
-    /// sleeping body alone.
+    /// A force [N] at a world point [m], both finite, for the next step; off the centre of mass it
+    /// turns the body. `wake` false leaves a sleeping body alone, and then it feels nothing. These
+    /// five act on dynamic bodies only.
     void ApplyForce(const b2Vec2& force, const b2Vec2& point, bool wake = true);
-    void ApplyForceToCenter(const b2Vec2& force, bool wake = true); ///< to the centre of mass [N]
-    void ApplyTorque(float32 torque, bool wake = true); ///< for the next step, anticlockwise [N m]
-    /// At a world point [N s]: changes the velocity at once, and off the centre the rotation too.
+    /// At the centre of mass [N], finite, for the next step.
+    void ApplyForceToCenter(const b2Vec2& force, bool wake = true);
+    /// Anticlockwise [N m], finite, for the next step.
+    void ApplyTorque(float32 torque, bool wake = true);
+    /// [N s] at a world point [m], both finite: changes the velocity at once, and off the centre of
+    /// mass the rotation too.
     void ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point, bool wake = true);
-    /// Changes the rotation at once [N m s].
+    /// Changes the rotation at once, anticlockwise [N m s], finite.
     void ApplyAngularImpulse(float32 impulse, bool wake = true);
 
     float32 GetMass() const { return m_data.mass; } ///< 0: static or kinematic [kg]
     /// About the body's origin [kg m^2].
     float32 GetInertia() const;
-    /// Mass, centre of mass and moment of inertia about the origin.
+    /// Mass, centre of mass and moment of inertia about the origin. `data` is not null.
     void GetMassData(b2MassData* data) const;
-    /// Replaces what the fixtures give. Dynamic bodies only.
+    /// Replaces what the fixtures give, until ResetMassData or until a fixture with a density comes
+    /// or any goes. Mass [kg] and inertia [kg m^2] are finite and not negative, a mass of 0 counts
+    /// as 1 kg, the centre [m] within 1e15 of zero; else, of no data, and while the world is
+    /// locked, it asserts and changes nothing. For dynamic bodies only; others stay as they are.
     void SetMassData(const b2MassData* data);
     /// To what the fixtures give.
     void ResetMassData();
@@ -113,7 +128,7 @@ public:
     {
         return b2Mul(m_data.transform, localPoint);
     }
-    /// From the body's frame to the world, turned only.
+    /// From the body's frame to the world, turned only; in the vector's unit.
     b2Vec2 GetWorldVector(const b2Vec2& localVector) const
     {
         return b2Mul(m_data.transform.q, localVector);
@@ -123,14 +138,14 @@ public:
     {
         return b2MulT(m_data.transform, worldPoint);
     }
-    /// From the world to the body's frame, turned only.
+    /// From the world to the body's frame, turned only; in the vector's unit.
     b2Vec2 GetLocalVector(const b2Vec2& worldVector) const
     {
         return b2MulT(m_data.transform.q, worldVector);
     }
-    /// Of the body at a world point [m/s].
+    /// Of the body [m/s] at a world point [m].
     b2Vec2 GetLinearVelocityFromWorldPoint(const b2Vec2& worldPoint) const;
-    /// Of a point of the body [m/s].
+    /// Of a point of the body [m], in its frame [m/s].
     b2Vec2 GetLinearVelocityFromLocalPoint(const b2Vec2& localPoint) const;
 
     /// Rate at which the velocity decays [1/s].
@@ -139,12 +154,15 @@ public:
     void SetLinearDamping(float32 damping);
     /// Rate at which the rotation decays [1/s].
     float32 GetAngularDamping() const { return m_data.angularDamping; }
-    void SetAngularDamping(float32 damping); ///< rate at which the rotation decays [1/s], >= 0
+    /// Rate at which the rotation decays [1/s], >= 0; infinity stops it.
+    void SetAngularDamping(float32 damping);
     /// Times the world's gravity; 0: none.
     float32 GetGravityScale() const { return m_data.gravityScale; }
-    void SetGravityScale(float32 scale); ///< times the world's gravity
+    /// Times the world's gravity, finite; 0: none, negative: against it.
+    void SetGravityScale(float32 scale);
 
-    /// Costs as much as creating the body anew.
+    /// Costs as much as creating the body anew, and wakes it. While the world is locked, and of no
+    /// type of b2BodyType, it asserts and changes nothing.
     void SetType(b2BodyType type);
     /// What moves it.
     b2BodyType GetType() const { return static_cast<b2BodyType>(m_data.mobility); }
@@ -153,10 +171,11 @@ public:
     void SetSleepingAllowed(bool flag); ///< whether it may sleep; false wakes it
     /// Whether it may fall asleep.
     bool IsSleepingAllowed() const { return (m_data.flags & box2d::kBodyAutoSleep) != 0; }
-    /// Waking wakes everything the body touches or is joined to.
+    /// Waking wakes everything the body touches or is joined to; falling asleep stops it.
     void SetAwake(bool flag);
     bool IsAwake() const { return m_data.IsAwake(); } ///< whether it does not sleep
-    /// An inactive body takes no part in collision or dynamics.
+    /// An inactive body takes no part in collision or dynamics. While the world is locked it
+    /// asserts and changes nothing.
     void SetActive(bool flag);
     bool IsActive() const { return m_data.IsActive(); } ///< see SetActive
     /// Whether it never turns; a change stops its rotation.

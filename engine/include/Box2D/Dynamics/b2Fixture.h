@@ -18,8 +18,8 @@ struct FixtureAccess;
 /// Which fixtures collide with which.
 struct b2Filter
 {
-    uint16 categoryBits = 0x0001; ///< what it is, normally one bit
-    uint16 maskBits = 0xFFFF;     ///< the categories it collides with
+    uint16 categoryBits = 0x0001; ///< what it is, normally one bit; any
+    uint16 maskBits = 0xFFFF;     ///< the categories it collides with; any
     int16 groupIndex = 0; ///< same group: always (positive) or never (negative); 0: no group
 };
 
@@ -28,9 +28,9 @@ struct b2FixtureDef
 {
     const b2Shape* shape = nullptr; ///< must be set
     void* userData = nullptr;       ///< anything of the program's
-    float32 friction = 0.2f;        ///< usually 0 to 1
-    float32 restitution = 0.0f;     ///< usually 0 to 1
-    float32 density = 0.0f;         ///< mass of a unit of area [kg/m^2], >= 0
+    float32 friction = 0.2f;        ///< finite, >= 0, usually 0 to 1
+    float32 restitution = 0.0f;     ///< finite, >= 0, usually 0 to 1
+    float32 density = 0.0f;         ///< mass of a unit of area [kg/m^2], finite, >= 0
     bool isSensor = false;          ///< notices contacts without responding
     b2Filter filter;                ///< what it collides with
 };
@@ -72,27 +72,30 @@ public:
     void* GetUserData() const { return m_userData; }    ///< what was set
     void SetUserData(void* data) { m_userData = data; } ///< anything of the program's
 
-    /// A world point inside the shape?
+    /// Is the world point [m] inside the shape?
     bool TestPoint(const b2Vec2& p) const;
-    /// Where a ray of the world first meets a child of the shape.
+    /// Where a ray of the world first meets a child of the shape, 0 <= childIndex < its
+    /// GetChildCount(). False, and `output` is as it was: nowhere.
     bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, int32 childIndex) const;
-    /// Of the shape with its density, in the body's frame.
+    /// Of the shape with its density, in the body's frame. `massData` is not null.
     void GetMassData(b2MassData* massData) const { m_shape->ComputeMass(massData, m_density); }
 
-    /// Does not change the body's mass: call b2Body::ResetMassData.
+    /// Mass of a unit of area [kg/m^2], finite, >= 0; else it asserts and nothing changes. The
+    /// body's mass stays: call b2Body::ResetMassData.
     void SetDensity(float32 density);
     float32 GetDensity() const { return m_density; }   ///< mass of a unit of area [kg/m^2]
-    float32 GetFriction() const { return m_friction; } ///< usually 0 to 1
-    /// Existing contacts keep theirs.
+    float32 GetFriction() const { return m_friction; } ///< >= 0, usually 0 to 1
+    /// Finite, >= 0; else it asserts and nothing changes. Existing contacts keep theirs.
     void SetFriction(float32 friction);
-    float32 GetRestitution() const { return m_restitution; } ///< usually 0 to 1
-    /// Existing contacts keep theirs.
+    float32 GetRestitution() const { return m_restitution; } ///< >= 0, usually 0 to 1
+    /// Finite, >= 0; else it asserts and nothing changes. Existing contacts keep theirs.
     void SetRestitution(float32 restitution);
 
-    /// The box in the broad phase, larger than the shape. Of an active body only.
+    /// The box in the broad phase [m], larger than the shape. Of an active body only, and 0 <=
+    /// childIndex < the shape's GetChildCount().
     const b2AABB& GetAABB(int32 childIndex) const;
 
-    /// Writes the fixture as code to the log.
+    /// Writes the fixture as code to the log, for the body that the code calls `bodies[bodyIndex]`.
     void Dump(int32 bodyIndex);
 
 protected:
@@ -114,13 +117,13 @@ protected:
 };
 
 /// The friction of a contact from that of its fixtures: the geometric mean, so that either can make
-/// it slippery.
+/// it slippery. Both >= 0.
 inline float32 b2MixFriction(float32 friction1, float32 friction2)
 {
     return b2Sqrt(friction1 * friction2);
 }
 
-/// The restitution of a contact: the larger, so that a ball bounces on anything.
+/// The restitution of a contact: the larger, so that a ball bounces on anything. Both >= 0.
 inline float32 b2MixRestitution(float32 restitution1, float32 restitution2)
 {
     return restitution1 > restitution2 ? restitution1 : restitution2;

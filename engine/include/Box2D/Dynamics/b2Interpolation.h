@@ -49,7 +49,8 @@ private:
 class b2PosesBetween
 {
 public:
-    /// `fraction`: 0 shows what was saved, 1 the world as it is.
+    /// `fraction`: 0 shows what was saved, 1 the world as it is. Another, and a world that is
+    /// locked, asserts, and every body stays where it is.
     b2PosesBetween(b2World& world, const b2PoseRecord& before, double fraction);
     ~b2PosesBetween();
     b2PosesBetween(const b2PosesBetween&) = delete;

@@ -7,8 +7,8 @@
 /// Shares of a step, and where its time went.
 
 /// What each small step gets of a count of iterations that b2World::Step is given for the whole
-/// step, `subSteps` being what b2World::SetSubStepCount was told: an equal share, at least one. A
-/// single step gets what it is given.
+/// step, >= 0, `subSteps` being what b2World::SetSubStepCount was told, 1 to 64: an equal share, at
+/// least one. A single step gets what it is given.
 inline constexpr int32 b2IterationsOfASubStep(int32 iterations, int32 subSteps)
 {
     const int32 share = subSteps > 1 ? iterations / subSteps : iterations;

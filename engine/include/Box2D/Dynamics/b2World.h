@@ -30,7 +30,8 @@ struct SnapshotAccess;
 class b2World
 {
 public:
-    /// Empty. Gravity [m/s^2]; `doSleep`: whether bodies may fall asleep.
+    /// Empty. Gravity [m/s^2], finite: else it asserts and is 0. `doSleep`: whether bodies may fall
+    /// asleep.
     explicit b2World(const b2Vec2& gravity, bool doSleep = true);
     ~b2World();
     b2World(const b2World&) = delete;
@@ -52,7 +53,8 @@ public:
     /// they are on: while the world is locked, and of no definition. A value that is none, such as
     /// a velocity that is not finite, becomes the default of b2BodyDef.
     b2Body* CreateBody(const b2BodyDef* def);
-    /// Takes it away with its fixtures, joints and contacts. Not while the world is locked.
+    /// Takes it away with its fixtures, joints and contacts. While the world is locked, and of no
+    /// body of this world, it asserts and nothing goes.
     void DestroyBody(b2Body* body);
     /// A joint between two bodies of the world's, from a definition, which is copied. nullptr,
     /// after an assert where they are on: while the world is locked; of no definition; without two
@@ -60,7 +62,8 @@ public:
     /// range that its definition says, or not finite; and of a gear whose two joints are not
     /// revolute or prismatic or do not move two different bodies of this world.
     b2Joint* CreateJoint(const b2JointDef* def);
-    /// Takes it away; its bodies wake. Not while the world is locked.
+    /// Takes it away; its bodies wake. While the world is locked, and of no joint of this world, it
+    /// asserts and nothing goes.
     void DestroyJoint(b2Joint* joint);
 
     /// Moves time on. `timeStep` in seconds, 0 to a million, should not vary; 8 and 3 are good
@@ -72,11 +75,14 @@ public:
     /// Calls the registered b2Draw for what its flags ask for.
     void DrawDebugData();
 
-    /// Every fixture whose broad-phase box overlaps `aabb`, in no particular order.
+    /// Every fixture whose broad-phase box overlaps `aabb` [m], in no particular order. The bounds
+    /// are finite and in order: of others the answer means nothing. No callback asserts, and
+    /// nothing is done.
     void QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const;
     /// As QueryAABB.
     void Query(b2QueryCallback* callback, const b2AABB& aabb) const { QueryAABB(callback, aabb); }
-    /// Every fixture that the ray from point1 to point2 [m] meets, in no particular order.
+    /// Every fixture that the ray from point1 to point2 [m], both finite, meets, in no particular
+    /// order. No callback asserts, and nothing is done.
     void RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b2Vec2& point2) const;
 
     /// The newest body, from which b2Body::GetNext leads to all others; nullptr: there is none.
@@ -128,24 +134,28 @@ public:
     int32 GetBodyCount() const;     ///< how many bodies there are
     int32 GetJointCount() const;    ///< how many joints there are
     int32 GetContactCount() const;  ///< how many contacts there are, touching or not
-    int32 GetTreeHeight() const;    ///< of the broad phase's largest tree
+    int32 GetTreeHeight() const;    ///< of the broad phase's highest tree, 0 or more
     int32 GetTreeBalance() const;   ///< as b2DynamicTree::GetMaxBalance
     float32 GetTreeQuality() const; ///< as b2DynamicTree::GetAreaRatio
 
-    void SetGravity(const b2Vec2& gravity); ///< acceleration of all dynamic bodies [m/s^2]
-    b2Vec2 GetGravity() const;              ///< acceleration of all dynamic bodies [m/s^2]
+    /// Acceleration of all dynamic bodies [m/s^2]. One that is not finite asserts and changes
+    /// nothing.
+    void SetGravity(const b2Vec2& gravity);
+    b2Vec2 GetGravity() const; ///< acceleration of all dynamic bodies [m/s^2]
     /// True while a callback may run, in a step or a query: nothing may be created or destroyed
     /// then.
     bool IsLocked() const;
     void SetAutoClearForces(bool flag); ///< whether forces last for one step only
     bool GetAutoClearForces() const;    ///< whether forces last for one step only
-    /// Moves the origin of the whole world; what was at `newOrigin` is at zero afterwards.
+    /// Moves the origin of the whole world; what was at `newOrigin` [m] is at zero afterwards.
+    /// Nothing moves, after an assert where they are on, while the world is locked and for a
+    /// coordinate beyond 1e15 m or not finite.
     void ShiftOrigin(const b2Vec2& newOrigin);
     /// Where the time of the last step went; switches measuring on.
     const b2Profile& GetProfile() const;
     /// As things stand: a copy, filled by this call.
     const b2ContactManager& GetContactManager() const;
-    /// Writes the world as code to the log.
+    /// Writes the world as code to the log; nothing while it is locked.
     void Dump();
 
 private:

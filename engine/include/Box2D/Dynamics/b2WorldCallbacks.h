@@ -38,7 +38,7 @@ struct b2ContactImpulse
 {
     float32 normalImpulses[b2_maxManifoldPoints] = {};  ///< that keep the shapes apart
     float32 tangentImpulses[b2_maxManifoldPoints] = {}; ///< of friction
-    int32 count = 0;                                    ///< of points
+    int32 count = 0;                                    ///< of points, 0 to b2_maxManifoldPoints
 };
 
 /// Told about contacts. The world is locked inside these functions: it cannot be changed from
@@ -71,7 +71,7 @@ class b2QueryCallback
 {
 public:
     virtual ~b2QueryCallback() = default;
-    /// False ends the query.
+    /// True goes on, false ends the query.
     virtual bool ReportFixture(b2Fixture* fixture) = 0;
 };
 
@@ -80,8 +80,9 @@ class b2RayCastCallback
 {
 public:
     virtual ~b2RayCastCallback() = default;
-    /// Returns how to go on: -1 ignore this fixture, 0 end, `fraction` clip the ray here, 1 go on
-    /// as if nothing had been hit.
+    /// The ray meets `fixture` at `point` [m], where the surface's unit `normal` is, after
+    /// `fraction` of its way, 0 to 1. Returns how to go on: -1 ignore this fixture, 0 end,
+    /// `fraction` clip the ray here, 1 go on as if nothing had been hit.
     virtual float32 ReportFixture(b2Fixture* fixture, const b2Vec2& point, const b2Vec2& normal,
                                   float32 fraction) = 0;
 };

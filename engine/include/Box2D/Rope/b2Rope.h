@@ -28,20 +28,23 @@ class b2Rope
 {
 public:
     /// Copies the definition and starts at rest. Lengths and angles of the given shape are those
-    /// that the rope returns to.
+    /// that the rope returns to. Without a definition, or with a number of it out of range or not
+    /// finite, it asserts and the rope is as it was.
     void Initialize(const b2RopeDef* def);
 
-    /// Moves time on [s]; nothing happens for a step of zero.
+    /// Moves time on [s], >= 0, with so many iterations, >= 0; nothing happens for a step of zero,
+    /// and, after an assert, for one that is negative or not finite.
     void Step(float32 timeStep, int32 iterations);
 
     int32 GetVertexCount() const { return static_cast<int32>(m_points.size()); } ///< of vertices
     /// GetVertexCount() world points [m].
     const b2Vec2* GetVertices() const { return m_positions.data(); }
 
-    /// A segment between every two points.
+    /// A segment between every two points. `draw` is not null.
     void Draw(b2Draw* draw) const;
 
-    /// The angle that every bend returns to [rad]; 0 is straight.
+    /// The angle that every bend returns to [rad]; 0 is straight. One that is not finite asserts
+    /// and changes nothing.
     void SetAngle(float32 angle);
 
 private:

@@ -23,17 +23,21 @@ public:
     /// Takes all vertices away, so that the chain can be made anew.
     void Clear();
 
-    /// A closed loop through at least 3 vertices; the last is connected with the first.
+    /// A closed loop through at least 3 vertices [m], finite and more than b2_linearSlop from their
+    /// neighbours; the last is connected with the first and does not repeat it. Errors as in
+    /// CreateChain.
     void CreateLoop(const b2Vec2* vertices, int32 count);
 
-    /// An open chain through at least 2 vertices. Edges must be longer than b2_linearSlop; with
-    /// asserts off, vertices that are too close to the one before are left out.
+    /// An open chain through at least 2 vertices [m], finite and more than b2_linearSlop from their
+    /// neighbours. Anything else asserts, and so does a chain that has vertices already, which go.
+    /// With asserts off, vertices that are not finite or too close to the one before are left out,
+    /// and where too few remain the chain has none.
     void CreateChain(const b2Vec2* vertices, int32 count);
 
-    /// The ghost vertex before the first, to continue another chain.
+    /// The ghost vertex before the first [m], finite, to continue another chain.
     void SetPrevVertex(const b2Vec2& prevVertex);
 
-    /// The ghost vertex after the last, to be continued by another chain.
+    /// The ghost vertex after the last [m], finite, to be continued by another chain.
     void SetNextVertex(const b2Vec2& nextVertex);
 
     b2Shape* Clone(b2BlockAllocator* allocator) const override;
@@ -41,7 +45,8 @@ public:
     /// The number of edges: one less than that of vertices, where a loop counts its first twice.
     int32 GetChildCount() const override { return m_count > 0 ? m_count - 1 : 0; }
 
-    /// The child as an edge shape with its ghost vertices.
+    /// The child as an edge shape with its ghost vertices. 0 <= index < GetChildCount(); else it
+    /// asserts, and `edge` is as it was.
     void GetChildEdge(b2EdgeShape* edge, int32 index) const;
 
     bool TestPoint(const b2Transform& transform, const b2Vec2& p) const override;

@@ -14,7 +14,8 @@ class b2EdgeShape final : public b2Shape
 public:
     b2EdgeShape() : b2Shape(e_edge, b2_polygonRadius) {}
 
-    /// An edge by itself, without ghost vertices.
+    /// An edge by itself, without ghost vertices, between two points [m], finite and within 1e15 of
+    /// zero: b2Body::CreateFixture refuses others.
     void Set(const b2Vec2& v1, const b2Vec2& v2);
 
     b2Shape* Clone(b2BlockAllocator* allocator) const override;

@@ -17,19 +17,22 @@ public:
     b2Shape* Clone(b2BlockAllocator* allocator) const override;
     int32 GetChildCount() const override { return 1; } ///< always 1
 
-    /// Becomes the convex hull of the points, in whatever order they come. Points closer to
-    /// another than b2_linearSlop and points on the line between their neighbours are left out.
-    /// Points that WhyNotConvex objects to are a mistake; with asserts off, the box around them
-    /// takes their place.
+    /// Becomes the convex hull of the points [m], 3 to b2_maxPolygonVertices of them, finite, in
+    /// whatever order they come. Points closer to another than b2_linearSlop and points on the line
+    /// between their neighbours are left out. Points that WhyNotConvex objects to assert; with
+    /// asserts off, the box around them takes their place.
     void Set(const b2Vec2* points, int32 count);
 
     /// What keeps these points from making a polygon, as a sentence; null when nothing does.
     static const char* WhyNotConvex(const b2Vec2* points, int32 count);
 
-    /// A box about the origin, of half-width hx and half-height hy [m].
+    /// A box about the origin, of half-width hx and half-height hy [m], both finite and > 0; else
+    /// it asserts, and with asserts off a negative one loses its sign and any other is
+    /// b2_linearSlop.
     void SetAsBox(float32 hx, float32 hy);
 
-    /// A box about a centre [m], turned by an angle [rad].
+    /// A box about a centre [m], turned by an angle [rad], both finite: else it asserts and they
+    /// are 0.
     void SetAsBox(float32 hx, float32 hy, const b2Vec2& center, float32 angle);
 
     bool TestPoint(const b2Transform& transform, const b2Vec2& p) const override;

@@ -8,7 +8,7 @@
 /// @file
 /// What all shapes have in common.
 
-/// Mass, centre and rotational inertia of a shape.
+/// Mass, centre and rotational inertia of a shape. All finite, mass and inertia not negative.
 struct b2MassData
 {
     float32 mass = 0.0f; ///< of the shape's area [kg]
@@ -41,22 +41,23 @@ public:
 
     virtual int32 GetChildCount() const = 0; ///< 0 or more; 1 for all but chains
 
-    /// Is the world point p inside? Edges and chains have no inside: always false.
+    /// Is the world point p [m] inside? Edges and chains have no inside: always false.
     virtual bool TestPoint(const b2Transform& xf, const b2Vec2& p) const = 0;
 
-    /// Where a ray first meets the child. A ray that starts inside does not hit.
+    /// Where a ray first meets the child, 0 <= childIndex < GetChildCount(). False, and `output` is
+    /// as it was: nowhere. A ray that starts inside does not hit.
     virtual bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
                          const b2Transform& transform, int32 childIndex) const = 0;
 
-    /// The box around the child, its radius included.
+    /// The box around the child [m], its radius included; 0 <= childIndex < GetChildCount().
     virtual void ComputeAABB(b2AABB* aabb, const b2Transform& xf, int32 childIndex) const = 0;
 
-    /// Mass data for a density [kg/m^2]. Edges and chains have no mass. The skin of a polygon does
-    /// not count.
+    /// Mass data for a density [kg/m^2], >= 0. Edges and chains have no mass. The skin of a polygon
+    /// does not count.
     virtual void ComputeMass(b2MassData* massData, float32 density) const = 0;
 
     Type m_type;      ///< which class it is
-    float32 m_radius; ///< of a circle, or the skin around anything else [m]
+    float32 m_radius; ///< of a circle, or the skin around anything else [m], >= 0
 
 protected:
     b2Shape(Type type, float32 radius) : m_type(type), m_radius(radius) {}

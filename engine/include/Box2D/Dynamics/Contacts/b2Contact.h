@@ -20,7 +20,8 @@ public:
     /// In the frames of the bodies; see b2WorldManifold.
     b2Manifold* GetManifold() { return &m_data.manifold; }
     const b2Manifold* GetManifold() const { return &m_data.manifold; } ///< the same, to be read
-    /// In the world, at the bodies' present transforms.
+    /// In the world, at the bodies' present transforms; untouched when there are no points.
+    /// `worldManifold` is not null.
     void GetWorldManifold(b2WorldManifold* worldManifold) const;
 
     bool IsTouching() const { return m_data.IsTouching(); } ///< whether the shapes overlap
@@ -38,21 +39,22 @@ public:
     int32 GetChildIndexA() const { return m_data.childA; }           ///< of the first shape, from 0
     int32 GetChildIndexB() const { return m_data.childB; } ///< of the second shape, from 0
 
-    /// Overrides the mixed friction until reset.
+    /// Overrides the mixed friction until reset. Finite, >= 0; else it asserts and nothing changes.
     void SetFriction(float32 friction);
     float32 GetFriction() const { return m_data.friction; } ///< mixed or set, >= 0
     /// To the mixture of the fixtures' values.
     void ResetFriction();
-    /// Overrides the mixed restitution until reset.
+    /// Overrides the mixed restitution until reset. Finite, >= 0; else it asserts and nothing
+    /// changes.
     void SetRestitution(float32 restitution);
     float32 GetRestitution() const { return m_data.restitution; } ///< mixed or set, >= 0
     /// To the mixture of the fixtures' values.
     void ResetRestitution();
-    /// The surface speed of a conveyor belt [m/s].
+    /// The surface speed of a conveyor belt [m/s], finite; else it asserts and nothing changes.
     void SetTangentSpeed(float32 speed);
     float32 GetTangentSpeed() const { return m_data.tangentSpeed; } ///< of a conveyor belt [m/s]
 
-    /// The manifold of the two shapes at the given transforms.
+    /// The manifold of the two shapes at the given transforms, finite. `manifold` is not null.
     void Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB);
 
 private:

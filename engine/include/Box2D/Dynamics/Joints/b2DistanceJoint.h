@@ -10,14 +10,15 @@
 struct b2DistanceJointDef : public b2JointDef
 {
     b2DistanceJointDef() { type = e_distanceJoint; }
-    /// From world points at the bodies' present transforms; the length is theirs.
+    /// From world points [m] at the bodies' present transforms; the length is theirs.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchorA, const b2Vec2& anchorB);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 length = 1.0f;       ///< at rest, between the anchors [m]; not shorter than the slop
-    float32 frequencyHz = 0.0f;  ///< of the spring; 0: rigid. Less than half the step rate
-    float32 dampingRatio = 0.0f; ///< of the spring; 0: none, 1: critical
+    float32 length = 1.0f; ///< at rest, between the anchors [m]; not shorter than the slop
+    /// Of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
+    float32 frequencyHz = 0.0f;
+    float32 dampingRatio = 0.0f; ///< of the spring, >= 0; 0: none, 1: critical
 };
 
 /// Keeps two anchors at a length, rigid or as a spring.
@@ -35,10 +36,11 @@ public:
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
     void SetLength(float32 length); ///< at rest, between the anchors [m]; not shorter than the slop
     float32 GetLength() const { return m_length; } ///< at rest, between the anchors [m]
-    void SetFrequency(float32 hz); ///< of the spring [Hz], less than half the step rate; 0: rigid
+    /// Of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
+    void SetFrequency(float32 hz);
     float32 GetFrequency() const { return m_frequencyHz; } ///< of the spring [Hz]; 0: rigid
-    void SetDampingRatio(float32 ratio);                   ///< of the spring; 0: none, 1: critical
-    /// Of the spring; 0: none, 1: critical.
+    void SetDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
+    /// Of the spring, >= 0; 0: none, 1: critical.
     float32 GetDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 

@@ -11,13 +11,13 @@
 struct b2FrictionJointDef : public b2JointDef
 {
     b2FrictionJointDef() { type = e_frictionJoint; }
-    /// From a world point at the bodies' present transforms.
+    /// From a world point [m] at the bodies' present transforms.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 maxForce = 0.0f;                  ///< the most it pulls or pushes with [N]
-    float32 maxTorque = 0.0f;                 ///< the most it turns with [N m]
+    float32 maxForce = 0.0f;                  ///< the most it pulls or pushes with [N], >= 0
+    float32 maxTorque = 0.0f;                 ///< the most it turns with [N m], >= 0
 };
 
 /// Slows body B down relative to body A, as a surface does that both lie on.
@@ -34,9 +34,10 @@ public:
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
     void SetMaxForce(float32 force); ///< the most it pulls or pushes with [N], >= 0
-    float32 GetMaxForce() const { return m_maxForce; }   ///< the most it pulls or pushes with [N]
+    /// The most it pulls or pushes with [N], >= 0.
+    float32 GetMaxForce() const { return m_maxForce; }
     void SetMaxTorque(float32 torque);                   ///< the most it turns with [N m], >= 0
-    float32 GetMaxTorque() const { return m_maxTorque; } ///< the most it turns with [N m]
+    float32 GetMaxTorque() const { return m_maxTorque; } ///< the most it turns with [N m], >= 0
     void Dump() override;
 
 protected:

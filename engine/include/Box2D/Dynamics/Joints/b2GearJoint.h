@@ -15,8 +15,8 @@ struct b2GearJointDef : public b2JointDef
 
     b2Joint* joint1 = nullptr; ///< revolute or prismatic
     b2Joint* joint2 = nullptr; ///< revolute or prismatic
-    float32 ratio = 1.0f; ///< may be negative; with one joint of each kind it has the unit of a
-                          ///< length or its inverse
+    float32 ratio = 1.0f; ///< finite, may be negative; with one joint of each kind it has the unit
+                          ///< of a length or its inverse
 };
 
 /// Couples two joints: one moves as the other does, times a ratio.
@@ -32,7 +32,7 @@ public:
 
     b2Joint* GetJoint1() { return m_joint1; } ///< revolute or prismatic
     b2Joint* GetJoint2() { return m_joint2; } ///< revolute or prismatic
-    void SetRatio(float32 ratio); ///< may be negative; its unit is that of the definition
+    void SetRatio(float32 ratio); ///< finite, may be negative; its unit is that of the definition
     float32 GetRatio() const { return m_ratio; } ///< as it was set
     void Dump() override;
 

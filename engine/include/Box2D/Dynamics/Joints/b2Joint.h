@@ -53,7 +53,10 @@ struct b2JointEdge
     b2JointEdge* next = nullptr; ///< of the body's list; nullptr: this is its last
 };
 
-/// The base of every joint's definition.
+/// The base of every joint's definition. Anchors and lengths [m] are within 1e15 of zero, limits
+/// that are on in order, frequencies, damping ratios and largest forces not negative, and all
+/// numbers finite but the largest forces, which may be infinite: b2World::CreateJoint refuses
+/// others. The bodies that an Initialize is given are not null.
 struct b2JointDef
 {
     b2JointType type = e_unknownJoint; ///< set by the derived definition
@@ -64,7 +67,9 @@ struct b2JointDef
 };
 
 /// Constrains two bodies to each other. Created by b2World::CreateJoint, destroyed by
-/// b2World::DestroyJoint or with one of its bodies.
+/// b2World::DestroyJoint or with one of its bodies. A number that a setter is given and that
+/// b2JointDef's range leaves out asserts and changes nothing; a change wakes the bodies, but for a
+/// gear's ratio and a mouse joint's spring and force.
 class b2Joint
 {
 public:
@@ -76,13 +81,13 @@ public:
     virtual b2Vec2 GetAnchorA() const = 0;             ///< where it holds body A, in the world [m]
     virtual b2Vec2 GetAnchorB() const = 0;             ///< where it holds body B, in the world [m]
 
-    /// On body B at its anchor [N]; `inv_dt` is one over the time step.
+    /// On body B at its anchor [N]; `inv_dt` is one over the time step [1/s], >= 0.
     virtual b2Vec2 GetReactionForce(float32 inv_dt) const = 0;
-    /// On body B [N m].
+    /// On body B [N m], anticlockwise; `inv_dt` as above.
     virtual float32 GetReactionTorque(float32 inv_dt) const = 0;
-    /// For the length of the last step.
+    /// For the length of the last step [N]; 0 before the first.
     b2Vec2 GetReactionForce() const;
-    float32 GetReactionTorque() const; ///< of the last step, on body B [N m]
+    float32 GetReactionTorque() const; ///< of the last step, on body B [N m]; 0 before the first
 
     b2Joint* GetNext() { return m_next; } ///< of the world's list; nullptr: this is the last
     /// Of the world's list; nullptr: this is the last.
@@ -96,7 +101,7 @@ public:
 
     /// Writes the joint as code to the log.
     virtual void Dump();
-    /// Moves points that the joint keeps in world coordinates.
+    /// Moves points that the joint keeps in world coordinates [m]: b2World::ShiftOrigin calls it.
     virtual void ShiftOrigin(const b2Vec2& newOrigin) { (void)newOrigin; }
 
 protected:

@@ -16,8 +16,8 @@ struct b2MotorJointDef : public b2JointDef
 
     b2Vec2 linearOffset = b2Vec2(0.0f, 0.0f); ///< body B's origin in body A's frame [m]
     float32 angularOffset = 0.0f;             ///< body B's angle minus body A's [rad]
-    float32 maxForce = 1.0f;                  ///< the most it pulls or pushes with [N]
-    float32 maxTorque = 1.0f;                 ///< the most it turns with [N m]
+    float32 maxForce = 1.0f;                  ///< the most it pulls or pushes with [N], >= 0
+    float32 maxTorque = 1.0f;                 ///< the most it turns with [N m], >= 0
     float32 correctionFactor = 0.3f;          ///< share of the error made good in a step, 0 to 1
 };
 
@@ -39,9 +39,10 @@ public:
     /// Body B's angle minus body A's [rad].
     float32 GetAngularOffset() const { return m_angularOffset; }
     void SetMaxForce(float32 force); ///< the most it pulls or pushes with [N], >= 0
-    float32 GetMaxForce() const { return m_maxForce; }   ///< the most it pulls or pushes with [N]
+    /// The most it pulls or pushes with [N], >= 0.
+    float32 GetMaxForce() const { return m_maxForce; }
     void SetMaxTorque(float32 torque);                   ///< the most it turns with [N m], >= 0
-    float32 GetMaxTorque() const { return m_maxTorque; } ///< the most it turns with [N m]
+    float32 GetMaxTorque() const { return m_maxTorque; } ///< the most it turns with [N m], >= 0
     void SetCorrectionFactor(float32 factor); ///< share of the error made good in a step, 0 to 1
     /// Share of the error made good in a step, 0 to 1.
     float32 GetCorrectionFactor() const { return m_correctionFactor; }

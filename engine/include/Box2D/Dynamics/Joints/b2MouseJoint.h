@@ -14,10 +14,10 @@ struct b2MouseJointDef : public b2JointDef
 
     b2Vec2 target =
         b2Vec2(0.0f, 0.0f); ///< world point [m]; at first also that of body B that is pulled
-    /// The most it pulls or pushes with [N]; usually some multiple of the body's weight.
+    /// The most it pulls or pushes with [N], >= 0; usually some multiple of the body's weight.
     float32 maxForce = 0.0f;
     float32 frequencyHz = 5.0f;  ///< of the spring [Hz], > 0
-    float32 dampingRatio = 0.7f; ///< of the spring; 0: none, 1: critical
+    float32 dampingRatio = 0.7f; ///< of the spring, >= 0; 0: none, 1: critical
 };
 
 /// Pulls a point of body B to a target in the world, softly.
@@ -34,11 +34,12 @@ public:
     void SetTarget(const b2Vec2& target);                ///< where it pulls to, in the world [m]
     const b2Vec2& GetTarget() const { return m_target; } ///< where it pulls to [m]
     void SetMaxForce(float32 force); ///< the most it pulls or pushes with [N], >= 0
-    float32 GetMaxForce() const { return m_maxForce; }     ///< the most it pulls or pushes with [N]
+    /// The most it pulls or pushes with [N], >= 0.
+    float32 GetMaxForce() const { return m_maxForce; }
     void SetFrequency(float32 hz);                         ///< of the spring [Hz], > 0
     float32 GetFrequency() const { return m_frequencyHz; } ///< of the spring [Hz]
-    void SetDampingRatio(float32 ratio);                   ///< of the spring; 0: none, 1: critical
-    /// Of the spring; 0: none, 1: critical.
+    void SetDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
+    /// Of the spring, >= 0; 0: none, 1: critical.
     float32 GetDampingRatio() const { return m_dampingRatio; }
     void ShiftOrigin(const b2Vec2& newOrigin) override;
     void Dump() override;

@@ -11,20 +11,20 @@
 struct b2PrismaticJointDef : public b2JointDef
 {
     b2PrismaticJointDef() { type = e_prismaticJoint; }
-    /// From a world point and a unit world axis at the bodies' present transforms; the translation
-    /// is zero there.
+    /// From a world point [m] and a unit world axis at the bodies' present transforms; the
+    /// translation is zero there.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor, const b2Vec2& axis);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
+    b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame, not 0
     float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
     bool enableLimit = false;                 ///< whether the limits hold
     float32 lowerTranslation = 0.0f;          ///< of the limit [m]
     float32 upperTranslation = 0.0f;          ///< of the limit [m], >= lowerTranslation
     bool enableMotor = false;                 ///< whether the motor runs
-    float32 maxMotorForce = 0.0f;             ///< the most the motor pushes with [N]
-    float32 motorSpeed = 0.0f;                ///< that the motor wants [m/s]
+    float32 maxMotorForce = 0.0f;             ///< the most the motor pushes with [N], >= 0
+    float32 motorSpeed = 0.0f;                ///< that the motor wants [m/s], finite
 };
 
 /// Lets body B slide along an axis of body A, and not turn.
@@ -54,15 +54,15 @@ public:
 
     bool IsMotorEnabled() const { return m_enableMotor; }  ///< whether the motor runs
     void EnableMotor(bool flag);                           ///< whether the motor runs
-    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [m/s]
-    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [m/s]
+    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [m/s], finite
+    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [m/s], finite
     void SetMaxMotorForce(float32 force); ///< the most the motor pushes with [N], >= 0
     void SetMotorForce(float32 force) { SetMaxMotorForce(force); } ///< as SetMaxMotorForce
     /// The most the motor pushes with [N].
     float32 GetMaxMotorForce() const { return m_maxMotorForce; }
-    /// What the motor did in a step of 1/inv_dt seconds [N].
+    /// What the motor did in a step of 1/inv_dt seconds [N]; inv_dt >= 0.
     float32 GetMotorForce(float32 inv_dt) const;
-    float32 GetMotorForce() const; ///< for the length of the last step
+    float32 GetMotorForce() const; ///< for the length of the last step, as above
     void Dump() override;
 
 protected:

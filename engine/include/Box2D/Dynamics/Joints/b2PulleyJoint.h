@@ -20,7 +20,7 @@ struct b2PulleyJointDef : public b2JointDef
         type = e_pulleyJoint;
         collideConnected = true;
     }
-    /// From world points at the bodies' present transforms; the lengths are theirs.
+    /// From world points [m] at the bodies' present transforms; the lengths are theirs.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& groundAnchorA,
                     const b2Vec2& groundAnchorB, const b2Vec2& anchorA, const b2Vec2& anchorB,
                     float32 ratio);
@@ -29,8 +29,8 @@ struct b2PulleyJointDef : public b2JointDef
     b2Vec2 groundAnchorB = b2Vec2(1.0f, 1.0f);  ///< where the rope to B runs down [m]
     b2Vec2 localAnchorA = b2Vec2(-1.0f, 0.0f);  ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(1.0f, 0.0f);   ///< in body B's frame [m]
-    float32 lengthA = 0.0f;                     ///< of the rope on A's side [m]
-    float32 lengthB = 0.0f;                     ///< of the rope on B's side [m]
+    float32 lengthA = 0.0f;                     ///< of the rope on A's side [m], >= 0
+    float32 lengthB = 0.0f;                     ///< of the rope on B's side [m], >= 0
     float32 ratio = 1.0f;                       ///< what B's length counts against A's, > 0
 };
 

@@ -10,7 +10,7 @@
 struct b2RevoluteJointDef : public b2JointDef
 {
     b2RevoluteJointDef() { type = e_revoluteJoint; }
-    /// From a world point at the bodies' present transforms; the joint angle is zero there.
+    /// From a world point [m] at the bodies' present transforms; the joint angle is zero there.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
@@ -21,8 +21,8 @@ struct b2RevoluteJointDef : public b2JointDef
     float32 lowerAngle = 0.0f;     ///< of the limit [rad]
     float32 upperAngle = 0.0f;     ///< of the limit [rad], >= lowerAngle
     bool enableMotor = false;      ///< whether the motor runs
-    float32 motorSpeed = 0.0f;     ///< that the motor wants [rad/s]
-    float32 maxMotorTorque = 0.0f; ///< the most the motor turns with [N m]
+    float32 motorSpeed = 0.0f;     ///< that the motor wants [rad/s], finite
+    float32 maxMotorTorque = 0.0f; ///< the most the motor turns with [N m], >= 0
 };
 
 /// A hinge: both bodies share a point and turn about it.
@@ -52,14 +52,14 @@ public:
 
     bool IsMotorEnabled() const { return m_enableMotor; }  ///< whether the motor runs
     void EnableMotor(bool flag);                           ///< whether the motor runs
-    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [rad/s]
-    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [rad/s]
+    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [rad/s], finite
+    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [rad/s], finite
     void SetMaxMotorTorque(float32 torque); ///< the most the motor turns with [N m], >= 0
     /// The most the motor turns with [N m].
     float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
-    /// What the motor did in a step of 1/inv_dt seconds [N m].
+    /// What the motor did in a step of 1/inv_dt seconds [N m]; inv_dt >= 0.
     float32 GetMotorTorque(float32 inv_dt) const;
-    float32 GetMotorTorque() const; ///< for the length of the last step
+    float32 GetMotorTorque() const; ///< for the length of the last step, as above
     void Dump() override;
 
 protected:

@@ -11,14 +11,14 @@
 struct b2WeldJointDef : public b2JointDef
 {
     b2WeldJointDef() { type = e_weldJoint; }
-    /// From a world point at the bodies' present transforms.
+    /// From a world point [m] at the bodies' present transforms.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
-    float32 frequencyHz = 0.0f;               ///< of the spring against turning; 0: rigid
-    float32 dampingRatio = 0.0f;              ///< of the spring; 0: none, 1: critical
+    float32 frequencyHz = 0.0f;  ///< of the spring against turning [Hz], >= 0; 0: rigid
+    float32 dampingRatio = 0.0f; ///< of the spring, >= 0; 0: none, 1: critical
 };
 
 /// Glues two bodies together; the angle can be a spring.
@@ -36,10 +36,10 @@ public:
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
     /// Body B's angle minus body A's where the joint is at rest [rad].
     float32 GetReferenceAngle() const { return m_referenceAngle; }
-    void SetFrequency(float32 hz);                         ///< of the angle's spring [Hz]; 0: rigid
+    void SetFrequency(float32 hz); ///< of the angle's spring [Hz], >= 0; 0: rigid
     float32 GetFrequency() const { return m_frequencyHz; } ///< of the angle's spring [Hz]; 0: rigid
-    void SetDampingRatio(float32 ratio);                   ///< of the spring; 0: none, 1: critical
-    /// Of the spring; 0: none, 1: critical.
+    void SetDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
+    /// Of the spring, >= 0; 0: none, 1: critical.
     float32 GetDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 

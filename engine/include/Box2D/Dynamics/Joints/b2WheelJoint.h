@@ -11,17 +11,17 @@
 struct b2WheelJointDef : public b2JointDef
 {
     b2WheelJointDef() { type = e_wheelJoint; }
-    /// From a world point and a unit world axis at the bodies' present transforms.
+    /// From a world point [m] and a unit world axis at the bodies' present transforms.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor, const b2Vec2& axis);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame
+    b2Vec2 localAxisA = b2Vec2(1.0f, 0.0f);   ///< unit vector in body A's frame, not 0
     bool enableMotor = false;                 ///< whether the motor runs
-    float32 maxMotorTorque = 0.0f;            ///< the most the motor turns with [N m]
-    float32 motorSpeed = 0.0f;                ///< that the motor wants [rad/s]
-    float32 frequencyHz = 2.0f;               ///< of the suspension; 0: none
-    float32 dampingRatio = 0.7f;              ///< of the spring; 0: none, 1: critical
+    float32 maxMotorTorque = 0.0f;            ///< the most the motor turns with [N m], >= 0
+    float32 motorSpeed = 0.0f;                ///< that the motor wants [rad/s], finite
+    float32 frequencyHz = 2.0f;               ///< of the suspension [Hz], >= 0; 0: none
+    float32 dampingRatio = 0.7f;              ///< of the spring, >= 0; 0: none, 1: critical
 };
 
 /// A wheel with its suspension: body B turns freely and springs along an axis of body A.
@@ -43,19 +43,19 @@ public:
 
     bool IsMotorEnabled() const { return m_enableMotor; }  ///< whether the motor runs
     void EnableMotor(bool flag);                           ///< whether the motor runs
-    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [rad/s]
-    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [rad/s]
+    void SetMotorSpeed(float32 speed);                     ///< that the motor wants [rad/s], finite
+    float32 GetMotorSpeed() const { return m_motorSpeed; } ///< that the motor wants [rad/s], finite
     void SetMaxMotorTorque(float32 torque); ///< the most the motor turns with [N m], >= 0
     /// The most the motor turns with [N m].
     float32 GetMaxMotorTorque() const { return m_maxMotorTorque; }
-    /// What the motor did in a step of 1/inv_dt seconds [N m].
+    /// What the motor did in a step of 1/inv_dt seconds [N m]; inv_dt >= 0.
     float32 GetMotorTorque(float32 inv_dt) const;
-    float32 GetMotorTorque() const;        ///< for the length of the last step
+    float32 GetMotorTorque() const;        ///< for the length of the last step, as above
     void SetSpringFrequencyHz(float32 hz); ///< of the suspension [Hz], >= 0; 0: none
     /// Of the suspension [Hz]; 0: none.
     float32 GetSpringFrequencyHz() const { return m_frequencyHz; }
-    void SetSpringDampingRatio(float32 ratio); ///< of the spring; 0: none, 1: critical
-    /// Of the spring; 0: none, 1: critical.
+    void SetSpringDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
+    /// Of the spring, >= 0; 0: none, 1: critical.
     float32 GetSpringDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 
