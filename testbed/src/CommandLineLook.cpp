@@ -13,17 +13,6 @@ Error Refusal(const std::string& option, const std::string& text, const std::str
     return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
 }
 
-/// "classic, okabe-ito, …".
-std::string Listed(const std::vector<std::string>& words)
-{
-    std::string list;
-    for (const std::string& word : words)
-    {
-        list.append(list.empty() ? "" : ", ").append(word);
-    }
-    return list;
-}
-
 /// A theme's name, or "both" where `bothThemes` may say so.
 void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
 {
@@ -39,7 +28,7 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
             if (bothThemes == nullptr)
             {
                 Refuse(Refusal("--theme", text,
-                               "a film has one theme; give classic, okabe-ito, print or dark")
+                               "a film has one theme; give one of " + ListedWords(names))
                            .message);
             }
             *bothThemes = true;
@@ -51,7 +40,7 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
         }
         look.theme = *theme;
     };
-    CLI::Option* option = AddText(command, "--theme", read, Listed(names) + " (classic)");
+    CLI::Option* option = AddText(command, "--theme", read, ListedWords(names) + " (classic)");
     Completes(option->type_name("NAME")->group("Picture"), {Completion::Kind::Words, names});
 }
 

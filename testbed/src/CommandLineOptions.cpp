@@ -65,6 +65,16 @@ CLI::Option* AddTexts(CLI::App& command, const std::string& names,
     return command.add_option_function<std::vector<std::string>>(names, read, help);
 }
 
+std::string ListedWords(const std::vector<std::string>& words)
+{
+    std::string list;
+    for (const std::string& word : words)
+    {
+        list.append(list.empty() ? "" : ", ").append(word);
+    }
+    return list;
+}
+
 void Refuse(const std::string& message)
 {
     throw CLI::ValidationError(message);
@@ -109,7 +119,7 @@ CLI::Option* AddBackend(CLI::App& command, Backend& backend)
 {
     CLI::Option* option =
         AddValue(command, "--backend", "NAME", backend, ParseBackend,
-                 "osmesa, egl, egl-gpu, auto (auto: $BOXREEL_BACKEND, or what works)");
+                 ListedWords(BackendNames()) + " (auto: $BOXREEL_BACKEND, or what works)");
     return Completes(option, {Completion::Kind::Words, BackendNames()});
 }
 

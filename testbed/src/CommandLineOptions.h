@@ -135,6 +135,8 @@ CLI::Option* AddText(CLI::App& command, const std::string& names,
 CLI::Option* AddTexts(CLI::App& command, const std::string& names,
                       const std::function<void(const std::vector<std::string>&)>& read,
                       const std::string& help);
+/// "classic, okabe-ito, …": for a help and for a remedy.
+std::string ListedWords(const std::vector<std::string>& words);
 /// Becomes the parser's error: for the functions that read.
 [[noreturn]] void Refuse(const std::string& message);
 

@@ -29,8 +29,8 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
         }
         ui.theme = text;
     };
-    CLI::Option* theme = AddText(*command, "--theme", readTheme,
-                                 "classic, okabe-ito, print, dark (as it was; classic)");
+    CLI::Option* theme =
+        AddText(*command, "--theme", readTheme, ListedWords(themes) + " (as it was; classic)");
     Completes(theme->type_name("NAME"), {Completion::Kind::Words, themes});
     AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Of the scene's random numbers (1)");

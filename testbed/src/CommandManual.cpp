@@ -27,8 +27,8 @@ constexpr Entry kExitCodes[] = {
 };
 
 constexpr Entry kVariables[] = {
-    {"BOXREEL_BACKEND", "What draws where --backend is not given, or is auto: osmesa, egl, egl-gpu "
-                        "or auto."},
+    {"BOXREEL_BACKEND", "What draws where --backend is not given, or is auto: one of the names "
+                        "that it takes."},
     {"NO_COLOR", "Set to anything, no colours are used. They are used on terminals only."},
     {"TERM", "When it is dumb or not set, no colours are used either."},
     {"BOXREEL_PEERS", "The folder with the programs that `boxreel bench --golden` compares with."},

@@ -137,12 +137,12 @@ protected:
 
 TEST_F(CompletionCommand, BashOffersEveryCommandAndOption)
 {
-    const CommandText program = DescribeProgram();
-    const std::vector<const CommandText*> commands = AllCommands(program);
+    const CommandText described = DescribeProgram();
+    const std::vector<const CommandText*> commands = AllCommands(described);
     std::vector<std::string> lines;
     for (const CommandText* command : commands)
     {
-        const std::string words = command->path.substr(program.path.size());
+        const std::string words = command->path.substr(described.path.size());
         lines.push_back(words + " --");
         lines.push_back(words + " ''");
     }

@@ -2,6 +2,7 @@
 // `boxreel shot` as SVG, PDF and PNG, in all themes, at any scale.
 #include "Subprocess.h"
 
+#include <debugdraw/Theme.h>
 #include <render/Png.h>
 
 #include <gmock/gmock.h>
@@ -18,6 +19,17 @@ namespace
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+
+/// As help and refusals list them.
+std::string Themes()
+{
+    std::string names;
+    for (const std::string_view name : ThemeNames())
+    {
+        names.append(names.empty() ? "" : ", ").append(name);
+    }
+    return names;
+}
 
 class FigureCommand : public testing::Test
 {
@@ -253,7 +265,7 @@ TEST_F(FigureCommand, WhatCannotBeIsRefusedBeforeAnythingIsSimulated)
         ExpectRefusal(shot("a.svg", {"--scale", scale}), 1, "from 0.1 to 16");
     }
     ExpectRefusal(shot("a.png", {"--scale", "8"}), 1, "10240x5760");
-    ExpectRefusal(shot("a.svg", {"--theme", "neon"}), 1, "classic, okabe-ito, print, dark, both");
+    ExpectRefusal(shot("a.svg", {"--theme", "neon"}), 1, Themes() + ", both");
     ExpectRefusal(shot("a.svg", {"--hud"}), 1, "--hud");
     ExpectRefusal(shot("a.jpg", {}), 1, ".svg");
     ExpectRefusal(shot("none/a.pdf", {}), 1, "none");
@@ -261,9 +273,9 @@ TEST_F(FigureCommand, WhatCannotBeIsRefusedBeforeAnythingIsSimulated)
     std::filesystem::create_directory(folder / "a.pdf");
     ExpectRefusal(shot("a.pdf", {}), 1, "folder");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--frames", "10000000", "--theme", "both"},
-                  1, "a film has one theme");
+                  1, "a film has one theme; give one of " + Themes() + ".");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--frames", "10000000", "--theme", "neon"},
-                  1, "classic, okabe-ito, print, dark.");
+                  1, Themes() + ".");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--scale", "2"}, 1, "--scale");
 }
 

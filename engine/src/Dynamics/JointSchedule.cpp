@@ -149,7 +149,12 @@ void JointSchedule::SortInto(const Array<b2Joint*>& joints)
 void JointSchedule::AddLevel(b2Joint* const* begin, b2Joint* const* end)
 {
     m_levels.push_back(int32(m_blocks.size()));
-    for (int32 type = e_unknownJoint + 1; type <= e_motorJoint; ++type)
+    int32 last = e_unknownJoint;
+    for (b2Joint* const* joint = begin; joint != end; ++joint)
+    {
+        last = b2Max(last, int32((*joint)->GetType()));
+    }
+    for (int32 type = e_unknownJoint + 1; type <= last; ++type)
     {
         AddKind(b2JointType(type), begin, end);
     }
