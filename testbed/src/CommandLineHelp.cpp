@@ -60,7 +60,7 @@ WordText WordOf(const CLI::Option& option)
     return {.name = option.get_name(true),
             .help = option.get_description(),
             .isList = option.get_expected_max() > 1,
-            .isOptional = option.get_expected_min() == 0,
+            .isOptional = option.get_group() == kMayBeLeftOut,
             .completion = {}};
 }
 

@@ -66,6 +66,9 @@ CommandText DescribeCommands(CLI::App& program);
 /// Says what shells offer there.
 CLI::Option* Completes(CLI::Option* option, const Completion& completion);
 Completion CompletionOf(CLI::Option& option);
+/// The group of words that need not be given. (An option of the parser's that expects none takes
+/// none either, when it is a word by itself.)
+inline constexpr const char* kMayBeLeftOut = "May be left out";
 /// Of an option that is a word by itself, without what completes it.
 WordText WordOf(const CLI::Option& option);
 

@@ -8,7 +8,7 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
 {
     UiOptions& ui = parsed.ui;
     CLI::App* command = program.add_subcommand("ui", "Work at a scene in a window");
-    AddScene(*command, ui.scene)->expected(0, 1);
+    AddScene(*command, ui.scene)->group(kMayBeLeftOut);
     AddText(
         *command, "--size",
         [&ui](const std::string& text) {

@@ -89,7 +89,7 @@ private:
 /// Does what xdotool is told to; the events come one after the other.
 void Act(const std::string& what)
 {
-    EXPECT_EQ(std::system(("xdotool " + what + " >/dev/null").c_str()), 0) << what;
+    EXPECT_EQ(std::system(("timeout 60 xdotool " + what + " >/dev/null").c_str()), 0) << what;
 }
 
 /// At a place of the picture, which begins at the corner of the screen.

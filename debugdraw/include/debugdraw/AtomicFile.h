@@ -31,7 +31,7 @@ public:
     /// false, is not a regular file, lies in a folder that cannot be written, or is being written
     /// by someone else.
     static Result<AtomicFile> Create(const std::filesystem::path& path, bool overwrite);
-    /// The same, with more to say.
+    /// The same, with more to say, and the same Errors.
     static Result<AtomicFile> Create(const std::filesystem::path& path,
                                      const AtomicFileSettings& settings);
 
@@ -48,18 +48,24 @@ public:
     Result<void> Write(std::span<const std::uint8_t> bytes);
 
     /// For formats that go back to fill in what they know only at the end. Neither moves the place
-    /// where Write goes on. ReadAt gives less than was asked for at the end of the file.
+    /// where Write goes on. An Error (Failed) as of Write. `offset`: from the beginning, 0 or more
+    /// [bytes].
     Result<void> WriteAt(std::int64_t offset, std::span<const std::uint8_t> bytes);
-    /// How many bytes were read, from `offset` on [bytes].
+    /// How many bytes were read, from `offset` on [bytes]: fewer than were asked for at the end of
+    /// the file. An Error (Failed) when the disk does not give them.
     Result<std::size_t> ReadAt(std::int64_t offset, std::span<std::uint8_t> bytes) const;
 
-    /// Flushes to the disk and renames. Nothing may follow.
+    /// Flushes to the disk and renames. Nothing may follow. An Error when the disk takes less, or
+    /// when `overwrite` is false and a file of the name has come meanwhile; the name is then left
+    /// as it was.
     Result<void> Commit();
 
-    /// Flushes to the disk and leaves the part file as it is. Nothing may follow.
+    /// Flushes to the disk and leaves the part file as it is. Nothing may follow. An Error (Failed)
+    /// when the disk takes less.
     Result<void> Leave();
 
-    /// Calls the part file NAME.`mark`.EXT from now on, in place of whatever had that name.
+    /// Calls the part file NAME.`mark`.EXT from now on, in place of whatever had that name. An
+    /// Error when it cannot be renamed.
     Result<void> Mark(std::string_view mark);
 
 private:
@@ -78,7 +84,7 @@ std::filesystem::path PartPath(const std::filesystem::path& path, std::string_vi
 /// Whether some program has this part file open as an AtomicFile. False where there are no locks.
 bool IsBeingWritten(const std::filesystem::path& part);
 
-/// Create, Write and Commit in one.
+/// Create, Write and Commit in one, with their Errors.
 Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                         bool overwrite);
 /// The same for text.

@@ -26,6 +26,7 @@ public:
     /// The list must outlive it.
     explicit DrawCollector(DrawList& list) : m_list(list) {}
 
+    /// Closed, of world points [m]; of fewer than three points a line, of none nothing.
     void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override
     {
         if (vertexCount >= 3)
@@ -49,19 +50,23 @@ public:
         Convert(vertices, vertexCount);
         m_list.AddSolidPolygon(m_points.data(), m_points.size(), From(color));
     }
+    /// An outline; centre and radius [m].
     void DrawCircle(const b2Vec2& center, float radius, const b2Color& color) override
     {
         m_list.AddCircle(From(center), radius, From(color));
     }
+    /// Filled, with a line from the centre [m] along `axis`, of length 1.
     void DrawSolidCircle(const b2Vec2& center, float radius, const b2Vec2& axis,
                          const b2Color& color) override
     {
         m_list.AddSolidCircle(From(center), radius, From(axis), From(color));
     }
+    /// A line between world points [m].
     void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override
     {
         m_list.AddSegment(From(p1), From(p2), From(color));
     }
+    /// Its axes, 0.4 m each, red x and green y.
     void DrawTransform(const b2Transform& xf) override
     {
         constexpr float axisLength = 0.4f; // [m], as of our engine's frames

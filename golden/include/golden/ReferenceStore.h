@@ -90,7 +90,7 @@ public:
     Result<GoldenVerdict> Verify(const GoldenCandidate& candidate,
                                  const CompareSettings& settings = {}) const;
 
-    /// Compares as Verify does, and leaves no file.
+    /// Compares as Verify does, and leaves no file. An Error only when the name is not usable.
     Result<GoldenVerdict> Judge(const GoldenCandidate& candidate,
                                 const CompareSettings& settings = {}) const;
 

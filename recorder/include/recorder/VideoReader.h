@@ -55,7 +55,8 @@ public:
     /// What the file says.
     const VideoInfo& Info() const;
 
-    /// Reads the next frame and, when asked, its time [s]; false after the last.
+    /// Reads the next frame and, when asked, its time [s]; false after the last. An Error when what
+    /// follows in the file is damaged or cannot be read.
     Result<bool> Next(Frame& frame, double* seconds = nullptr);
 
 private:

@@ -104,9 +104,9 @@ struct VideoSettings
 /// What the names of films end in, but for pictures and the standard output: ".mp4" and so on.
 std::vector<std::string> VideoEnds();
 
-/// Whether `path` names a format that can be written with these settings, without opening anything:
-/// unknown extension, a size the format cannot hold (with the nearest that it can), a codec or a
-/// quality that it does not have.
+/// Whether `path` names a format that can be written with these settings, without opening anything.
+/// An Error (Unusable) says why not: unknown extension, a size the format cannot hold (with the
+/// nearest that it can), a codec or a quality that it does not have.
 Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettings& settings);
 
 /// From one frame that a part of such a film may begin with to the next, at multiples; 0: it has no
@@ -140,20 +140,23 @@ public:
     StageTimes* Stages() const;
 
     /// Appends a frame, whose size must be that of the settings. Its time is its number among those
-    /// appended divided by framesPerSecond. After an Error nothing more can be appended.
+    /// appended divided by framesPerSecond. An Error (Failed) when it has another size, or what
+    /// encodes or the disk fails; after one nothing more can be appended.
     Result<void> Append(const Frame& frame);
 
-    /// Appends a frame that differs from the last one inside of `changed` only.
+    /// Appends a frame that differs from the last one inside of `changed` only. Errors as above.
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed);
 
-    /// Appends the last frame once more.
+    /// Appends the last frame once more. Errors as above, and (Failed) when there is none yet.
     Result<void> Repeat();
 
-    /// Flushes the encoder, syncs, gives the file its name. Nothing may follow.
+    /// Flushes the encoder, syncs, gives the file its name. Nothing may follow. An Error (Unusable)
+    /// when no frame was appended, (Failed) after an earlier Error or end, or when the disk is
+    /// full; then the name is left as it was.
     Result<void> Close();
 
     /// Ends early: what was appended becomes a film that can be played, and stays as NAME.part.EXT,
-    /// to be continued by a writer with `resume`. Nothing may follow.
+    /// to be continued by a writer with `resume`. Nothing may follow. Errors as of Close.
     Result<void> Suspend();
 
 private:

@@ -55,20 +55,23 @@ Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme = Theme:
 /// The figure as SVG: an element a line, lengths in thousandths of a pixel, groups like
 /// `<g id="body-17" class="shapes">` for what a body has in a row, in painter's order. A body, or
 /// the world, that is drawn again later has a second group, `body-17-2`. What is not finite, or not
-/// in the picture, is left out, and circles that reach half a million pixels away.
+/// in the picture, is left out, and circles that reach half a million pixels away. An Error
+/// (Unusable) for a size, a scale or a camera that cannot be.
 Result<std::string> ToSvg(const Figure& figure);
 
 /// The figure as a PDF of one page. Text can be searched and copied; the groups are sections
-/// of its structure, and named destinations. Absent when Cairo, FreeType or the font is.
+/// of its structure, and named destinations. An Error (Absent) when Cairo, FreeType or the font is,
+/// (Unusable) as of ToSvg.
 Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure);
 
 /// The letters of the figure's texts that a PDF does not show as they are meant: those that its
 /// font, DejaVu Sans, has not, which are empty boxes, and those of scripts from the right to the
 /// left, which would not be joined or turned. Each once, as they come. In an SVG they are the
-/// viewer's. Absent as ToPdf.
+/// viewer's. Errors as of ToPdf.
 Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure);
 
-/// Whether PDFs can be written on this machine: asked before long work is done for one.
+/// Whether PDFs can be written on this machine: asked before long work is done for one. An Error
+/// (Absent) names the package that is missing.
 Result<void> PreparePdf();
 
 /// What becomes of a file that is there.
@@ -77,11 +80,12 @@ struct FigureFileSettings
     bool overwrite = false; ///< false: an existing file is an error
 };
 
-/// Writes the figure as an SVG file, whole or not at all.
+/// Writes the figure as an SVG file, whole or not at all. An Error as of ToSvg, and when the file
+/// is there or cannot be written.
 Result<void> WriteSvg(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
-/// Writes the figure as a PDF file, whole or not at all. An Error (Absent) without Cairo, FreeType
-/// or the font.
+/// Writes the figure as a PDF file, whole or not at all. An Error as of ToPdf, and when the file is
+/// there or cannot be written.
 Result<void> WritePdf(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
 

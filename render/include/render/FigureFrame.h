@@ -25,7 +25,8 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend = Backend::Auto,
 /// them: each once, as they come. A PDF shows more, and an SVG what its viewer's fonts have.
 std::vector<std::string> LettersWithoutPixels(const Figure& figure);
 
-/// Whether this machine can draw: asked before long work is done for a picture.
+/// Whether this machine can draw: asked before long work is done for a picture. An Error as of
+/// Renderer::Create.
 Result<void> PrepareFrames(Backend backend = Backend::Auto);
 
 } // namespace boxreel

@@ -30,8 +30,9 @@ Result<Frame> ReadPng(const std::filesystem::path& path);
 Result<void> WritePng(const std::filesystem::path& path, const Frame& frame,
                       const PngSettings& settings = {});
 
-/// The bytes of a PNG file. Same frame and level, same bytes; any number of threads may encode at
-/// once.
+/// The bytes of a PNG file. Same frame and level (1 to 9), same bytes; any number of threads may
+/// encode at once. An Error (Unusable) for a frame without pixels, or whose pixels are not as many
+/// as its size says.
 Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel = 3);
 
 } // namespace boxreel

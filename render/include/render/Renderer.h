@@ -76,7 +76,7 @@ public:
     /// works; (Unusable) for a size out of range, or a BOXREEL_BACKEND that is none.
     static Result<Renderer> Create(const RendererSettings& settings);
     /// A renderer in a window's GL context, whatever back end the settings name: one renderer a
-    /// window at a time, which must not outlive it.
+    /// window at a time, which must not outlive it. Errors as of Create.
     static Result<Renderer> CreateIn(Window& window, const RendererSettings& settings);
     /// The other may only be assigned to or destroyed.
     Renderer(Renderer&&) noexcept;
@@ -87,29 +87,30 @@ public:
     /// Hands the picture to GL and returns; the caller may step its world before it reads.
     /// The camera's size must be the renderer's. `overlay` lies on top of the list; its commands
     /// must name indices that it has, and its indices vertices. An Error (Unusable) otherwise, and
-    /// nothing is drawn. Under the
-    /// camera of the last Submit only what has changed is drawn, with the same bits as if it were
-    /// all.
+    /// nothing is drawn. Under the camera of the last Submit only what has changed is drawn, with
+    /// the same bits as if it were all.
     Result<void> Submit(const DrawList& list, const Camera& camera,
                         const Overlay* overlay = nullptr);
 
     /// Waits for the last Submit (the first must come before) and copies its pixels; resizes
-    /// `frame` when needed.
+    /// `frame` when needed. An Error (Failed) when GL does not give them.
     Result<void> Read(Frame& frame);
 
     /// Waits for the last Submit without a copy: only what has changed since the last ReadChanges
-    /// is read, into a frame of the renderer's, which stays as it is until the next ReadChanges.
+    /// is read, into a frame of the renderer's, which stays as it is until the next ReadChanges. An
+    /// Error as of Read.
     Result<const Frame*> ReadChanges();
 
     /// Where the last ReadChanges may have changed its frame; everything the first time, nothing
     /// when no Submit came between. No two share a pixel. Valid until the next ReadChanges.
     std::span<const PixelBounds> Changes() const;
 
-    /// Submit and Read in one.
+    /// Submit and Read in one, with their Errors.
     Result<void> Draw(const DrawList& list, const Camera& camera, Frame& frame,
                       const Overlay* overlay = nullptr);
 
-    /// Shows the picture of the last Submit in its window, and waits for the display.
+    /// Shows the picture of the last Submit in its window (the renderer is one of CreateIn), and
+    /// waits for the display. An Error (Failed) when the window's GL context cannot be used.
     Result<void> Show();
 
     /// What drawing the last frame took.
