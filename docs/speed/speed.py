@@ -276,6 +276,11 @@ def findings(checkout, program=None):
         for found in TABLE.finditer(text):
             if found[0] != filled(found[0], figures):
                 yield f"The table '{found[2]}' of {page} is not what docs/speed/*.json say" + remedy
+    page = (checkout / "docs/speed.md").read_text(encoding="utf-8")
+    for name, options in BENCHMARKS.items():
+        command = f"./boxreel bench {' '.join(options)} --json > {name}.json"
+        if command not in page:
+            yield f"docs/speed.md does not show what measures: {command}"
     for name in TABLES.keys() - named:
         yield f"No page has the table '{name}'; put its two comments back."
     if program:

@@ -507,9 +507,11 @@ std::vector<std::string> Script::SceneOptions() const
 
 Result<Script> ParseScript(const std::string& text, const std::filesystem::path& file)
 {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF"; // some editors begin UTF-8 with it
     Parser parser(file);
     int number = 0;
-    for (const std::string& line : SplitAt('\n', text))
+    const std::string plain = text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+    for (const std::string& line : SplitAt('\n', plain))
     {
         ++number;
         const auto fail = [&](const Error& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "CommandLine.h"
 #include "Commands.h"
+#include "OutputPath.h"
 #include "SessionPanels.h"
 #include "Terminal.h"
 
@@ -92,6 +93,26 @@ Result<Options> Understood(const Script& script, const char* command,
     return std::move(*understood);
 }
 
+bool& Overwrite(ShotOptions& shot)
+{
+    return shot.force;
+}
+
+bool& Overwrite(RecordOptions& record)
+{
+    return record.film.overwrite;
+}
+
+Result<void> Check(const ShotOptions& shot)
+{
+    return CheckShot(shot);
+}
+
+Result<void> Check(const RecordOptions& record)
+{
+    return CheckRecord(record);
+}
+
 class Planner
 {
 public:
@@ -106,10 +127,13 @@ private:
     Result<void> AddStill(const ScriptProduct& product);
     Result<void> AddFilm(const ScriptProduct& product);
     Result<fs::path> OutputOf(const ScriptProduct& product) const;
+    template <class Options>
+    Result<void> Claim(const ScriptProduct& product, Options options, bool overwrites);
 
     Play& m_play;
     const PlayOptions& m_options;
     std::shared_ptr<const Script> m_actions;
+    std::vector<std::pair<fs::path, int>> m_files; ///< that are made, and by which line
 };
 
 Result<void> Planner::Plan()
@@ -198,16 +222,39 @@ Result<fs::path> Planner::OutputOf(const ScriptProduct& product) const
     {
         return Unusable("a script writes files; give one instead of -.");
     }
-    const fs::path output =
-        m_options.into.empty() ? fs::path(product.name) : m_options.into / product.name;
-    std::error_code error;
-    if (fs::exists(output, error) && !m_options.force && !m_options.resume && !m_options.check &&
-        !m_options.test)
+    return m_options.into.empty() ? fs::path(product.name) : m_options.into / product.name;
+}
+
+/// Film or picture can be made: nobody else makes these files, and what can be wrong with them is
+/// not.
+template <class Options>
+Result<void> Planner::Claim(const ScriptProduct& product, Options options, bool overwrites)
+{
+    const bool mayBeThere = overwrites || m_options.resume || m_options.check || m_options.test;
+    for (const fs::path& file : FilesOf(options))
     {
-        return Unusable(output.string() +
-                        " exists already; name another file, or allow overwriting (--force).");
+        for (const auto& [other, line] : m_files)
+        {
+            if (IsSameFile(file, other))
+            {
+                return Unusable("'" + file.string() + "' is made by line " + std::to_string(line) +
+                                " already; give each file its own name.");
+            }
+        }
+        m_files.emplace_back(file, product.line);
+        std::error_code ignored;
+        if (!mayBeThere && fs::exists(file, ignored))
+        {
+            return Unusable(file.string() +
+                            " exists already; name another file, or allow overwriting (--force).");
+        }
     }
-    return output;
+    if (m_options.test)
+    {
+        return {}; // nothing is made
+    }
+    Overwrite(options) = mayBeThere;
+    return Check(options);
 }
 
 Result<void> Planner::AddStill(const ScriptProduct& product)
@@ -226,6 +273,10 @@ Result<void> Planner::AddStill(const ScriptProduct& product)
     shot->look.script = m_actions;
     shot->force = shot->force || m_options.force;
     shot->backend = m_options.backend;
+    if (const Result<void> usable = Claim(product, *shot, shot->force); !usable)
+    {
+        return usable;
+    }
     m_play.stills.push_back({product.line, std::move(*shot)});
     return {};
 }
@@ -252,6 +303,10 @@ Result<void> Planner::AddFilm(const ScriptProduct& product)
     record->film.overwrite = record->film.overwrite || m_options.force;
     record->film.resume = record->film.resume || m_options.resume;
     record->backend = m_options.backend;
+    if (const Result<void> usable = Claim(product, *record, record->film.overwrite); !usable)
+    {
+        return usable;
+    }
     // A film that was stopped is gone on with if all of this is the same.
     record->arguments.push_back("actions:" + m_actions->actionText);
     m_play.films.push_back({product.line, std::move(*record)});
@@ -444,11 +499,30 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
     return failures;
 }
 
-Result<int> MakeFiles(const Play& play)
+/// Of a script that is gone on with: a file that is whole stays, and what makes it is passed over.
+template <class Options>
+bool IsDone(const Options& options, bool resumes)
+{
+    const std::vector<fs::path> files = FilesOf(options);
+    const auto isThere = [](const fs::path& file) {
+        std::error_code ignored;
+        return fs::exists(file, ignored);
+    };
+    const bool isDone = resumes && std::all_of(files.begin(), files.end(), isThere);
+    if (isDone)
+    {
+        WriteMessage("boxreel: " + files.front().string() +
+                     " is there already and stays; --force makes it anew.");
+    }
+    return isDone;
+}
+
+Result<int> MakeFiles(const Play& play, bool resumes)
 {
     for (const StillPicture& still : play.stills)
     {
-        const Result<int> taken = RunShot(still.shot);
+        const Result<int> taken =
+            IsDone(still.shot, resumes && !still.shot.force) ? 0 : RunShot(still.shot);
         if (!taken)
         {
             return play.script.At(still.line, taken.GetError());
@@ -456,7 +530,9 @@ Result<int> MakeFiles(const Play& play)
     }
     for (const Film& film : play.films)
     {
-        const Result<int> recorded = RunRecord(film.record);
+        const Result<int> recorded = IsDone(film.record, resumes && !film.record.film.overwrite)
+                                         ? 0
+                                         : RunRecord(film.record);
         if (!recorded)
         {
             return play.script.At(film.line, recorded.GetError());
@@ -520,7 +596,7 @@ Result<int> RunPlay(const PlayOptions& options)
     {
         return different;
     }
-    const Result<int> made = options.test ? 0 : MakeFiles(play);
+    const Result<int> made = options.test ? 0 : MakeFiles(play, options.resume);
     if (!made || *made != 0)
     {
         return made;

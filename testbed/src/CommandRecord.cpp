@@ -42,6 +42,20 @@ Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
     return CheckPicturePath(options.thumbnail, options.film.overwrite);
 }
 
+/// Asked before anything is simulated.
+Result<void> CheckFilm(const RecordOptions& options, const FilmPlan& plan)
+{
+    if (Result<void> usable = CheckVideoPath(options.output, plan.film); !usable)
+    {
+        return usable;
+    }
+    if (Result<void> usable = CheckPapersPaths(options, plan); !usable)
+    {
+        return usable;
+    }
+    return options.thumbnail.empty() ? Result<void>() : CheckThumbnail(options, plan);
+}
+
 /// Said before the work of a part that nothing can be joined to; pictures need no joining.
 void TellLooseParts(const RecordOptions& options, const FilmPlan& plan)
 {
@@ -57,6 +71,27 @@ void TellLooseParts(const RecordOptions& options, const FilmPlan& plan)
 }
 
 } // namespace
+
+std::vector<std::filesystem::path> FilesOf(const RecordOptions& options)
+{
+    std::vector<std::filesystem::path> files{options.output};
+    if (!options.thumbnail.empty())
+    {
+        files.push_back(options.thumbnail);
+    }
+    return files;
+}
+
+Result<void> CheckRecord(const RecordOptions& options)
+{
+    const Result<FilmPlan> plan = PlanFilm(options);
+    if (!plan)
+    {
+        return plan.GetError();
+    }
+    const Result<void> usable = CheckFilm(options, *plan);
+    return usable ? CheckFolderOf(options.output) : usable;
+}
 
 Result<int> RunRecord(const RecordOptions& options)
 {
@@ -79,21 +114,9 @@ Result<int> RunRecord(const RecordOptions& options)
             return 0;
         }
     }
-    if (Result<void> usable = CheckVideoPath(options.output, plan->film); !usable)
+    if (Result<void> usable = CheckFilm(options, *plan); !usable)
     {
         return usable.GetError();
-    }
-    if (Result<void> usable = CheckPapersPaths(options, *plan); !usable)
-    {
-        return usable.GetError();
-    }
-    if (!options.thumbnail.empty())
-    {
-        const Result<void> usable = CheckThumbnail(options, *plan);
-        if (!usable)
-        {
-            return usable.GetError();
-        }
     }
     TellLooseParts(options, *plan);
     std::optional<SnapshotFolder> snapshots;

@@ -274,6 +274,21 @@ Result<void> CheckPictures(const ShotOptions& options, const std::vector<Picture
 
 } // namespace
 
+std::vector<std::filesystem::path> FilesOf(const ShotOptions& options)
+{
+    std::vector<std::filesystem::path> files;
+    for (const Picture& picture : PicturesOf(options))
+    {
+        files.push_back(picture.path);
+    }
+    return files;
+}
+
+Result<void> CheckShot(const ShotOptions& options)
+{
+    return CheckPictures(options, PicturesOf(options));
+}
+
 Result<int> RunShot(const ShotOptions& options)
 {
     const std::vector<Picture> pictures = PicturesOf(options);

@@ -187,6 +187,14 @@ struct BenchOptions
     bool force = false;
 };
 
+/// What would refuse it, asked before anything is simulated; makes nothing.
+Result<void> CheckRecord(const RecordOptions& options);
+Result<void> CheckShot(const ShotOptions& options);
+
+/// The files that it makes; of a numbered film its pattern.
+std::vector<std::filesystem::path> FilesOf(const RecordOptions& options);
+std::vector<std::filesystem::path> FilesOf(const ShotOptions& options);
+
 Result<int> RunList(const ListOptions& options);
 Result<int> RunRecord(const RecordOptions& options);
 Result<int> RunMerge(const MergeOptions& options);

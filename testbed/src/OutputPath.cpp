@@ -56,6 +56,15 @@ Result<void> CheckEnd(const std::filesystem::path& path, const Formats& formats)
     return Error{ErrorKind::Unusable, message};
 }
 
+std::filesystem::path WholePath(const std::filesystem::path& path)
+{
+    std::error_code failure;
+    // Absolute first: of what does not exist nothing else makes a relative name whole.
+    const std::filesystem::path whole =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path, failure), failure);
+    return failure ? path : whole;
+}
+
 Result<void> CheckPath(const std::filesystem::path& path, bool force, const Formats& formats)
 {
     const std::string name = std::string("'").append(path.string()).append("'");
@@ -69,16 +78,9 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, const Form
     {
         return end;
     }
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder, ignored))
+    if (const Result<void> folder = CheckFolderOf(path); !folder)
     {
-        return Error{ErrorKind::Unusable,
-                     "There is no folder '" + folder.string() + "'; create it first."};
-    }
-    if (access(folder.c_str(), W_OK | X_OK) != 0)
-    {
-        return Error{ErrorKind::Failed, "Cannot write to the folder '" + folder.string() +
-                                            "': " + std::strerror(errno) + "; choose another."};
+        return folder;
     }
     if (!force && std::filesystem::exists(path, ignored))
     {
@@ -129,6 +131,28 @@ bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path
     return number.find_first_not_of("0123456789") == std::string::npos;
 }
 
+bool IsSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
+{
+    return WholePath(a) == WholePath(b) || IsFrameOf(a, b) || IsFrameOf(b, a);
+}
+
+Result<void> CheckFolderOf(const std::filesystem::path& path)
+{
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+    {
+        return Error{ErrorKind::Unusable,
+                     "There is no folder '" + folder.string() + "'; create it first."};
+    }
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+    {
+        return Error{ErrorKind::Failed, "Cannot write to the folder '" + folder.string() +
+                                            "': " + std::strerror(errno) + "; choose another."};
+    }
+    return {};
+}
+
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
 {
     return CheckPath(path, force, PictureFormats());
@@ -161,18 +185,11 @@ Result<void> CheckChartPath(const std::filesystem::path& path, bool force)
 Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,
                             const std::string& option)
 {
-    const auto plain = [](const std::filesystem::path& path) {
-        std::error_code failure;
-        // Absolute first: of what does not exist nothing else makes a relative name whole.
-        const std::filesystem::path whole =
-            std::filesystem::weakly_canonical(std::filesystem::absolute(path, failure), failure);
-        return failure ? path : whole;
-    };
     for (auto later = paths.begin(); later != paths.end(); ++later)
     {
         for (auto earlier = paths.begin(); earlier != later; ++earlier)
         {
-            if (plain(*earlier) == plain(*later))
+            if (WholePath(*earlier) == WholePath(*later))
             {
                 return Error{ErrorKind::Unusable,
                              option + " names '" + later->string() + "' twice; give it once."};

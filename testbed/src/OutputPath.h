@@ -20,6 +20,13 @@ std::vector<std::string> ChartEnds();
 /// a file, and no file is in the way unless `force`. Leaves everything as it was.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
 
+/// Whether the folder that a file is to be in exists and takes files.
+Result<void> CheckFolderOf(const std::filesystem::path& path);
+
+/// Whether two names are of one file, whatever the spelling, or one is of a frame of the other, a
+/// numbered film.
+bool IsSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Whether a picture has the name of one that a numbered film, frames-####.png, may write.
 bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path& film);
 

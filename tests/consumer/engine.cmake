@@ -11,7 +11,7 @@ set(package "-Dboxreel_DIR=${prefix}/lib/cmake/boxreel")
 set(fall "${CMAKE_CURRENT_LIST_DIR}/engine")
 
 step("configuring the engine alone" COMMAND "${CMAKE_COMMAND}" ${bare} -S "${BOXREEL_DIR}" -B "${WORK_DIR}/boxreel"
-  -DBOXREEL_BUILD_TOOLKIT=OFF -DBOXREEL_BUILD_TESTS=OFF -DCMAKE_INSTALL_LIBDIR=lib)
+  -DBOXREEL_BUILD_TOOLKIT=OFF -DCMAKE_INSTALL_LIBDIR=lib)
 step("building it" COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/boxreel")
 step("installing it" COMMAND "${CMAKE_COMMAND}" --install "${WORK_DIR}/boxreel" --prefix "${prefix}")
 

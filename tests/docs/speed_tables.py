@@ -50,6 +50,8 @@ for path, old, new, names in (
     assert len(tables) == len(names) and all(name in line for name, line in zip(names, tables)), (path, old, found)
 found = plant("docs/speed.md", "<!-- table: engine -->", "")
 assert any("No page has the table 'engine'" in line for line in found), found
+found = plant("docs/speed.md", "--golden --rounds 3", "--golden --rounds 1")
+assert len(found) == 1 and "does not show what measures" in found[0], found
 if program:
     found = plant("docs/speed/engine.svg", r"rgb\(", "rgb(1")
     assert len(found) == 1 and "engine.svg" in found[0], found

@@ -37,6 +37,7 @@ if ! clang++ -fsanitize=fuzzer "$work/probe.cpp" -o "$work/probe" 2>/dev/null; t
 fi
 cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_CXX_FLAGS="-O1 -g -DBOXREEL_ASSERTS=$asserts" -DBOXREEL_SANITIZE=address,undefined -DBOXREEL_FUZZ=ON \
+    -DBOXREEL_BUILD_TESTS=ON \
     -DBOXREEL_WERROR=ON "$@" >"$work/build.log" 2>&1 &&
     cmake --build "$work/build" --target "boxreel_${target}_fuzz" >>"$work/build.log" 2>&1 || {
     tail -n 40 "$work/build.log"

@@ -17,7 +17,7 @@ if ! command -v qemu-aarch64 >/dev/null ||
     exit 77
 fi
 flags='-std=c++20 -O2 -ffp-contract=off'
-cmake -S "$source" -B "$work" -G Ninja -DBOXREEL_BUILD_TOOLKIT=OFF -DBOXREEL_BUILD_TESTS=OFF -DBOXREEL_WERROR=ON \
+cmake -S "$source" -B "$work" -G Ninja -DBOXREEL_BUILD_TOOLKIT=OFF -DBOXREEL_WERROR=ON \
     -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_CXX_COMPILER_TARGET=$target -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_CXX_FLAGS=-O2 >"$work.log" 2>&1 &&

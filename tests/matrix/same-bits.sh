@@ -13,7 +13,7 @@ if ! command -v "$compiler" >/dev/null; then
     exit 77
 fi
 cmake -S "$source" -B "$work" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_CXX_FLAGS="$level" -DBOXREEL_WERROR=ON "$@" >"$work.log" 2>&1 &&
+    -DCMAKE_CXX_FLAGS="$level" -DBOXREEL_WERROR=ON -DBOXREEL_BUILD_TESTS=ON "$@" >"$work.log" 2>&1 &&
     cmake --build "$work" --target boxreel boxreel_scene_states_tests boxreel_engine_dynamics_tests >>"$work.log" 2>&1 || {
     tail -n 40 "$work.log"
     exit 1

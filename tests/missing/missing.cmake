@@ -17,6 +17,7 @@ if(HIDDEN MATCHES "NOTFOUND$")
 endif()
 execute_process(
   COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR} -G Ninja -DCMAKE_CXX_COMPILER=${CXX} -D${HIDDEN} ${nowhere}
+    -DBOXREEL_BUILD_TESTS=ON
   RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
 string(REGEX REPLACE "[ \n]+" " " said "${said}") # CMake breaks lines
 string(FIND "${said}" "${WHAT}, which was not found; install it with: apt install ${PACKAGE} " at)

@@ -187,6 +187,27 @@ TEST_F(PlayCommand, AFilmThatWasStoppedIsGoneOnWithUnlessOtherThingsAreDone)
     EXPECT_EQ(Play({"--resume"}).code, 0);
 }
 
+TEST_F(PlayCommand, GoesOnWithAScriptOfWhichSomeIsMade)
+{
+    Write("scene car\nat 0s shot a.png --size 64x64\nrecord a.mp4 --frames 2 --size 64x64\n"
+          "record b.mp4 --frames 2 --size 64x64\n");
+    std::ofstream(folder / "a.png") << "a picture";
+    std::ofstream(folder / "a.mp4") << "a film";
+    const Outcome outcome = Play({"--resume"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr("a.png is there already and stays; --force makes it anew.\n"),
+                      HasSubstr("a.mp4 is there already and stays")));
+    EXPECT_EQ(std::filesystem::file_size(folder / "a.mp4"), 6u);
+    EXPECT_TRUE(std::filesystem::exists(folder / "b.mp4"));
+}
+
+TEST_F(PlayCommand, ReadsWhatEditorsWriteBeforeUtf8)
+{
+    Write("\xEF\xBB\xBFscene car\r\nat 0s expect bodies > 0\r\n");
+    EXPECT_EQ(Play().code, 0);
+}
+
 TEST_F(PlayCommand, SaysInOneSentenceWhatIsWrongAndMakesNothing)
 {
     const std::pair<const char*, const char*> cases[] = {
@@ -194,6 +215,20 @@ TEST_F(PlayCommand, SaysInOneSentenceWhatIsWrongAndMakesNothing)
         {"scene car --siez 3x3\n", "a.play:1: Unknown option '--siez'"},
         {"scene car\nrecord a.mp4 --fsp 3\n", "a.play:2: Unknown option '--fsp'"},
         {"scene car\nrecord a.xyz\n", "a.play:2: "},
+        {"scene car\nat 0s shot a.png\nrecord a.xyz\n", "a.play:3: "},
+        {"scene car\nat 0s shot a.png\nrecord b.png\n", "a.play:3: "},
+        {"scene car\nat 0s shot a.png\nrecord none/a.mp4\n", "a.play:3: There is no folder 'none'"},
+        {"scene car\nat 0s shot a.png\nat 1s shot none/b.png\n",
+         "a.play:3: There is no folder 'none'"},
+        {"scene car\nat 0s shot a.png\nrecord a.mp4 --size 63x64\n", "a.play:3: "},
+        {"scene car\nat 0s shot a.png\nrecord a.mp4\nrecord ./a.mp4\n",
+         "a.play:4: './a.mp4' is made by line 3 already"},
+        {"scene car\nat 0s shot a.png --theme both\nat 1s shot a-light.png\n",
+         "a.play:3: 'a-light.png' is made by line 2 already"},
+        {"scene car\nat 0s shot f-0001.png\nrecord f-####.png\n",
+         "a.play:3: 'f-####.png' is made by line 2 already"},
+        {"scene car\nat 0s shot a.png\nrecord a.mp4 --thumbnail a.png\n",
+         "a.play:3: 'a.png' is made by line 2 already"},
         {"scene car\nrecord -\n", "a.play:2: a script writes files"},
         {"scene car\nrecord a.mp4 --help\n", "a.play:2: --help has no place in a script"},
         {"scene car\nat 1s press x\n", "a.play:2: the scene does not answer to 'x'"},
@@ -215,6 +250,11 @@ TEST_F(PlayCommand, SaysInOneSentenceWhatIsWrongAndMakesNothing)
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
             << outcome.errors;
         EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play")) << lines;
+        if (outcome.code == 1 && std::string(lines).find("expect") == std::string::npos &&
+            std::string(lines).find("click") == std::string::npos) // these show under way
+        {
+            EXPECT_EQ(Play({"--check"}).errors, outcome.errors) << lines;
+        }
     }
     EXPECT_EQ(RunBoxreel({"play"}, folder.Path()).code, 1);
     const std::pair<const char*, const char*> unreadable[] = {
