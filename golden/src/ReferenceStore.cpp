@@ -19,11 +19,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-Error Unusable(const std::string& name, const std::string& why)
-{
-    return Error{ErrorKind::Unusable, "\"" + name + "\" cannot name a reference: " + why + "."};
-}
-
 /// A film as it is compared.
 struct SheetView
 {
@@ -424,9 +419,9 @@ std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandida
 Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& candidate,
                            const CompareSettings& settings)
 {
-    if (const std::string why = WhyNotUsable(candidate.name); !why.empty())
+    if (const Result<void> named = CheckReferenceName(candidate.name); !named)
     {
-        return Unusable(candidate.name, why);
+        return named.GetError();
     }
     Judged judged{.limits = settings};
     GoldenVerdict& verdict = judged.verdict;
@@ -509,6 +504,14 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
 
 } // namespace
 
+Result<void> CheckReferenceName(const std::string& name)
+{
+    const std::string why = WhyNotUsable(name);
+    return why.empty() ? Result<void>()
+                       : Error{ErrorKind::Unusable,
+                               "\"" + name + "\" cannot name a reference: " + why + "."};
+}
+
 GoldenCandidate CandidateOf(ContactSheet sheet, std::string name)
 {
     GoldenCandidate candidate;
@@ -544,9 +547,9 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
                                              const CompareSettings& settings) const
 {
     const std::string& name = candidate.name;
-    if (const std::string why = WhyNotUsable(name); !why.empty())
+    if (const Result<void> named = CheckReferenceName(name); !named)
     {
-        return Unusable(name, why);
+        return named.GetError();
     }
     const Result<FailureFiles> files = FailureFiles::At(m_output, name);
     if (!files)
@@ -588,9 +591,9 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
 
 Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs as) const
 {
-    if (const std::string why = WhyNotUsable(candidate.name); !why.empty())
+    if (const Result<void> named = CheckReferenceName(candidate.name); !named)
     {
-        return Unusable(candidate.name, why);
+        return named.GetError();
     }
     if (as == AcceptAs::ForThisRenderer && candidate.renderer.empty())
     {

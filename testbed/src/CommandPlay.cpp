@@ -103,16 +103,6 @@ bool& Overwrite(RecordOptions& record)
     return record.film.overwrite;
 }
 
-Result<void> Check(const ShotOptions& shot)
-{
-    return CheckShot(shot);
-}
-
-Result<void> Check(const RecordOptions& record)
-{
-    return CheckRecord(record);
-}
-
 class Planner
 {
 public:
@@ -202,6 +192,10 @@ Result<void> Planner::AddExpectation(const ScriptProduct& product)
 
 Result<void> Planner::AddGolden(const ScriptProduct& product)
 {
+    if (const Result<void> named = CheckReferenceName(product.name); !named)
+    {
+        return named;
+    }
     std::vector<std::string> options = product.options;
     const std::vector<std::string> moment = product.at.AsOption();
     options.insert(options.end(), moment.begin(), moment.end());
@@ -254,7 +248,7 @@ Result<void> Planner::Claim(const ScriptProduct& product, Options options, bool 
         return {}; // nothing is made
     }
     Overwrite(options) = mayBeThere;
-    return Check(options);
+    return Prepare(options);
 }
 
 Result<void> Planner::AddStill(const ScriptProduct& product)

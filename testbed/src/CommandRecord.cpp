@@ -82,7 +82,7 @@ std::vector<std::filesystem::path> FilesOf(const RecordOptions& options)
     return files;
 }
 
-Result<void> CheckRecord(const RecordOptions& options)
+Result<void> Prepare(const RecordOptions& options)
 {
     const Result<FilmPlan> plan = PlanFilm(options);
     if (!plan)

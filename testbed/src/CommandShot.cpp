@@ -284,7 +284,7 @@ std::vector<std::filesystem::path> FilesOf(const ShotOptions& options)
     return files;
 }
 
-Result<void> CheckShot(const ShotOptions& options)
+Result<void> Prepare(const ShotOptions& options)
 {
     return CheckPictures(options, PicturesOf(options));
 }

@@ -188,8 +188,8 @@ struct BenchOptions
 };
 
 /// What would refuse it, asked before anything is simulated; makes nothing.
-Result<void> CheckRecord(const RecordOptions& options);
-Result<void> CheckShot(const ShotOptions& options);
+Result<void> Prepare(const RecordOptions& options);
+Result<void> Prepare(const ShotOptions& options);
 
 /// The files that it makes; of a numbered film its pattern.
 std::vector<std::filesystem::path> FilesOf(const RecordOptions& options);

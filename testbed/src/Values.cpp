@@ -163,8 +163,8 @@ Result<Rational> ParseRatio(std::string_view option, std::string_view text, doub
     {
         char range[80];
         std::snprintf(range, sizeof range,
-                      "give a number from %g to %g, such as 60, 0.25 or 30000/1001", lowest,
-                      highest);
+                      "give a number from %g to %g, such as 60%s or 30000/1001", lowest, highest,
+                      lowest <= 0.25 ? ", 0.25" : "");
         return Refusal(option, text, range);
     }
     return *ratio;

@@ -22,6 +22,17 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
+/// As refusals list them.
+std::string AllBackends()
+{
+    std::string names;
+    for (const std::string& name : BackendNames())
+    {
+        names.append(names.empty() ? "" : ", ").append(name);
+    }
+    return names;
+}
+
 bool Works(Backend backend)
 {
     return bool(Renderer::Create({.width = 1, .height = 1, .backend = backend}));
@@ -126,7 +137,8 @@ TEST_F(BackendCommand, NothingToDrawWithIsSaidBeforeAnythingIsSimulated)
                 "with: apt install libosmesa6\n"
                 "  egl: libEGL.so.1 did not load \\(.*invalid ELF header\\); install it with: apt "
                 "install libegl1 libegl-mesa0 libgl1-mesa-dri\n"
-                "The variable BOXREEL_BACKEND chooses one: auto, osmesa, egl, egl-gpu.\n"));
+                "The variable BOXREEL_BACKEND chooses one: " +
+                AllBackends() + ".\n"));
         EXPECT_THAT(folder.Files(), IsEmpty()) << command[0];
     }
 }
@@ -259,13 +271,12 @@ TEST_F(BackendCommand, UnknownBackEndsAreRefused)
     option.insert(option.end(), {"--backend", "glx"});
     const Outcome byOption = Run(option);
     EXPECT_EQ(byOption.code, 1);
-    EXPECT_EQ(byOption.errors,
-              "boxreel: --backend 'glx': give one of auto, osmesa, egl, egl-gpu.\n");
+    EXPECT_EQ(byOption.errors, "boxreel: --backend 'glx': give one of " + AllBackends() + ".\n");
     variables.Set("BOXREEL_BACKEND", "glx");
     const Outcome byVariable = Run(shot);
     EXPECT_EQ(byVariable.code, 1);
     EXPECT_EQ(byVariable.errors,
-              "boxreel: BOXREEL_BACKEND 'glx': give one of auto, osmesa, egl, egl-gpu.\n");
+              "boxreel: BOXREEL_BACKEND 'glx': give one of " + AllBackends() + ".\n");
     EXPECT_EQ(Run({"list"}).code, 0) << "which draws nothing";
 }
 

@@ -14,11 +14,11 @@ namespace boxreel
 /// Which part of the world is seen, and how large; nothing turns it.
 struct Camera
 {
-    int width = 1280;             ///< of the picture [px]
-    int height = 720;             ///< of the picture [px]
+    int width = 1280;             ///< of the picture, at least 1 [px]
+    int height = 720;             ///< of the picture, at least 1 [px]
     double centerX = 0.0;         ///< world point in the middle of the frame [m]
     double centerY = 20.0;        ///< its height in the world [m]
-    double pixelsPerMeter = 14.4; ///< the testbed's default: 50 m in a height of 720 px
+    double pixelsPerMeter = 14.4; ///< above 0; the testbed's default is 50 m in a height of 720 px
 
     /// From the world [m] to the picture [px, y down].
     Vec2 ToPixel(Vec2 world) const;
@@ -34,12 +34,13 @@ struct Camera
 /// pixel from the next.
 bool CanBeDrawn(const Camera& camera);
 
-/// The view of `area` with `margin` (a share of the frame's smaller side, 0 to 0.45) left on every
-/// side. An area that is empty or not finite gives the default view, 50 m high around (0, 20); a
-/// smaller one than a metre is shown as a metre.
+/// The view of `area` [m], in a picture of at least 1x1 [px], with `margin` (a share of the frame's
+/// smaller side, 0 to 0.45) left on every side. An area that is empty or not finite gives the
+/// default view, 50 m high around (0, 20); a smaller one than a metre is shown as a metre.
 Camera FitTo(const Rect& area, int width, int height, double margin = 0.06);
 
-/// The same view in a picture of `scale` times as many pixels each way (rounded, at least 1).
+/// The same view in a picture of `scale` (above 0) times as many pixels each way (rounded, at least
+/// 1).
 Camera Scaled(const Camera& camera, double scale);
 
 /// `share` of the way from one view of a picture to another of it, 0 to 1: centre and height in
@@ -56,11 +57,12 @@ using NumberVisitor = std::function<void(double&)>;
 class FitCamera
 {
 public:
-    /// `scene`: what should be seen at the start (the moving bodies, and static ones near them).
+    /// `scene`: what should be seen at the start (the moving bodies, and static ones near them)
+    /// [m]. `width`, `height`: of the picture, at least 1 [px].
     FitCamera(int width, int height, const Rect& scene);
 
-    /// Once after every simulation step of `dt` seconds, with the boxes of the bodies that can
-    /// move. Boxes that are empty or not finite are ignored.
+    /// Once after every simulation step of `dt` seconds, 0 or more, with the boxes [m] of the
+    /// bodies that can move. Boxes that are empty or not finite are ignored.
     void Update(const std::vector<Rect>& movers, double dt);
 
     /// What it looks at now.

@@ -19,14 +19,15 @@ namespace boxreel
 class FollowCamera
 {
 public:
-    /// Starts with `subject` [m] in the middle. `viewHeight`: of the frame, in metres, above 0;
-    /// without one the height follows the subject's size, with a margin on every side. A subject
-    /// that is empty or not finite gives the default view, 50 m high around (0, 20).
+    /// Starts with `subject` [m] in the middle of a picture of at least 1x1 [px]. `viewHeight`: of
+    /// the frame, in metres, above 0; without one the height follows the subject's size, with a
+    /// margin on every side. A subject that is empty or not finite gives the default view, 50 m
+    /// high around (0, 20).
     FollowCamera(int width, int height, const Rect& subject,
                  std::optional<double> viewHeight = std::nullopt);
 
-    /// Once after every simulation step of `dt` seconds. A subject that is empty or not finite is
-    /// ignored: the view then settles where it was going.
+    /// Once after every simulation step of `dt` seconds, 0 or more. A subject [m] that is empty or
+    /// not finite is ignored: the view then settles where it was going.
     void Update(const Rect& subject, double dt);
 
     /// What it looks at now.

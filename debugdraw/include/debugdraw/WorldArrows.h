@@ -10,12 +10,12 @@
 namespace boxreel
 {
 
-/// From each centre of mass the way that the body would go in so many seconds. Bodies at rest have
-/// none, nor have those whose arrow would be shorter than one and a half pixels.
+/// From each centre of mass the way that the body would go in so many seconds, 0 or more. Bodies at
+/// rest have none, nor have those whose arrow would be shorter than one and a half pixels.
 void AddVelocities(const b2World& world, const View& view, double seconds, DrawList& list);
 
 /// From each joint's anchor on its second body the force that the joint exerts on that body, in the
-/// mean of the last step. Torques are not shown.
+/// mean of the last step, so many metres (0 or more) long for each newton. Torques are not shown.
 void AddJointForces(const b2World& world, const View& view, double metersPerNewton, DrawList& list);
 
 /// How long a mean weight is, in mean sizes: joints of a bridge carry ten times the weight of its

@@ -21,8 +21,9 @@ struct ContactLook
     bool impulses = false; ///< arrows: what keeps the shapes apart, as the second body feels it
     bool friction = false; ///< arrows with open heads: the same along the surface
     /// An impulse is shown as the mean force of a step, so that arrows do not depend on its length.
+    /// Above 0.
     double stepsPerSecond = 60.0;
-    double metersPerNewton = 0.01; ///< length of an arrow
+    double metersPerNewton = 0.01; ///< length of an arrow, 0 or more
 };
 
 /// Remembers which contact points there were, to tell the new ones from the old ones.

@@ -22,7 +22,7 @@ struct ContactSheetSettings
     double stepsPerSecond = 60.0; ///< simulation steps in a second of the film, above 0
     std::int64_t every = 30;      ///< steps from one picture to the next, 1 or more
     int columns = 4;              ///< of pictures, 1 or more
-    int width = 320;              ///< of a picture [px]; smaller films are not enlarged
+    int width = 320;              ///< of a picture, 1 or more [px]; smaller films are not enlarged
 };
 
 /// More pictures make no sheet that a person looks at.

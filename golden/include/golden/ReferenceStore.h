@@ -39,6 +39,10 @@ struct GoldenCandidate
                                            ///< moments of the film are told as such
 };
 
+/// Whether a reference may have the name: parts of letters between slashes, none empty or beginning
+/// with a dot. An Error (Unusable) says what is wrong.
+Result<void> CheckReferenceName(const std::string& name);
+
 /// Of a film.
 GoldenCandidate CandidateOf(ContactSheet sheet, std::string name);
 

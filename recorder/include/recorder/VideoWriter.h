@@ -80,15 +80,15 @@ struct VideoSettings
 {
     int width = 1280;                    ///< 1 to 8192, even where colours are halved [px]
     int height = 720;                    ///< 1 to 8192, even where colours are halved [px]
-    Rational framesPerSecond{60, 1};     ///< at most 1000
+    Rational framesPerSecond{60, 1};     ///< above 0, at most 1000
     Quality quality = Quality::Standard; ///< how much survives
     Chroma chroma = Chroma::Half;        ///< how much colour survives
     std::string codec{};  ///< h264, vp9, av1 or ffv1; empty: the first of the format's
     std::string format{}; ///< of the standard output: y4m, nut, mkv or webm; empty for files
     /// Options of libav's encoder, by its names, over those that the quality sets.
     std::vector<std::pair<std::string, std::string>> codecOptions{};
-    int plays = 0;   ///< how often a gif, apng or webp plays; 0: for ever
-    int threads = 0; ///< of the encoder, at most 64; 0: two. H.264's bytes depend on it, the film's
+    int plays = 0;   ///< how often a gif, apng or webp plays, up to 65535; 0: for ever
+    int threads = 0; ///< of the encoder, 0 to 64; 0: two. H.264's bytes depend on it, the film's
                      ///< look does not.
     bool constantRate = false; ///< every frame is encoded, also one that shows the same; webp
                                ///< cannot

@@ -41,8 +41,8 @@ struct FigurePanel
 /// A figure of one or several panels.
 struct Figure
 {
-    int width = 1280;   ///< before the scale [px]; a pixel is 1/96 inch
-    int height = 720;   ///< before the scale [px]
+    int width = 1280;   ///< before the scale, 1 to kLargestFigure [px]; a pixel is 1/96 inch
+    int height = 720;   ///< before the scale, 1 to kLargestFigure [px]
     double scale = 1.0; ///< how much larger all of it is: paper, lines, letters; 0.1 to 16
     Theme theme = Theme::Classic();  ///< colours and widths
     std::string title;               ///< for readers of screens and for catalogues; not drawn

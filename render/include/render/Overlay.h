@@ -62,9 +62,9 @@ struct HudContent
 class Hud
 {
 public:
-    /// `width`, `height`: of the picture, with its scale in it; `scale`: how much larger than
-    /// usual the panel and its letters are, 0.1 to 16, the renderer's. An Error (Unusable) for a
-    /// size or a scale out of range.
+    /// `width`, `height`: of the picture, with its scale in it, 1 to 8192 [px]; `scale`: how much
+    /// larger than usual the panel and its letters are, 0.1 to 16, the renderer's. An Error
+    /// (Unusable) for a size or a scale out of range.
     static Result<Hud> Create(int width, int height, double scale = 1.0);
     /// The other may only be assigned to or destroyed.
     Hud(Hud&&) noexcept;

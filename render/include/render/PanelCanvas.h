@@ -35,9 +35,9 @@ struct PanelInput
 class PanelCanvas
 {
 public:
-    /// `width`, `height`: of the picture [px]; `scale`: how much larger than usual letters and
-    /// distances are, 0.1 to 16, the renderer's. An Error (Unusable) for a size or a scale out of
-    /// range.
+    /// `width`, `height`: of the picture, 1 to 8192 [px]; `scale`: how much larger than usual
+    /// letters and distances are, 0.1 to 16, the renderer's. An Error (Unusable) for a size or a
+    /// scale out of range.
     static Result<PanelCanvas> Create(int width, int height, double scale = 1.0);
     /// The other may only be assigned to or destroyed.
     PanelCanvas(PanelCanvas&&) noexcept;

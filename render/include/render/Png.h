@@ -16,7 +16,7 @@ namespace boxreel
 /// What a PNG is to be like.
 struct PngSettings
 {
-    int compressionLevel = 3; ///< zlib, 1 (fast) to 9 (small); the pixels are the same
+    int compressionLevel = 3; ///< zlib, 1 (fast) to 9 (small), asserted; the pixels are the same
     bool overwrite = false;   ///< false: an existing file is an error
 };
 
