@@ -24,9 +24,9 @@ struct SheetPicture
 /// How a sheet is laid out.
 struct SheetSettings
 {
-    int columns = 0; ///< of pictures, no more than there are; 0 or less: as many as make a sheet
-                     ///< about as wide as it is high, up to three in one row
-    bool axes = false;        ///< below and left of each picture, in metres
+    int columns = 0;   ///< of pictures, no more than there are; 0 or less: as many as make a sheet
+                       ///< about as wide as it is high, up to three in one row
+    bool axes = false; ///< below and left of each picture, in metres
     bool scaleBar = false;    ///< below all, when pictures have the same scale, else below each
     std::string caption = {}; ///< below all of it, in lines as wide as the sheet; empty: none
     Theme theme = Theme::Classic(); ///< colours and widths
