@@ -44,9 +44,11 @@ apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created
 apt-config dump Acquire | grep -Ei '^Acquire::(https?|ftp|Check-|Retries)' >"$root/etc/apt/apt.conf.d/90host" || true
 cp /etc/resolv.conf /etc/hosts "$root/etc/"
 
-# inside COMMAND…: in the root, in a shell's own words, with nothing of this session around it.
+# inside COMMAND…: in the root, in a shell's own words, with nothing of this session around it. Processes
+# and terminals are there as on any running system.
 inside() {
-    unshare --mount --fork sh -c 'mount -t proc proc "$1/proc" && shift && exec "$@"' sh "$root" \
+    unshare --mount --fork sh -c 'mount -t proc proc "$1/proc" &&
+        mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$1/dev/pts" && shift && exec "$@"' sh "$root" \
         env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LANG=C.UTF-8 \
         ${http_proxy+"http_proxy=$http_proxy"} ${https_proxy+"https_proxy=$https_proxy"} \
         chroot "$root" sh -c "$1" </dev/null
