@@ -76,9 +76,7 @@ run() {
 }
 if [ "$pace" = whole ]; then
     mkdir boxreel
-    for part in CMakeLists.txt LICENSE cmake debugdraw engine golden recorder render; do
-        cp -R "$checkout/$part" boxreel/
-    done
+    tar -C "$checkout" --exclude=./build --exclude=./.git -cf - . | tar -C boxreel -xf - # as actions/checkout brings it
     run 'Install boxreel' || { tail -n 30 ../log >&2; fail 'boxreel cannot be installed'; }
 else
     cmake --install "$built" --prefix "$PREFIX" >../log
