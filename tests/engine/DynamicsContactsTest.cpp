@@ -14,8 +14,8 @@ namespace
 
 using namespace dynamics;
 
-/// Writes down what it is told: b, e, p, q for begin, end, pre-solve and post-solve; a bar between
-/// steps.
+/// Writes down what it is told, a letter for each event (b begins, e ends, p is before and q after
+/// the solver) and a bar between steps.
 struct Recorder : b2ContactListener
 {
     void BeginContact(b2Contact* contact) override

@@ -137,8 +137,8 @@ TEST(PositionAndAngle, TheListingPlacesTheOriginInWhateverWayTheMassLies)
     b2World world(b2Vec2_zero);
     b2BodyDef bodyDef;
     bodyDef.type = b2_dynamicBody;
-    bodyDef.position.Set(0.0f, 2.0f); // the body's origin position.
-    bodyDef.angle = 0.25f * b2_pi;    // the body's angle in radians.
+    bodyDef.position.Set(0.0f, 2.0f); // [m]
+    bodyDef.angle = 0.25f * b2_pi;    // [rad]
     b2Body* body = world.CreateBody(&bodyDef);
     b2PolygonShape shape;
     shape.SetAsBox(0.5f, 0.5f, b2Vec2(1.0f, 0.0f), 0.0f);
@@ -198,7 +198,7 @@ TEST(GravityScale, OfZeroLetsABodyFloat)
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef bodyDef;
     bodyDef.type = b2_dynamicBody;
-    // Set the gravity scale to zero so this body will float
+    // Gravity does not act on this body.
     bodyDef.gravityScale = 0.0f;
     b2Body* floating = world.CreateBody(&bodyDef);
     bodyDef.gravityScale = 2.0f;

@@ -269,15 +269,12 @@ struct BufferingListener : public b2ContactListener
 /// The listing: destroys what touches something heavier, out of the buffer.
 void DestroyTouchingBodies(b2World* m_world, ContactPoint* m_points, int32 m_pointCount)
 {
-    // We are going to destroy some bodies according to contact
-    // points. We must buffer the bodies that should be destroyed
-    // because they may belong to multiple contact points.
+    // A body with several contacts would be destroyed once for each, so the doomed are collected.
     const int32 k_maxNuke = 6;
     b2Body* nuke[k_maxNuke];
     int32 nukeCount = 0;
 
-    // Traverse the contact buffer. Destroy bodies that
-    // are touching heavier bodies.
+    // Of each contact the lighter body goes.
     for (int32 i = 0; i < m_pointCount; ++i)
     {
         ContactPoint* point = m_points + i;
@@ -302,7 +299,7 @@ void DestroyTouchingBodies(b2World* m_world, ContactPoint* m_points, int32 m_poi
         }
     }
 
-    // Sort the nuke array to group duplicates.
+    // Equal pointers stand side by side then.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Warray-bounds" // GCC 12 takes the branch for long arrays here too
@@ -312,7 +309,7 @@ void DestroyTouchingBodies(b2World* m_world, ContactPoint* m_points, int32 m_poi
 #pragma GCC diagnostic pop
 #endif
 
-    // Destroy the bodies, skipping duplicates.
+    // Each of them once.
     int32 i = 0;
     while (i < nukeCount)
     {
@@ -389,7 +386,7 @@ TEST(ContactFiltering, TheListingIsTheDefault)
 
 TEST(ContactFiltering, TheProgramsFilterDecides)
 {
-    /// A door that only certain characters pass.
+    /// A door that opens for some and stays shut for others.
     class MyContactFilter : public b2ContactFilter
     {
     public:

@@ -208,7 +208,7 @@ TEST(Filtering, AgreesWithTheRuleForEveryPairOfMasks)
         bool expected = false;
         if ((catA & maskB) != 0 && (catB & maskA) != 0)
         {
-            expected = true; // fixtures can collide
+            expected = true;
         }
         EXPECT_EQ(Collide(fixtureA, fixtureB), expected) << bits;
     }

@@ -119,7 +119,7 @@ class MyDestructionListener : public b2DestructionListener
 {
     void SayGoodbye(b2Joint* joint) override
     {
-        // remove all references to joint.
+        // Here the game would forget the joint.
         gone.push_back(joint);
     }
     using b2DestructionListener::SayGoodbye;

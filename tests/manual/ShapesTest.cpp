@@ -99,7 +99,7 @@ TEST(Circle, TheListingMakesASolidDisc)
 
 TEST(Polygon, TheListingMakesATriangle)
 {
-    // This defines a triangle in CCW order.
+    // Counter-clockwise.
     b2Vec2 vertices[3];
     vertices[0].Set(0.0f, 0.0f);
     vertices[1].Set(1.0f, 0.0f);
@@ -173,7 +173,6 @@ TEST(Polygon, TheSkinKeepsStackedBoxesALittleApart)
 
 TEST(EdgeShapes, TheListingMakesASegmentWithoutVolume)
 {
-    // This an edge shape.
     b2Vec2 v1(0.0f, 0.0f);
     b2Vec2 v2(1.0f, 0.0f);
     b2EdgeShape edge;
@@ -205,7 +204,7 @@ TEST(EdgeShapes, CollideWithCirclesAndPolygonsButNotWithEachOther)
 
 TEST(EdgeShapes, TheListingWithGhostVerticesKeepsThem)
 {
-    // This is an edge shape with ghost vertices.
+    // The middle one of three edges.
     b2Vec2 v0(1.7f, 0.0f);
     b2Vec2 v1(1.0f, 0.25f);
     b2Vec2 v2(0.0f, 0.0f);
@@ -234,7 +233,7 @@ TEST(EdgeShapes, GhostVerticesLetABoxSlideOverTheSeams)
 /// The chain of the listing.
 void MakeListing(b2ChainShape& chain, b2Vec2 (&vs)[4])
 {
-    // This a chain shape with isolated vertices
+    // Open at both ends.
     vs[0].Set(1.7f, 0.0f);
     vs[1].Set(1.0f, 0.25f);
     vs[2].Set(0.0f, 0.0f);
@@ -250,7 +249,7 @@ TEST(ChainShapes, TheListingMakesThreeEdgesThatKnowTheirNeighbours)
     ASSERT_EQ(chain.GetChildCount(), 3);
 
     int visited = 0;
-    // Visit each child edge.
+    // The children of a chain are its edges.
     for (int32 i = 0; i < chain.GetChildCount(); ++i)
     {
         b2EdgeShape edge;
@@ -269,7 +268,7 @@ TEST(ChainShapes, GhostVerticesConnectOneChainWithAnother)
     b2Vec2 vs[4];
     b2ChainShape chain;
     MakeListing(chain, vs);
-    // Install ghost vertices
+    // Where the chains before and after it go on.
     chain.SetPrevVertex(b2Vec2(3.0f, 1.0f));
     chain.SetNextVertex(b2Vec2(-2.0f, 0.0f));
 
@@ -287,7 +286,7 @@ TEST(ChainShapes, ALoopConnectsTheLastVertexWithTheFirst)
     b2Vec2 vs[4];
     b2ChainShape open;
     MakeListing(open, vs);
-    // Create a loop. The first and last vertices are connected.
+    // An edge more leads from the last vertex to the first.
     b2ChainShape chain;
     chain.CreateLoop(vs, 4);
 

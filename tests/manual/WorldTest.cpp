@@ -231,7 +231,7 @@ public:
         b2Body* body = fixture->GetBody();
         body->SetAwake(true);
         found.insert(body);
-        // Return true to continue the query.
+        // Go on to the next fixture.
         return true;
     }
     std::set<b2Body*> found;
@@ -281,8 +281,7 @@ TEST(AABBQueries, FalseEndsTheQuery)
     EXPECT_EQ(callback.count, 1);
 }
 
-/// The listing.
-// This class captures the closest hit shape.
+/// The listing: of all hits it keeps the nearest.
 class MyRayCastCallback : public b2RayCastCallback
 {
 public:

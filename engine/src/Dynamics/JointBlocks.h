@@ -5,6 +5,7 @@
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
+#include <cstddef>
 #include <cstring>
 #include <iterator>
 
@@ -45,15 +46,16 @@ struct JointLane
     template <class Lanes>
     void Write(const Lanes& lanes, std::size_t count = sizeof(Lanes) / sizeof(float32))
     {
-        const auto* numbers = reinterpret_cast<const float32*>(&lanes);
+        const auto* bytes = reinterpret_cast<const std::byte*>(&lanes);
         if (stride == 1)
         {
-            std::memcpy(first, numbers, count * sizeof(float32));
+            std::memcpy(first, bytes, count * sizeof(float32));
             return;
         }
         for (std::size_t i = 0; i < count; ++i)
         {
-            first[i * std::size_t(kJointLanes)] = numbers[i];
+            std::memcpy(first + i * std::size_t(kJointLanes), bytes + i * sizeof(float32),
+                        sizeof(float32));
         }
     }
     float32 operator[](int32 number) const { return first[number * stride]; }
