@@ -46,8 +46,18 @@ Result<Backend> FromVariable()
 
 Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibraries& libraries)
 {
-    return backend == Backend::OSMesa ? CreateOSMesaContext(libraries.osMesa)
-                                      : CreateEglContext(libraries.egl, backend == Backend::EglGpu);
+    switch (backend)
+    {
+    case Backend::OSMesa:
+        return CreateOSMesaContext(libraries.osMesa);
+    case Backend::Egl:
+        return CreateEglContext(libraries.egl, false);
+    case Backend::EglGpu:
+        return CreateEglContext(libraries.egl, true);
+    case Backend::Auto:
+        break; // is one of kAutomatic by now
+    }
+    return Error{ErrorKind::Absent, "no such back end"};
 }
 
 } // namespace

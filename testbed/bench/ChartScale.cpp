@@ -81,11 +81,11 @@ void ChartScale::MakeLogarithmic()
     m_low = RoundBelow(m_low);
     m_high = RoundAbove(std::max(m_high, 2.0 * m_low));
     const double decades = std::log10(m_high / m_low);
-    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): powers of ten, with room at the
-    // end.
-    for (double decade = std::pow(10.0, std::floor(std::log10(m_low) + 1e-9));
-         decade <= m_high * 1.001; decade *= 10.0)
+    const int firstPower = int(std::floor(std::log10(m_low) + 1e-9));
+    const int lastPower = int(std::floor(std::log10(m_high * 1.001)));
+    for (int power = firstPower; power <= lastPower; ++power)
     {
+        const double decade = std::pow(10.0, power);
         for (int digit = 1; digit <= 9; ++digit)
         {
             const double value = decade * digit;

@@ -557,10 +557,10 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
                    "  boxreel list\n"
                    "  boxreel record pyramid -o pyramid.mp4\n"
                    "  boxreel shot pyramid --at 3s -o pyramid.png\n\n"
-                   "`boxreel COMMAND --help` tells more. Exit codes: 0 done, 1 not usable, 2 "
-                   "pictures differ,\n"
-                   "3 something is not installed, 4 reading or writing failed, 75 stopped and can "
-                   "be resumed.");
+                   "`boxreel COMMAND --help` tells more. Exit codes: 0 done, 1 not usable,\n"
+                   "2 not as it should be (pictures differ, a script's expectation fails), 3 "
+                   "something is absent,\n"
+                   "4 reading or writing failed, 75 stopped and can be resumed.");
     DeclareList(program, parsed);
     DeclareRecord(program, parsed);
     DeclareMerge(program, parsed);

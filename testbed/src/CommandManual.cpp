@@ -19,9 +19,10 @@ constexpr Entry kExitCodes[] = {
     {"0", "Done."},
     {"1", "What was named cannot be used: unknown, missing, malformed, contradictory, or it exists "
           "and --force was not given."},
-    {"2", "Pictures differ, an expectation of a script does not hold, or something of a scene file "
-          "was left out."},
-    {"3", "A library, an encoder or a program is not installed."},
+    {"2", "It is not as it should be: pictures or states differ, an expectation of a script does "
+          "not hold, something of a scene file was left out, or the engine computes otherwise than "
+          "elsewhere."},
+    {"3", "A library, an encoder, a program or a display is absent."},
     {"4", "Reading or writing failed under way."},
     {"75", "Stopped by a signal; what was begun can be resumed."},
 };

@@ -189,8 +189,9 @@ Result<int> RunMerge(const MergeOptions& options)
         return StopSignals::kExitCode;
     }
     const std::int64_t frames = parts->back().papers.end - first.first;
-    WriteMessage(options.output.string() + ": " + std::to_string(frames) + " frames of " +
-                 std::to_string(films.size()) + (films.size() == 1 ? " part" : " parts"));
+    WriteMessage(options.output.string() + ": " + std::to_string(frames) +
+                 (frames == 1 ? " frame of " : " frames of ") + std::to_string(films.size()) +
+                 (films.size() == 1 ? " part" : " parts"));
     return 0;
 }
 

@@ -150,6 +150,10 @@ Result<std::vector<Duration>> ParseMoments(const std::string& option, const std:
     std::vector<Duration> times;
     for (const std::string& part : SplitAt(',', text))
     {
+        if (part.empty() && !text.empty())
+        {
+            return Refusal(option, text, "a time is missing beside a comma");
+        }
         const Result<Duration> time = ParseDuration(option, part);
         if (!time)
         {
@@ -165,6 +169,10 @@ Result<std::vector<std::int64_t>> ParseSteps(const std::string& option, const st
     std::vector<std::int64_t> steps;
     for (const std::string& part : SplitAt(',', text))
     {
+        if (part.empty() && !text.empty())
+        {
+            return Refusal(option, text, "a step is missing beside a comma");
+        }
         const Result<std::int64_t> step = ParseWhole(option, part, 0, kMostSteps);
         if (!step)
         {

@@ -173,8 +173,9 @@ std::string FailOpenJdText(const std::string& sentence)
 std::string ReportText(const FilmReport& report)
 {
     std::string text =
-        report.file.string() + Format(": %lld frames of %dx%d at %g fps", Printable(report.frames),
-                                      report.width, report.height, report.framesPerSecond);
+        report.file.string() + Format(": %lld frame%s of %dx%d at %g fps", Printable(report.frames),
+                                      report.frames == 1 ? "" : "s", report.width, report.height,
+                                      report.framesPerSecond);
     if (report.framesFilmed > report.frames)
     {
         text += Format(" (kept of %lld: a GIF shows at most 50 a second)",

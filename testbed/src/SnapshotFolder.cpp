@@ -124,20 +124,25 @@ Result<SnapshotFolder> SnapshotFolder::Open(const std::filesystem::path& folder,
                                             std::optional<std::int64_t> every)
 {
     std::error_code error;
+    const std::string culprit = "'" + folder.string() + "' of --snapshots ";
     std::filesystem::create_directory(folder, error);
+    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error))
+    {
+        return Error{ErrorKind::Unusable, culprit + "is no folder; choose another name."};
+    }
     if (!std::filesystem::is_directory(folder, error))
     {
-        return Error{ErrorKind::Failed, "The folder '" + folder.string() +
-                                            "' of --snapshots cannot be made; name one in a folder "
-                                            "that is there."};
+        const std::filesystem::path parent = std::filesystem::absolute(folder, error).parent_path();
+        const bool isNowhere = !std::filesystem::is_directory(parent, error);
+        return Error{isNowhere ? ErrorKind::Unusable : ErrorKind::Failed,
+                     culprit + "cannot be made; name a folder in one that is there."};
     }
     const Result<AtomicFile> attempt =
         AtomicFile::Create(folder / "attempt", {.overwrite = true, .mark = OwnMark()});
     if (!attempt)
     {
-        return Error{ErrorKind::Failed, "The folder '" + folder.string() +
-                                            "' of --snapshots takes no files; choose another, or "
-                                            "see to its permissions and its disk."};
+        return Error{ErrorKind::Failed, culprit + "takes no files; choose another folder, or see "
+                                                  "to its permissions and its disk."};
     }
     RemoveLeftovers(folder);
     return SnapshotFolder(folder, every);

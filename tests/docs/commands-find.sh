@@ -82,10 +82,31 @@ false
 ```
 PAGE
 ends 1 'page.md:5: these commands' <<'PAGE'
+<!-- needs: command -v no-such-tool -->
+```
+false
+```
+```
+false
+```
+PAGE
+ends 1 'page.md:5: these commands' <<'PAGE'
+<!-- not run: tests/docs/commands-find.sh does it elsewhere -->
+```
+false
+```
+```
+false
+```
+PAGE
+ends 1 'page.md:2 is not run, and no file of the tests is named that does it: it would fail' <<'PAGE'
 <!-- not run: it would fail -->
 ```
 false
 ```
+PAGE
+ends 1 'page.md:2 is not run, and no file of the tests is named' <<'PAGE'
+<!-- not run: tests/docs/no-such-file.sh does it -->
 ```
 false
 ```

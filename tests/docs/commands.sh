@@ -8,13 +8,14 @@
 #
 #   <!-- first: COMMAND -->    what comes before it, such as a film of the reader's own
 #   <!-- needs: COMMAND -->    what must succeed, else the page is skipped
-#   <!-- not run: REASON -->   it is not run at all
+#   <!-- not run: REASON -->   it is not run at all: it is `the installation`, or the reason names the file of the tests
+#                              that does it
 #   <!-- slow: REASON -->      it is only run with `slow`, and then it alone is
 #   <!-- exit code N -->       what it ends with, when not with 0
 #   <!-- makes: FILE -->       a picture or film that docs/examples/pictures keeps, for the page to show it: it must
 #                              be the same, pixels by the limits for another machine; with `accept` it is stored
 #
-# A command that fails fails the page. `./boxreel test` would run this very test, and is passed over. Exit
+# A command that fails fails the page; a block that cannot be tried is passed over, and the page is skipped in the end. `./boxreel test` would run this very test, and is passed over. Exit
 # code 77: this machine cannot try the page, and why.
 set -eu
 checkout=$1
@@ -110,17 +111,27 @@ keep() {
 }
 
 cd "$folder"
+end=0
 for block in "$blocks"/*.sh; do
     line=$(basename "$block" .sh)
     line=$((10#$line))
-    [ -z "$(marked "$block" 'not run')" ] || continue
+    reason=$(marked "$block" 'not run')
+    if [ -n "$reason" ]; then
+        other=$(grep -o 'tests/[A-Za-z0-9_./-]*[A-Za-z0-9]' <<<"$reason" || true)
+        if [ "$reason" != 'the installation' ] && ! { [ -n "$other" ] && [ -e "$checkout/$other" ]; }; then
+            echo "FAILED: $page:$line is not run, and no file of the tests is named that does it: $reason" >&2
+            exit 1
+        fi
+        continue
+    fi
     isSlow=$(marked "$block" slow)
     [ "$pace" = slow ] || [ -z "$isSlow" ] || continue
     [ "$pace" != slow ] || [ -n "$isSlow" ] || continue
     marked "$block" needs >"$work/needs"
     if ! bash -e "$work/needs" >/dev/null 2>&1 </dev/null; then
         echo "skipped: $page:$line cannot be tried here: $(cat "$work/needs")"
-        exit 77
+        end=77
+        continue
     fi
     marked "$block" first >"$work/first"
     expected=$(marked "$block" 'exit code')
@@ -152,3 +163,4 @@ for block in "$blocks"/*.sh; do
     done
     awk -v page="$page:$line" -v a="$begun" -v b="$EPOCHREALTIME" 'BEGIN { printf "%s: %.1f s\n", page, b - a }'
 done
+exit $end

@@ -282,12 +282,14 @@ TEST_F(Snapshots, HelpAFilmThatIsContinued)
 TEST_F(Snapshots, NeedAFolderThatTakesFilesBeforeAnythingIsSimulated)
 {
     std::ofstream(folder / "file") << "no folder";
-    for (const char* const name : {"file", "not/there", "/proc"})
+    const std::pair<const char*, int> wrong[] = {
+        {"file", 1}, {"file/below", 1}, {"not/there", 1}, {"/proc", 4}};
+    for (const auto& [name, code] : wrong)
     {
         // A simulation of this length would outlast the test's time limit.
         const Outcome outcome =
             Run({"record", "pyramid", "-o", "a.mkv", "--frames", "10000000", "--snapshots", name});
-        EXPECT_EQ(outcome.code, 4) << outcome.errors;
+        EXPECT_EQ(outcome.code, code) << outcome.errors;
         EXPECT_THAT(outcome.errors, HasSubstr(std::string("'") + name + "' of --snapshots"));
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
     }

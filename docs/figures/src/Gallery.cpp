@@ -17,7 +17,7 @@ std::string Gallery(const std::vector<FigureEntry>& table)
                        "that are asked about, so those worlds take no step. To draw all of them "
                        "anew, with the same bytes:\n"
                        "\n"
-                       "<!-- not run: a test draws them all, elsewhere -->\n"
+                       "<!-- not run: tests/docs/FiguresTest.cpp draws them all, elsewhere -->\n"
                        "```\n"
                        "cmake --build build/release --target figures\n"
                        "```\n"

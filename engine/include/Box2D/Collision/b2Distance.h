@@ -63,7 +63,7 @@ inline int32 b2DistanceProxy::GetSupport(const b2Vec2& d) const
 /// the first call.
 struct b2SimplexCache
 {
-    float32 metric = 0.0f; ///< length or area of the simplex, to tell when it has gone stale
+    float32 metric = 0.0f; ///< length [m] or area [m^2] of the simplex, to tell when it is stale
     uint16 count = 0;      ///< of vertices in use, 0 to 3
     uint8 indexA[3] = {};  ///< vertices of A
     uint8 indexB[3] = {};  ///< vertices of B

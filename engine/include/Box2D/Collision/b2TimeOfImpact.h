@@ -12,7 +12,9 @@ struct b2TOIInput
 {
     b2DistanceProxy proxyA; ///< the first shape
     b2DistanceProxy proxyB; ///< the second shape
-    b2Sweep sweepA;      ///< only the motion between the two counts, so both may share any origin
+    /// Of the first shape, finite [m, rad]. Only the motion between the two counts, so both sweeps
+    /// may share any origin.
+    b2Sweep sweepA;
     b2Sweep sweepB;      ///< of the second; see sweepA
     float32 tMax = 1.0f; ///< the sweeps are looked at from 0 to here, 0 to 1
 };
@@ -23,7 +25,7 @@ struct b2TOIOutput
     /// How the search ended.
     enum State
     {
-        e_unknown,
+        e_unknown,    ///< nothing was asked yet
         e_failed,     ///< the search ended early; up to t they do not touch
         e_overlapped, ///< they overlap at the start
         e_touching,   ///< they come within the target distance at t
@@ -36,5 +38,6 @@ struct b2TOIOutput
 
 /// When two moving shapes first come so close that their skins overlap by about a slop. With fixed
 /// rotations this is a shape cast. However quickly shapes turn, no touch is missed, and nothing
-/// counts as touching that does not.
+/// counts as touching that does not. Neither pointer is null; of a shape without vertices it
+/// asserts, and fails at t = 0.
 void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input);

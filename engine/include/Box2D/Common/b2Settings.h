@@ -77,12 +77,13 @@ inline constexpr float32 b2_maxLinearCorrection = 0.2f;
 /// The most that one position iteration turns a body [rad]; more overshoots.
 inline constexpr float32 b2_maxAngularCorrection = 8.0f / 180.0f * b2_pi;
 
-/// The furthest a body may move in one step [m]. At 60 Hz: 120 m/s.
+/// The furthest a body may move in one step [m]; at 60 Hz: 120 m/s. In a small step (see
+/// b2World::SetSubStepCount) ten times as far.
 inline constexpr float32 b2_maxTranslation = 2.0f;
 /// Its square [m^2]: what compares needs no root.
 inline constexpr float32 b2_maxTranslationSquared = b2_maxTranslation * b2_maxTranslation;
 
-/// The furthest a body may turn in one step [rad].
+/// The furthest a body may turn in one step [rad]; in a small step forty times as far.
 inline constexpr float32 b2_maxRotation = 0.5f * b2_pi;
 /// Its square [rad^2].
 inline constexpr float32 b2_maxRotationSquared = b2_maxRotation * b2_maxRotation;

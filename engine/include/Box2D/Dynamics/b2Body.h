@@ -55,7 +55,8 @@ struct b2BodyDef
 
 /// A rigid body. Created by b2World::CreateBody, destroyed by b2World::DestroyBody. A number that
 /// is out of the range said at its function, or not finite, asserts and changes nothing. Points and
-/// vectors that are only turned or moved from frame to frame may be any.
+/// vectors that are only turned or moved from frame to frame may be any. What must not be called
+/// while the world is locked says so.
 class b2Body
 {
 public:

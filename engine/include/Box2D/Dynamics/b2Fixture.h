@@ -45,7 +45,8 @@ struct b2FixtureProxy
 };
 
 /// Binds a shape to a body and adds material and filtering. Created by b2Body::CreateFixture,
-/// destroyed with its body or by b2Body::DestroyFixture.
+/// destroyed with its body or by b2Body::DestroyFixture. Its settings may be changed while the
+/// world is locked.
 class b2Fixture
 {
 public:
@@ -75,7 +76,7 @@ public:
     /// Is the world point [m] inside the shape?
     bool TestPoint(const b2Vec2& p) const;
     /// Where a ray of the world first meets a child of the shape, 0 <= childIndex < its
-    /// GetChildCount(). False, and `output` is as it was: nowhere.
+    /// GetChildCount(): of a chain another asserts. False, and `output` is as it was: nowhere.
     bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, int32 childIndex) const;
     /// Of the shape with its density, in the body's frame. `massData` is not null.
     void GetMassData(b2MassData* massData) const { m_shape->ComputeMass(massData, m_density); }
@@ -92,7 +93,8 @@ public:
     void SetRestitution(float32 restitution);
 
     /// The box in the broad phase [m], larger than the shape. Of an active body only, and 0 <=
-    /// childIndex < the shape's GetChildCount().
+    /// childIndex < the shape's GetChildCount(): another asserts, and without asserts is not to be
+    /// asked for.
     const b2AABB& GetAABB(int32 childIndex) const;
 
     /// Writes the fixture as code to the log, for the body that the code calls `bodies[bodyIndex]`.

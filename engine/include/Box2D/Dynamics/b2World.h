@@ -26,7 +26,8 @@ struct SnapshotAccess;
 } // namespace box2d
 
 /// The hub: owns bodies, joints and contacts, steps them, answers queries. To be called by one
-/// thread at a time, whatever the number of threads that help it.
+/// thread at a time, whatever the number of threads that help it. What must not be called while it
+/// is locked (IsLocked) says so.
 class b2World
 {
 public:
