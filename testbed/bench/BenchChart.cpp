@@ -79,6 +79,10 @@ ChartBar BarOf(const BenchResult& result, const BenchFigures& peer)
     {
         bar.mark = peer.cpu / result.scene.goalSeconds;
     }
+    if (bar.mark > bar.value) // beyond the bar's end, where the label stands too
+    {
+        bar.label += ", goal " + Typeset(RatioText(bar.mark));
+    }
     return bar;
 }
 

@@ -369,7 +369,7 @@ TEST(BenchChart, ShowsRatiosGoalsAndWhatIsNotCompared)
     EXPECT_EQ(rain[0].value, 5.0);
     EXPECT_EQ(rain[0].mark, 8.0);
     EXPECT_EQ(rain[1].value, 0.5);
-    EXPECT_EQ(rain[0].label, "5.00\u00d7");
+    EXPECT_EQ(rain[0].label, "5.00\u00d7, goal 8.00\u00d7");
     EXPECT_TRUE(std::isnan(rain[1].mark)) << "the goals are against Box2D";
     const std::vector<ChartBar>& box = chart->groups[1].bars;
     EXPECT_EQ(box[0].mark, 2.0) << "the peer's time over the goal's";
