@@ -40,21 +40,34 @@ TEST(PortingListing, SetsASpringByItsStiffness)
 }
 
 // [one-sided]
-/// Chains that stop only what comes from the right of their direction, as those of Box2D 2.4 do.
-class OneSidedChains : public b2ContactListener
+/// Chains, and edges with both neighbours, stop only what comes from the right of their direction,
+/// as those of Box2D 2.4 do.
+class OneSided : public b2ContactListener
 {
+    /// From one vertex to the next; 0 of what has no direction: another shape, an edge alone.
+    static b2Vec2 Direction(b2Fixture& fixture, int32 child)
+    {
+        b2EdgeShape edge;
+        if (fixture.GetType() == b2Shape::e_chain)
+        {
+            static_cast<b2ChainShape*>(fixture.GetShape())->GetChildEdge(&edge, child);
+        }
+        else if (fixture.GetType() == b2Shape::e_edge)
+        {
+            edge = *static_cast<b2EdgeShape*>(fixture.GetShape());
+        }
+        const bool isSided =
+            fixture.GetType() == b2Shape::e_chain || (edge.m_hasVertex0 && edge.m_hasVertex3);
+        return isSided ? fixture.GetBody()->GetWorldVector(edge.m_vertex2 - edge.m_vertex1)
+                       : b2Vec2_zero;
+    }
+
     void PreSolve(b2Contact* contact, const b2Manifold*) override
     {
-        const bool isA = contact->GetFixtureA()->GetType() == b2Shape::e_chain;
-        b2Fixture* fixture = isA ? contact->GetFixtureA() : contact->GetFixtureB();
-        if (fixture->GetType() != b2Shape::e_chain)
-        {
-            return;
-        }
-        b2EdgeShape edge;
-        static_cast<b2ChainShape*>(fixture->GetShape())
-            ->GetChildEdge(&edge, isA ? contact->GetChildIndexA() : contact->GetChildIndexB());
-        const b2Vec2 along = fixture->GetBody()->GetWorldVector(edge.m_vertex2 - edge.m_vertex1);
+        const b2Vec2 alongA = Direction(*contact->GetFixtureA(), contact->GetChildIndexA());
+        const b2Vec2 alongB = Direction(*contact->GetFixtureB(), contact->GetChildIndexB());
+        const bool isA = alongA != b2Vec2_zero; // never both: a chain meets no chain
+        const b2Vec2 along = isA ? alongA : alongB;
         b2WorldManifold manifold;
         contact->GetWorldManifold(&manifold);
         const b2Vec2 away = isA ? manifold.normal : -manifold.normal;
@@ -66,16 +79,13 @@ class OneSidedChains : public b2ContactListener
 };
 // [/one-sided]
 
-/// Where a ball is after two seconds that flies at a chain from y.
-float32 ThrownAtAChain(float32 y)
+/// Where a ball is after two seconds that flies at a shape from y.
+float32 ThrownAt(const b2Shape& shape, float32 y)
 {
-    OneSidedChains listener;
+    OneSided listener;
     manual::Stage stage(b2Vec2_zero);
     stage.world.SetContactListener(&listener);
-    const b2Vec2 fromRightToLeft[] = {{5.0f, 0.0f}, {0.0f, 0.0f}, {-5.0f, 0.0f}};
-    b2ChainShape chain;
-    chain.CreateChain(fromRightToLeft, 3);
-    stage.Body(b2_staticBody, 0.0f, 0.0f)->CreateFixture(&chain, 0.0f);
+    stage.Body(b2_staticBody, 0.0f, 0.0f)->CreateFixture(&shape, 0.0f);
     b2Body* ball = stage.Ball(2.0f, y, 0.3f);
     ball->SetLinearVelocity(b2Vec2(0.0f, y < 0.0f ? 3.0f : -3.0f));
     stage.Run(2.0f);
@@ -85,8 +95,19 @@ float32 ThrownAtAChain(float32 y)
 
 TEST(PortingListing, StopsOnOneSideOnly)
 {
-    EXPECT_GT(ThrownAtAChain(2.0f), 0.25f) << "from the right of a chain to the left: from above";
-    EXPECT_GT(ThrownAtAChain(-2.0f), 2.0f);
+    const b2Vec2 fromRightToLeft[] = {{5.0f, 0.0f}, {0.0f, 0.0f}, {-5.0f, 0.0f}};
+    b2ChainShape chain;
+    chain.CreateChain(fromRightToLeft, 3);
+    EXPECT_GT(ThrownAt(chain, 2.0f), 0.25f) << "from the right of a chain to the left: from above";
+    EXPECT_GT(ThrownAt(chain, -2.0f), 2.0f);
+    b2EdgeShape edge;
+    edge.Set(b2Vec2(5.0f, 0.0f), b2Vec2(-5.0f, 0.0f));
+    EXPECT_LT(ThrownAt(edge, -2.0f), -0.25f) << "an edge alone stops both sides";
+    edge.m_vertex0.Set(6.0f, 0.0f);
+    edge.m_vertex3.Set(-6.0f, 0.0f);
+    edge.m_hasVertex0 = edge.m_hasVertex3 = true;
+    EXPECT_GT(ThrownAt(edge, 2.0f), 0.25f);
+    EXPECT_GT(ThrownAt(edge, -2.0f), 2.0f);
 }
 
 // [threshold]
