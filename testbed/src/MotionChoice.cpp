@@ -61,16 +61,28 @@ std::optional<MeasuredEnd> ReadEnd(std::string_view text)
     return MeasuredEnd(Vec2{static_cast<float>(*x), static_cast<float>(*y)});
 }
 
-template <class Value>
-Result<std::vector<Value>> Growing(const std::string& option, const std::string& text,
-                                   std::vector<Value> values)
+/// A list with commas, each larger than the one before.
+template <class Value, class Parse>
+Result<std::vector<Value>> ParseGrowing(const std::string& option, const std::string& text,
+                                        const Parse& parse)
 {
-    for (std::size_t i = 1; i < values.size(); ++i)
+    std::vector<Value> values;
+    for (const std::string& part : SplitAt(',', text))
     {
-        if (!(values[i - 1] < values[i]))
+        if (part.empty() && !text.empty())
+        {
+            return Refusal(option, text, "one is missing beside a comma");
+        }
+        const Result<Value> value = parse(part);
+        if (!value)
+        {
+            return value.GetError();
+        }
+        if (!values.empty() && !(values.back() < *value))
         {
             return Refusal(option, text, "several must grow; give the earliest first");
         }
+        values.push_back(*value);
     }
     if (values.size() > kMostMoments)
     {
@@ -147,40 +159,15 @@ Result<DimensionChoice> ParseDimension(const std::string& option, const std::str
 
 Result<std::vector<Duration>> ParseMoments(const std::string& option, const std::string& text)
 {
-    std::vector<Duration> times;
-    for (const std::string& part : SplitAt(',', text))
-    {
-        if (part.empty() && !text.empty())
-        {
-            return Refusal(option, text, "a time is missing beside a comma");
-        }
-        const Result<Duration> time = ParseDuration(option, part);
-        if (!time)
-        {
-            return time.GetError();
-        }
-        times.push_back(*time);
-    }
-    return Growing(option, text, times);
+    return ParseGrowing<Duration>(
+        option, text, [&](const std::string& part) { return ParseDuration(option, part); });
 }
 
 Result<std::vector<std::int64_t>> ParseSteps(const std::string& option, const std::string& text)
 {
-    std::vector<std::int64_t> steps;
-    for (const std::string& part : SplitAt(',', text))
-    {
-        if (part.empty() && !text.empty())
-        {
-            return Refusal(option, text, "a step is missing beside a comma");
-        }
-        const Result<std::int64_t> step = ParseWhole(option, part, 0, kMostSteps);
-        if (!step)
-        {
-            return step.GetError();
-        }
-        steps.push_back(*step);
-    }
-    return Growing(option, text, steps);
+    return ParseGrowing<std::int64_t>(option, text, [&](const std::string& part) {
+        return ParseWhole(option, part, 0, kMostSteps);
+    });
 }
 
 } // namespace boxreel

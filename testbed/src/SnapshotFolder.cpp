@@ -126,16 +126,14 @@ Result<SnapshotFolder> SnapshotFolder::Open(const std::filesystem::path& folder,
     std::error_code error;
     const std::string culprit = "'" + folder.string() + "' of --snapshots ";
     std::filesystem::create_directory(folder, error);
-    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error))
-    {
-        return Error{ErrorKind::Unusable, culprit + "is no folder; choose another name."};
-    }
     if (!std::filesystem::is_directory(folder, error))
     {
         const std::filesystem::path parent = std::filesystem::absolute(folder, error).parent_path();
-        const bool isNowhere = !std::filesystem::is_directory(parent, error);
-        return Error{isNowhere ? ErrorKind::Unusable : ErrorKind::Failed,
-                     culprit + "cannot be made; name a folder in one that is there."};
+        const bool isMisnamed =
+            std::filesystem::exists(folder, error) || !std::filesystem::is_directory(parent, error);
+        return Error{isMisnamed ? ErrorKind::Unusable : ErrorKind::Failed,
+                     culprit + "is no folder and cannot be made one; choose a new name in a folder "
+                               "that is there."};
     }
     const Result<AtomicFile> attempt =
         AtomicFile::Create(folder / "attempt", {.overwrite = true, .mark = OwnMark()});

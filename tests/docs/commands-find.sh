@@ -81,24 +81,10 @@ ends 77 'skipped: docs/page.md:2 cannot be tried here: command -v no-such-tool' 
 false
 ```
 PAGE
-ends 1 'page.md:5: these commands' <<'PAGE'
-<!-- needs: command -v no-such-tool -->
-```
-false
-```
-```
-false
-```
-PAGE
-ends 1 'page.md:5: these commands' <<'PAGE'
-<!-- not run: tests/docs/commands-find.sh does it elsewhere -->
-```
-false
-```
-```
-false
-```
-PAGE
+# What is passed over leaves the next block to be run.
+for comment in 'needs: command -v no-such-tool' 'not run: tests/docs/commands-find.sh does it' 'slow: it would fail'; do
+    ends 1 'page.md:5: these commands' < <(printf '<!-- %s -->\n```\nexit 3\n```\n```\nfalse\n```\n' "$comment")
+done
 ends 1 'page.md:2 is not run, and no file of the tests is named that does it: it would fail' <<'PAGE'
 <!-- not run: it would fail -->
 ```
@@ -107,15 +93,6 @@ false
 PAGE
 ends 1 'page.md:2 is not run, and no file of the tests is named' <<'PAGE'
 <!-- not run: tests/docs/no-such-file.sh does it -->
-```
-false
-```
-PAGE
-ends 1 'page.md:5: these commands' <<'PAGE'
-<!-- slow: it would fail -->
-```
-exit 3
-```
 ```
 false
 ```

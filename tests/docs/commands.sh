@@ -7,7 +7,7 @@
 # before a block say what else there is to do:
 #
 #   <!-- first: COMMAND -->    what comes before it, such as a film of the reader's own
-#   <!-- needs: COMMAND -->    what must succeed, else the page is skipped
+#   <!-- needs: COMMAND -->    what must succeed, else it is passed over
 #   <!-- not run: REASON -->   it is not run at all: it is `the installation`, or the reason names the file of the tests
 #                              that does it
 #   <!-- slow: REASON -->      it is only run with `slow`, and then it alone is
@@ -15,8 +15,9 @@
 #   <!-- makes: FILE -->       a picture or film that docs/examples/pictures keeps, for the page to show it: it must
 #                              be the same, pixels by the limits for another machine; with `accept` it is stored
 #
-# A command that fails fails the page; a block that cannot be tried is passed over, and the page is skipped in the end. `./boxreel test` would run this very test, and is passed over. Exit
-# code 77: this machine cannot try the page, and why.
+# A command that fails fails the page; a block that cannot be tried is passed over, and the page is skipped in the
+# end. `./boxreel test` would run this very test, and is passed over. Exit code 77: this machine cannot try all of the
+# page, and why.
 set -eu
 checkout=$1
 program=$2

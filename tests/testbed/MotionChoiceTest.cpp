@@ -88,9 +88,8 @@ TEST(MotionChoice, MomentsGrow)
     EXPECT_EQ(*ParseSteps("--step", "0,30"), (std::vector<std::int64_t>{0, 30}));
     EXPECT_THAT(Refusal(ParseMoments("--at", "1s,1s")), HasSubstr("must grow"));
     EXPECT_THAT(Refusal(ParseSteps("--step", "30,0")), HasSubstr("must grow"));
-    EXPECT_THAT(Refusal(ParseMoments("--at", "1s,")), StartsWith("--at '1s,': a time is missing"));
-    EXPECT_THAT(Refusal(ParseSteps("--step", "3,,5")),
-                StartsWith("--step '3,,5': a step is missing"));
+    EXPECT_THAT(Refusal(ParseMoments("--at", "1s,")), StartsWith("--at '1s,': one is missing"));
+    EXPECT_THAT(Refusal(ParseSteps("--step", "3,,5")), StartsWith("--step '3,,5': one is missing"));
     EXPECT_THAT(Refusal(ParseSteps("--step", "1,x")), StartsWith("--step x: "));
     std::string many = "0";
     for (int i = 1; i < 65; ++i)

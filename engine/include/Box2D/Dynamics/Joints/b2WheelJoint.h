@@ -11,8 +11,8 @@
 struct b2WheelJointDef : public b2JointDef
 {
     b2WheelJointDef() { type = e_wheelJoint; }
-    /// From a world point [m] and a world axis at the bodies' present transforms; the joint makes
-    /// the axis a unit vector, and the x axis of one that is 0.
+    /// From a world point [m] and a world axis, finite and not 0, at the bodies' present
+    /// transforms; the joint makes the axis a unit vector.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor, const b2Vec2& axis);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
