@@ -7,6 +7,7 @@
 #include <Box2D/Collision/b2Distance.h>
 
 #include "Distance.h"
+#include "SearchCounts.h"
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
@@ -397,4 +398,7 @@ void b2Distance(b2DistanceOutput* output, b2SimplexCache* cache, const b2Distanc
                          b2MulT(input->transformA, input->transformB), input->useRadii);
     output->pointA = b2Mul(input->transformA, output->pointA);
     output->pointB = b2Mul(input->transformA, output->pointB);
+    box2d::SearchCounts counts;
+    counts.AddDistance(output->iterations);
+    counts.Publish();
 }

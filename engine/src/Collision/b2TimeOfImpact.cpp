@@ -14,6 +14,9 @@
 #include <Box2D/Collision/b2TimeOfImpact.h>
 
 #include "Distance.h"
+#include "SearchCounts.h"
+
+#include <Box2D/Common/b2Timer.h>
 
 namespace
 {
@@ -185,13 +188,15 @@ struct Marks
 // How far the shapes may move on along the axis before the bound comes down to the target; `most`
 // when it does not. Negative when they are closer than the target already. The root of the pair
 // that is closest at h lies at or after that of the whole bound, so h only ever shrinks to it.
-double SafeStep(const Marks& a, const Marks& b, double curvature, double target, double most)
+double SafeStep(const Marks& a, const Marks& b, double curvature, double target, double most,
+                int32& iterations)
 {
     double h = most;
     int32 lastA = -1;
     int32 lastB = -1;
     while (true)
     {
+        ++iterations;
         const int32 i = a.Lowest(h, -1.0);
         const int32 j = b.Lowest(h, 1.0);
         const double gap = b.marks[j].x - a.marks[i].x - target;
@@ -219,8 +224,8 @@ double SafeStep(const Marks& a, const Marks& b, double curvature, double target,
 class Search
 {
 public:
-    explicit Search(const b2TOIInput& input)
-        : m_input(input), m_a(input.sweepA, input.sweepA.c0, input.proxyA),
+    Search(const b2TOIInput& input, box2d::SearchCounts& counts)
+        : m_input(input), m_counts(counts), m_a(input.sweepA, input.sweepA.c0, input.proxyA),
           m_b(input.sweepB, input.sweepA.c0, input.proxyB)
     {
         const float32 radius = input.proxyA.m_radius + input.proxyB.m_radius;
@@ -232,15 +237,28 @@ public:
 
     b2TOIOutput Run()
     {
+        int32 steps = 0;
+        const b2TOIOutput output = Advance(steps);
+        ++m_counts.toiCalls;
+        m_counts.toiIters += steps;
+        m_counts.toiMaxIters = b2Max(m_counts.toiMaxIters, steps);
+        return output;
+    }
+
+private:
+    b2TOIOutput Advance(int32& steps)
+    {
         constexpr float32 tolerance = 0.25f * b2_linearSlop;
         double t = 0.0;
-        for (int32 step = 0; step < kMaxSteps; ++step)
+        while (steps < kMaxSteps)
         {
+            ++steps;
             m_a.MoveTo(t);
             m_b.MoveTo(t);
             const b2Transform bInA = Relative(m_a, m_b);
             b2DistanceOutput closest;
             box2d::ShapeDistance(&closest, &m_cache, m_input.proxyA, m_input.proxyB, bInA, false);
+            m_counts.AddDistance(closest.iterations);
             if (closest.distance <= 0.0f)
             {
                 return {b2TOIOutput::e_overlapped, static_cast<float32>(t)};
@@ -260,8 +278,7 @@ public:
         return {b2TOIOutput::e_failed, static_cast<float32>(t)};
     }
 
-private:
-    double Step(const b2DistanceOutput& closest, const b2Transform& bInA, double remaining) const
+    double Step(const b2DistanceOutput& closest, const b2Transform& bInA, double remaining)
     {
         const b2Vec2 axis = ClosestAxis(m_cache, closest, m_input.proxyA, m_input.proxyB, bInA);
         const Vector n = ToWorld(m_a, axis);
@@ -269,7 +286,10 @@ private:
         Marks b;
         a.Fill(m_a, m_input.proxyA, n);
         b.Fill(m_b, m_input.proxyB, n);
-        const double h = SafeStep(a, b, m_a.Curvature() + m_b.Curvature(), m_target, remaining);
+        int32 iterations = 0;
+        const double h =
+            SafeStep(a, b, m_a.Curvature() + m_b.Curvature(), m_target, remaining, iterations);
+        m_counts.AddAdvance(iterations);
         if (h > 0.0)
         {
             return h;
@@ -281,6 +301,7 @@ private:
     }
 
     const b2TOIInput& m_input;
+    box2d::SearchCounts& m_counts;
     Motion m_a;
     Motion m_b;
     float32 m_target;
@@ -289,15 +310,28 @@ private:
 };
 } // namespace
 
+b2TOIOutput box2d::FindImpact(const b2TOIInput& input, bool isTimed, SearchCounts& counts)
+{
+    if (!B2_REQUIRE(input.proxyA.m_count > 0 && input.proxyB.m_count > 0,
+                    "b2TimeOfImpact needs shapes with vertices; call b2DistanceProxy::Set first."))
+    {
+        return {b2TOIOutput::e_failed, 0.0f};
+    }
+    if (!isTimed)
+    {
+        return Search(input, counts).Run();
+    }
+    const b2Timer timer;
+    const b2TOIOutput output = Search(input, counts).Run();
+    const float32 time = timer.GetMilliseconds();
+    counts.toiTime += time;
+    counts.toiMaxTime = b2Max(counts.toiMaxTime, time);
+    return output;
+}
+
 void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input)
 {
-    output->state = b2TOIOutput::e_failed;
-    output->t = 0.0f;
-    const bool isUsable =
-        B2_REQUIRE(input->proxyA.m_count > 0 && input->proxyB.m_count > 0,
-                   "b2TimeOfImpact needs shapes with vertices; call b2DistanceProxy::Set first.");
-    if (isUsable)
-    {
-        *output = Search(*input).Run();
-    }
+    box2d::SearchCounts counts;
+    *output = box2d::FindImpact(*input, true, counts);
+    counts.Publish();
 }

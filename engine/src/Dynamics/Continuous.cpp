@@ -8,12 +8,15 @@
 #include "Sweeps.h"
 #include "World.h"
 
+#include "../Collision/SearchCounts.h"
+
 #include <Box2D/Collision/b2TimeOfImpact.h>
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
 #include <algorithm>
+#include <mutex>
 
 /// Continuous collision: impacts that the discrete step went through are found in the order of
 /// their times, the two bodies are taken back to the impact, solved there with what they touch, and
@@ -59,10 +62,19 @@ public:
     }
 
     void Run();
+    /// Adds what the searches counted to the public numbers.
+    void PublishCounts() const
+    {
+        if (m_counts.toiCalls > 0)
+        {
+            m_counts.Publish();
+        }
+    }
 
 private:
     void LookAt(b2Body& body);
-    float32 TimeOfImpact(const ContactData& c) const;
+    void FindImpactTimes();
+    float32 TimeOfImpact(const ContactData& c, SearchCounts& counts) const;
     void AddEvent(b2Contact& contact, float32 time);
     bool IsCandidate(const ContactData& c) const;
     bool IsValid(const ImpactEvent& event) const;
@@ -86,24 +98,14 @@ private:
     Array<b2Body*>& m_bodies;      // of the present event
     Array<ImpactBackup>& m_before; // the same bodies as they were
     Array<b2Contact*>& m_contacts; // of the present event
+    SearchCounts m_counts;
+    std::mutex m_countsMutex; // held while threads add theirs
 };
 
 void ContinuousCollision::Run()
 {
     const Array<b2Contact*>& contacts = m_world.awakeContacts;
-    m_arrays.impactTimes.resize(contacts.size());
-    ParallelFor(m_world.threads.get(), int32(contacts.size()), kContactGrain,
-                [&](int32 begin, int32 end) {
-                    for (auto i = std::size_t(begin); i < std::size_t(end); ++i)
-                    {
-                        ContactData& c = Data(*contacts[i]);
-                        if (m_world.stepComplete && c.toiCount != 0)
-                        {
-                            c.toiCount = 0;
-                        }
-                        m_arrays.impactTimes[i] = TimeOfImpact(c);
-                    }
-                });
+    FindImpactTimes();
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
         AddEvent(*contacts[i], m_arrays.impactTimes[i]);
@@ -152,11 +154,35 @@ void ContinuousCollision::Run()
     }
 }
 
+void ContinuousCollision::FindImpactTimes()
+{
+    const Array<b2Contact*>& contacts = m_world.awakeContacts;
+    m_arrays.impactTimes.resize(contacts.size());
+    ParallelFor(m_world.threads.get(), int32(contacts.size()), kContactGrain,
+                [&](int32 begin, int32 end) {
+                    SearchCounts counts;
+                    for (auto i = std::size_t(begin); i < std::size_t(end); ++i)
+                    {
+                        ContactData& c = Data(*contacts[i]);
+                        if (m_world.stepComplete && c.toiCount != 0)
+                        {
+                            c.toiCount = 0;
+                        }
+                        m_arrays.impactTimes[i] = TimeOfImpact(c, counts);
+                    }
+                    if (counts.toiCalls > 0)
+                    {
+                        const std::lock_guard<std::mutex> lock(m_countsMutex);
+                        m_counts.Add(counts);
+                    }
+                });
+}
+
 void ContinuousCollision::LookAt(b2Body& body)
 {
     for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
     {
-        AddEvent(*edge->contact, TimeOfImpact(Data(*edge->contact)));
+        AddEvent(*edge->contact, TimeOfImpact(Data(*edge->contact), m_counts));
     }
 }
 
@@ -179,7 +205,7 @@ bool ContinuousCollision::IsCandidate(const ContactData& c) const
 }
 
 /// As a fraction of the step; 1 when there is none.
-float32 ContinuousCollision::TimeOfImpact(const ContactData& c) const
+float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& counts) const
 {
     if (!IsCandidate(c))
     {
@@ -202,6 +228,7 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c) const
     const b2Shape& shapeB = *c.fixtureB->GetShape();
     if (IsRoundAbout(a, shapeA) && IsRoundAbout(b, shapeB))
     {
+        ++counts.toiCalls; // in closed form, without an iteration
         const float32 t = CircleImpact(a, fromA, b, fromB, shapeA.m_radius + shapeB.m_radius);
         return b2Min(start + (1.0f - start) * t, 1.0f);
     }
@@ -221,8 +248,7 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c) const
     input.proxyA.Set(&shapeA, c.childA);
     input.proxyB.Set(&shapeB, c.childB);
     input.tMax = 1.0f;
-    b2TOIOutput output;
-    b2TimeOfImpact(&output, &input);
+    const b2TOIOutput output = FindImpact(input, m_world.profiling, counts);
     if (output.state == b2TOIOutput::e_overlapped && GoesDeeper(c, input.sweepA, input.sweepB))
     {
         return start;
@@ -454,7 +480,9 @@ void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
 
 void World::SolveContinuous(float32 timeStep, int32 velocityIterations)
 {
-    ContinuousCollision(*this, timeStep, velocityIterations).Run();
+    ContinuousCollision continuous(*this, timeStep, velocityIterations);
+    continuous.Run();
+    continuous.PublishCounts();
 }
 
 } // namespace box2d

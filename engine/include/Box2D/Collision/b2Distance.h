@@ -92,3 +92,12 @@ struct b2DistanceOutput
 /// read and written. No pointer is null; a proxy without vertices asserts, and the distance is
 /// b2_maxFloat.
 void b2Distance(b2DistanceOutput* output, b2SimplexCache* cache, const b2DistanceInput* input);
+
+// Statistics of b2Distance by the names of the 2.3 generation. They cover the calls of b2Distance
+// and the distances that b2TimeOfImpact and continuous collision measure; a step adds its own when
+// it ends. The program may set them to 0. Calls at the same time from several threads race for
+// nothing, but may lose a count.
+
+extern int32 b2_gjkCalls;    ///< how often a distance was measured
+extern int32 b2_gjkIters;    ///< iterations of all these calls
+extern int32 b2_gjkMaxIters; ///< iterations of the longest of these calls

@@ -41,3 +41,16 @@ struct b2TOIOutput
 /// counts as touching that does not. Neither pointer is null; of a shape without vertices it
 /// asserts, and fails at t = 0.
 void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input);
+
+// Statistics of b2TimeOfImpact by the names of the 2.3 generation. They cover the calls of
+// b2TimeOfImpact and the searches of continuous collision; see b2_gjkCalls.
+
+extern int32 b2_toiCalls;        ///< how often an impact was searched for
+extern int32 b2_toiIters;        ///< advances of all these searches
+extern int32 b2_toiMaxIters;     ///< advances of the longest of these searches
+extern int32 b2_toiRootIters;    ///< iterations of all searches for the length of an advance
+extern int32 b2_toiMaxRootIters; ///< iterations for the length of one advance, at most
+/// Time of all these searches [ms]. In a step it is measured when b2World::GetProfile was called
+/// before.
+extern float32 b2_toiTime;
+extern float32 b2_toiMaxTime; ///< time of the longest of these searches [ms]; see b2_toiTime
