@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdarg>
+#include <set>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 // The names and signatures that programs of the 2.3 generation rely on, and what the manual leaves
 // to the headers. A signature is checked by the compiler: a changed one does not build.
@@ -37,6 +39,7 @@ static_assert(Is<void (b2World::*)(b2ContactFilter*)>(&b2World::SetContactFilter
 static_assert(Is<void (b2World::*)(b2ContactListener*)>(&b2World::SetContactListener));
 static_assert(Is<void (b2World::*)(b2Draw*)>(&b2World::SetDebugDraw));
 static_assert(Is<void (b2World::*)(bool)>(&b2World::SetSubStepping));
+static_assert(std::is_same_v<decltype(b2ContactManager::m_broadPhase), b2BroadPhase>);
 static_assert(std::is_same_v<b2Draw, b2DebugDraw>);
 
 // ---- Bodies, fixtures, contacts
@@ -150,6 +153,174 @@ TEST(PublicApi, TheContactManagerSaysWhatTheWorldSays)
     EXPECT_EQ(manager.m_contactList, world.GetContactList());
     EXPECT_EQ(manager.m_contactListener, &listener);
     EXPECT_EQ(manager.m_contactFilter, &filter);
+}
+
+/// Numbers of proxies that a query or ray meets.
+struct Met
+{
+    bool QueryCallback(int32 proxyId)
+    {
+        proxies.push_back(proxyId);
+        return int32(proxies.size()) < most;
+    }
+    float32 RayCastCallback(const b2RayCastInput& input, int32 proxyId)
+    {
+        proxies.push_back(proxyId);
+        const b2AABB& box = broadPhase->GetFatAABB(proxyId);
+        b2RayCastOutput output;
+        nearest = box.RayCast(&output, input) ? output.fraction : input.maxFraction;
+        return nearest;
+    }
+
+    const b2BroadPhase* broadPhase = nullptr;
+    int32 most = 1000;
+    float32 nearest = 1.0f;
+    std::vector<int32> proxies;
+};
+
+/// A static, a kinematic and a dynamic circle of radius 1 every 4 m along x, in turn.
+struct RowOfCircles
+{
+    RowOfCircles() : world(b2Vec2(0.0f, 0.0f))
+    {
+        b2CircleShape circle;
+        circle.m_radius = 1.0f;
+        for (int32 i = 0; i < 9; ++i)
+        {
+            b2BodyDef def;
+            def.type = b2BodyType(i % 3);
+            def.position.Set(4.0f * float32(i), 0.0f);
+            fixtures.push_back(world.CreateBody(&def)->CreateFixture(&circle, 1.0f));
+        }
+        world.Step(1.0f / 60.0f, 8, 3);
+    }
+    const b2BroadPhase& BroadPhase() const { return world.GetContactManager().m_broadPhase; }
+
+    b2World world;
+    std::vector<b2Fixture*> fixtures;
+};
+
+b2AABB BoxOf(float32 lower, float32 upper)
+{
+    b2AABB box;
+    box.lowerBound.Set(lower, -1.0f);
+    box.upperBound.Set(upper, 1.0f);
+    return box;
+}
+
+TEST(WorldBroadPhase, HasABoxForEachFixture)
+{
+    const RowOfCircles row;
+    const b2BroadPhase& broadPhase = row.BroadPhase();
+    EXPECT_EQ(broadPhase.GetProxyCount(), 9);
+    EXPECT_EQ(broadPhase.GetTreeHeight(), row.world.GetTreeHeight());
+    EXPECT_EQ(broadPhase.GetTreeHeight(), 2) << "three leaves";
+    EXPECT_EQ(broadPhase.GetTreeBalance(), row.world.GetTreeBalance());
+    EXPECT_EQ(broadPhase.GetTreeQuality(), row.world.GetTreeQuality());
+    Met met;
+    broadPhase.Query(&met, BoxOf(-10.0f, 100.0f));
+    ASSERT_EQ(met.proxies.size(), 9u);
+    for (const int32 id : met.proxies)
+    {
+        const auto* proxy = static_cast<b2FixtureProxy*>(broadPhase.GetUserData(id));
+        EXPECT_EQ(proxy->proxyId, id);
+        EXPECT_EQ(broadPhase.GetFatAABB(id).lowerBound, proxy->fixture->GetAABB(0).lowerBound);
+        EXPECT_EQ(broadPhase.GetFatAABB(id).upperBound, proxy->fixture->GetAABB(0).upperBound);
+        EXPECT_TRUE(broadPhase.TestOverlap(id, id));
+    }
+    EXPECT_FALSE(broadPhase.TestOverlap(met.proxies[0], met.proxies[1]));
+}
+
+TEST(WorldBroadPhase, FindsTheBoxesThatABoxOverlaps)
+{
+    const RowOfCircles row;
+    Met met;
+    row.BroadPhase().Query(&met, BoxOf(2.0f, 14.0f)); // the second to the fourth: one of each kind
+    std::vector<const b2Fixture*> found;
+    for (const int32 id : met.proxies)
+    {
+        found.push_back(static_cast<b2FixtureProxy*>(row.BroadPhase().GetUserData(id))->fixture);
+    }
+    EXPECT_EQ(std::set<const b2Fixture*>(found.begin(), found.end()),
+              std::set<const b2Fixture*>(row.fixtures.begin() + 1, row.fixtures.begin() + 4));
+    Met one;
+    one.most = 1;
+    row.BroadPhase().Query(&one, BoxOf(-10.0f, 100.0f));
+    EXPECT_EQ(one.proxies.size(), 1u) << "no other tree is asked once a callback has said stop";
+}
+
+TEST(WorldBroadPhase, CutsARayInAllTrees)
+{
+    const RowOfCircles row;
+    Met met;
+    met.broadPhase = &row.BroadPhase();
+    b2RayCastInput input;
+    input.p1.Set(2.5f, 0.0f); // between the first and the second, which is kinematic
+    input.p2.Set(-7.0f, 0.0f);
+    input.maxFraction = 1.0f;
+    row.BroadPhase().RayCast(&met, input);
+    ASSERT_EQ(met.proxies.size(), 1u) << "the first circle, which is static";
+    EXPECT_NEAR(met.nearest, 1.5f / 9.5f, 0.02f);
+    Met cut;
+    cut.broadPhase = &row.BroadPhase();
+    input.p1.Set(-5.0f, 0.0f);
+    input.p2.Set(35.0f, 0.0f);
+    row.BroadPhase().RayCast(&cut, input);
+    EXPECT_NEAR(cut.nearest, 0.1f, 0.01f) << "the nearest of all";
+    EXPECT_LT(cut.proxies.size(), 4u) << "what lies behind it is not looked at in other trees";
+}
+
+TEST(WorldBroadPhase, IsTheWorldsAfterARestore)
+{
+    RowOfCircles row;
+    const std::vector<uint8> bytes = b2SaveSnapshot(row.world);
+    ASSERT_EQ(b2RestoreSnapshot(row.world, bytes), nullptr);
+    EXPECT_EQ(row.BroadPhase().GetProxyCount(), 9);
+    EXPECT_EQ(row.BroadPhase().GetTreeHeight(), 2);
+}
+
+// ---- Names of 2.4
+
+TEST(NamesOf24, DoWhatThoseOf23Do)
+{
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position.Set(1.0f, 2.0f);
+    b2Body* body = world.CreateBody(&def);
+    b2CircleShape circle;
+    circle.m_radius = 1.0f;
+    circle.m_p.Set(0.5f, 0.0f); // off the origin: the centre of mass counts
+    body->CreateFixture(&circle, 1.0f);
+    body->ApplyLinearImpulseToCenter(b2Vec2(0.0f, 3.0f * body->GetMass()), true);
+    EXPECT_FLOAT_EQ(body->GetLinearVelocity().y, 3.0f);
+    EXPECT_EQ(body->GetAngularVelocity(), 0.0f);
+    body->SetAwake(false);
+    body->ApplyLinearImpulseToCenter(b2Vec2(0.0f, 1.0f), false);
+    EXPECT_EQ(body->GetLinearVelocity().y, 0.0f);
+    body->SetEnabled(false);
+    EXPECT_FALSE(body->IsEnabled());
+    EXPECT_FALSE(body->IsActive());
+    body->SetEnabled(true);
+    EXPECT_TRUE(body->IsActive());
+
+    struct Circles : b2Draw
+    {
+        void DrawPolygon(const b2Vec2*, int32, const b2Color&) override {}
+        void DrawSolidPolygon(const b2Vec2*, int32, const b2Color&) override {}
+        void DrawCircle(const b2Vec2&, float32, const b2Color&) override {}
+        void DrawSolidCircle(const b2Vec2&, float32, const b2Vec2&, const b2Color&) override
+        {
+            ++count;
+        }
+        void DrawSegment(const b2Vec2&, const b2Vec2&, const b2Color&) override {}
+        void DrawTransform(const b2Transform&) override {}
+        int count = 0;
+    } draw;
+    draw.SetFlags(b2Draw::e_shapeBit);
+    world.SetDebugDraw(&draw);
+    world.DebugDraw();
+    EXPECT_EQ(draw.count, 1);
 }
 
 } // namespace

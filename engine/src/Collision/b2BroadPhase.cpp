@@ -59,3 +59,43 @@ void b2BroadPhase::CollectPairs()
     };
     m_pairs.erase(std::unique(m_pairs.begin(), m_pairs.end(), isSame), m_pairs.end());
 }
+
+int32 b2BroadPhase::GetProxyCount() const
+{
+    int32 count = 0;
+    for (int32 tree = 0; tree < m_treeCount; ++tree)
+    {
+        count += m_trees[tree].GetProxyCount();
+    }
+    return count;
+}
+
+int32 b2BroadPhase::GetTreeHeight() const
+{
+    int32 height = 0;
+    for (int32 tree = 0; tree < m_treeCount; ++tree)
+    {
+        height = b2Max(height, m_trees[tree].GetHeight());
+    }
+    return height;
+}
+
+int32 b2BroadPhase::GetTreeBalance() const
+{
+    int32 balance = 0;
+    for (int32 tree = 0; tree < m_treeCount; ++tree)
+    {
+        balance = b2Max(balance, m_trees[tree].GetMaxBalance());
+    }
+    return balance;
+}
+
+float32 b2BroadPhase::GetTreeQuality() const
+{
+    float32 quality = 0.0f;
+    for (int32 tree = 0; tree < m_treeCount; ++tree)
+    {
+        quality = b2Max(quality, m_trees[tree].GetAreaRatio());
+    }
+    return quality;
+}

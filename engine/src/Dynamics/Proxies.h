@@ -22,6 +22,8 @@ class Proxies
 public:
     static constexpr int32 kTreeCount = 3; // by Mobility
 
+    static constexpr int32 kTreeBits = 2;
+
     /// An id holds the tree's node and, in its lowest two bits, the mobility.
     static Mobility MobilityOf(int32 proxyId) { return static_cast<Mobility>(proxyId & 3); }
 
@@ -72,6 +74,7 @@ public:
     bool Query(const b2AABB& box, Mobility mobility, Report&& report) const;
 
     const b2DynamicTree& TreeOf(Mobility mobility) const { return m_trees[int32(mobility)]; }
+    const b2DynamicTree* Trees() const { return m_trees; } ///< kTreeCount of them, by mobility
     void ShiftOrigin(const b2Vec2& newOrigin);
     int32 Count() const { return m_count; }
 

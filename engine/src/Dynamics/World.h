@@ -199,7 +199,9 @@ public:
     float32 inverseStep = 0.0f;            ///< of the last step [1/s], 0 before the first
     std::uint32_t stepNumber = kHandLasts; ///< of steps that take time
     b2Profile profile;
-    mutable b2ContactManager contactManager; ///< what b2World::GetContactManager hands out
+    /// What b2World::GetContactManager hands out.
+    mutable b2ContactManager contactManager{
+        .m_broadPhase = b2BroadPhase(proxies.Trees(), Proxies::kTreeCount, Proxies::kTreeBits)};
     bool profiling = false;
     bool allowSleep = true;
     bool warmStarting = true;

@@ -274,38 +274,19 @@ int32 b2World::GetContactCount() const
     return m_world->contactCount;
 }
 
-// The world has a tree for each mobility; these speak of the worst of them.
 int32 b2World::GetTreeHeight() const
 {
-    int32 height = 0;
-    for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
-    {
-        height =
-            b2Max(height, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetHeight());
-    }
-    return height;
+    return m_world->contactManager.m_broadPhase.GetTreeHeight();
 }
 
 int32 b2World::GetTreeBalance() const
 {
-    int32 balance = 0;
-    for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
-    {
-        balance = b2Max(balance,
-                        m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetMaxBalance());
-    }
-    return balance;
+    return m_world->contactManager.m_broadPhase.GetTreeBalance();
 }
 
 float32 b2World::GetTreeQuality() const
 {
-    float32 quality = 0.0f;
-    for (int32 i = 0; i < box2d::Proxies::kTreeCount; ++i)
-    {
-        quality =
-            b2Max(quality, m_world->proxies.TreeOf(static_cast<box2d::Mobility>(i)).GetAreaRatio());
-    }
-    return quality;
+    return m_world->contactManager.m_broadPhase.GetTreeQuality();
 }
 
 void b2World::SetGravity(const b2Vec2& gravity)
@@ -355,9 +336,12 @@ const b2Profile& b2World::GetProfile() const
 
 const b2ContactManager& b2World::GetContactManager() const
 {
-    m_world->contactManager = {m_world->contactList, m_world->contactCount, m_world->filter,
-                               m_world->listener};
-    return m_world->contactManager;
+    b2ContactManager& manager = m_world->contactManager;
+    manager.m_contactList = m_world->contactList;
+    manager.m_contactCount = m_world->contactCount;
+    manager.m_contactFilter = m_world->filter;
+    manager.m_contactListener = m_world->listener;
+    return manager;
 }
 
 void b2World::Dump()

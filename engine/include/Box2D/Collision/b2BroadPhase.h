@@ -8,6 +8,11 @@
 /// @file
 /// Which proxies may touch.
 
+namespace box2d
+{
+class World;
+} // namespace box2d
+
 /// A pair of proxies, the smaller number first.
 struct b2Pair
 {
@@ -16,7 +21,9 @@ struct b2Pair
 };
 
 /// Finds the pairs of proxies that may touch, looking only at those that moved. It does not
-/// remember pairs: whoever is told of one keeps it until the boxes no longer overlap.
+/// remember pairs: whoever is told of one keeps it until the boxes no longer overlap. That of a
+/// world (b2ContactManager::m_broadPhase) is there to be read: the user data of its proxies are
+/// b2FixtureProxy objects, whose proxyId is the number.
 class b2BroadPhase
 {
 public:
@@ -44,9 +51,12 @@ public:
     void TouchProxy(int32 proxyId);
 
     /// The stored box [m].
-    const b2AABB& GetFatAABB(int32 proxyId) const { return m_tree.GetFatAABB(proxyId); }
+    const b2AABB& GetFatAABB(int32 proxyId) const
+    {
+        return TreeOf(proxyId).GetFatAABB(NodeOf(proxyId));
+    }
     /// What CreateProxy was given.
-    void* GetUserData(int32 proxyId) const { return m_tree.GetUserData(proxyId); }
+    void* GetUserData(int32 proxyId) const { return TreeOf(proxyId).GetUserData(NodeOf(proxyId)); }
 
     /// Do the stored boxes overlap?
     bool TestOverlap(int32 proxyIdA, int32 proxyIdB) const
@@ -54,7 +64,7 @@ public:
         return b2TestOverlap(GetFatAABB(proxyIdA), GetFatAABB(proxyIdB));
     }
 
-    int32 GetProxyCount() const { return m_tree.GetProxyCount(); } ///< how many proxies there are
+    int32 GetProxyCount() const; ///< how many proxies there are
 
     /// Calls `void callback->AddPair(void* userDataA, void* userDataB)` once for every pair that
     /// has a proxy which moved since the last time, in the order of their numbers.
@@ -63,32 +73,44 @@ public:
 
     /// As in b2DynamicTree.
     template <typename T>
-    void Query(T* callback, const b2AABB& aabb) const
-    {
-        m_tree.Query(callback, aabb);
-    }
+    void Query(T* callback, const b2AABB& aabb) const;
     /// As in b2DynamicTree.
     template <typename T>
-    void RayCast(T* callback, const b2RayCastInput& input) const
-    {
-        m_tree.RayCast(callback, input);
-    }
+    void RayCast(T* callback, const b2RayCastInput& input) const;
 
-    /// Of the tree; 0: one proxy or none.
-    int32 GetTreeHeight() const { return m_tree.GetHeight(); }
-    /// As b2DynamicTree::GetMaxBalance.
-    int32 GetTreeBalance() const { return m_tree.GetMaxBalance(); }
-    /// As b2DynamicTree::GetAreaRatio.
-    float32 GetTreeQuality() const { return m_tree.GetAreaRatio(); }
+    int32 GetTreeHeight() const;    ///< of the highest tree; 0: one proxy or none
+    int32 GetTreeBalance() const;   ///< as b2DynamicTree::GetMaxBalance, of the worst tree
+    float32 GetTreeQuality() const; ///< as b2DynamicTree::GetAreaRatio, of the worst tree
 
     /// What was at newOrigin [m] is at zero.
     void ShiftOrigin(const b2Vec2& newOrigin) { m_tree.ShiftOrigin(newOrigin); }
 
 private:
+    friend class box2d::World;
+    /// Looks at the trees of a world, which outlive it: a number has that of the tree in its lowest
+    /// bits.
+    b2BroadPhase(const b2DynamicTree* trees, int32 treeCount, int32 treeBits)
+        : m_trees(trees), m_treeCount(treeCount), m_treeBits(treeBits)
+    {}
+
+    const b2DynamicTree& TreeOf(int32 proxyId) const
+    {
+        const int32 tree = proxyId & ((1 << m_treeBits) - 1);
+        b2Assert(tree < m_treeCount);
+        return m_trees[tree];
+    }
+    int32 NodeOf(int32 proxyId) const { return proxyId >> m_treeBits; }
+    int32 NumberOf(int32 node, int32 tree) const { return (node << m_treeBits) | tree; }
+    template <typename T>
+    struct RayVisitor;
+
     /// Fills m_pairs, sorted and without repetition, and forgets what moved.
     void CollectPairs();
 
-    b2DynamicTree m_tree;
+    b2DynamicTree m_tree;                   ///< its own; empty when it looks at others
+    const b2DynamicTree* m_trees = &m_tree; ///< all that it looks at
+    int32 m_treeCount = 1;
+    int32 m_treeBits = 0;
     box2d::Array<int32> m_moved; ///< may hold a proxy twice, and some that are gone
     box2d::Array<b2Pair> m_pairs;
 };
@@ -100,5 +122,51 @@ void b2BroadPhase::UpdatePairs(T* callback)
     for (const b2Pair& pair : m_pairs)
     {
         callback->AddPair(m_tree.GetUserData(pair.proxyIdA), m_tree.GetUserData(pair.proxyIdB));
+    }
+}
+
+template <typename T>
+void b2BroadPhase::Query(T* callback, const b2AABB& aabb) const
+{
+    bool goesOn = true;
+    for (int32 tree = 0; tree < m_treeCount && goesOn; ++tree)
+    {
+        m_trees[tree].ForEachOverlap(aabb, [&](int32 node) {
+            goesOn = callback->QueryCallback(NumberOf(node, tree));
+            return goesOn;
+        });
+    }
+}
+
+/// A ray through one tree; what is left of it goes through the next.
+template <typename T>
+struct b2BroadPhase::RayVisitor
+{
+    const b2BroadPhase& broadPhase;
+    T* callback;
+    int32 tree;
+    float32 maxFraction;
+
+    float32 RayCastCallback(const b2RayCastInput& input, int32 node)
+    {
+        const float32 value = callback->RayCastCallback(input, broadPhase.NumberOf(node, tree));
+        maxFraction = value >= 0.0f ? value : maxFraction;
+        return value;
+    }
+};
+
+template <typename T>
+void b2BroadPhase::RayCast(T* callback, const b2RayCastInput& input) const
+{
+    b2RayCastInput rest = input;
+    for (int32 tree = 0; tree < m_treeCount; ++tree)
+    {
+        RayVisitor<T> visitor{*this, callback, tree, rest.maxFraction};
+        m_trees[tree].RayCast(&visitor, rest);
+        rest.maxFraction = visitor.maxFraction;
+        if (rest.maxFraction == 0.0f)
+        {
+            return;
+        }
     }
 }

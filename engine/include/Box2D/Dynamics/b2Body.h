@@ -99,7 +99,7 @@ public:
 
     /// A force [N] at a world point [m], both finite, for the next step; off the centre of mass it
     /// turns the body. `wake` false leaves a sleeping body alone, and then it feels nothing. These
-    /// five act on dynamic bodies only.
+    /// six act on dynamic bodies only.
     void ApplyForce(const b2Vec2& force, const b2Vec2& point, bool wake = true);
     /// At the centre of mass [N], finite, for the next step.
     void ApplyForceToCenter(const b2Vec2& force, bool wake = true);
@@ -108,6 +108,11 @@ public:
     /// [N s] at a world point [m], both finite: changes the velocity at once, and off the centre of
     /// mass the rotation too.
     void ApplyLinearImpulse(const b2Vec2& impulse, const b2Vec2& point, bool wake = true);
+    /// At the centre of mass [N s], finite: changes the velocity at once. By the name of 2.4.
+    void ApplyLinearImpulseToCenter(const b2Vec2& impulse, bool wake = true)
+    {
+        ApplyLinearImpulse(impulse, GetWorldCenter(), wake);
+    }
     /// Changes the rotation at once, anticlockwise [N m s], finite.
     void ApplyAngularImpulse(float32 impulse, bool wake = true);
 
@@ -179,6 +184,8 @@ public:
     /// asserts and changes nothing.
     void SetActive(bool flag);
     bool IsActive() const { return m_data.IsActive(); } ///< see SetActive
+    void SetEnabled(bool flag) { SetActive(flag); }     ///< as SetActive, by the name of 2.4
+    bool IsEnabled() const { return IsActive(); }       ///< as IsActive, by the name of 2.4
     /// Whether it never turns; a change stops its rotation.
     void SetFixedRotation(bool flag);
     /// Whether it never turns.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Box2D/Common/b2Settings.h>
+#include <Box2D/Collision/b2BroadPhase.h>
 
 /// @file
 /// What a world says of its contacts.
@@ -10,10 +10,11 @@ class b2Contact;
 class b2ContactFilter;
 class b2ContactListener;
 
-/// What a world says of its contacts in one place, as b2World::GetContactManager found it. A copy:
-/// writing to it changes nothing.
+/// What a world says of its contacts in one place, as b2World::GetContactManager found it. To be
+/// read: the broad phase is the world's, as it is now, and the rest a copy.
 struct b2ContactManager
 {
+    b2BroadPhase m_broadPhase;                      ///< the boxes of all fixtures
     b2Contact* m_contactList = nullptr;             ///< newest first
     int32 m_contactCount = 0;                       ///< of all contacts, touching or not
     b2ContactFilter* m_contactFilter = nullptr;     ///< the default one unless another is set

@@ -75,6 +75,7 @@ public:
     void ClearForces();
     /// Calls the registered b2Draw for what its flags ask for.
     void DrawDebugData();
+    void DebugDraw() { DrawDebugData(); } ///< as DrawDebugData, by the name of 2.4
 
     /// Every fixture whose broad-phase box overlaps `aabb` [m], in no particular order. The bounds
     /// are finite and in order: of others the answer means nothing. No callback asserts, and
@@ -154,7 +155,7 @@ public:
     void ShiftOrigin(const b2Vec2& newOrigin);
     /// Where the time of the last step went; switches measuring on.
     const b2Profile& GetProfile() const;
-    /// As things stand: a copy, filled by this call.
+    /// As things stand: filled by this call.
     const b2ContactManager& GetContactManager() const;
     /// Writes the world as code to the log; nothing while it is locked.
     void Dump();
