@@ -30,6 +30,10 @@ void CollideEdgeAndCircle(b2Manifold* manifold, const b2EdgeShape& edgeA,
     const b2Vec2 v1 = edgeA.m_vertex1;
     const b2Vec2 v2 = edgeA.m_vertex2;
     const b2Vec2 e = v2 - v1;
+    if (edgeA.m_oneSided && b2Cross(e, center - v1) > 0.0f)
+    {
+        return; // on the left
+    }
 
     if (b2Dot(center - v1, e) <= 0.0f)
     {

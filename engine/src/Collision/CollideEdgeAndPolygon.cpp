@@ -296,6 +296,10 @@ Answer CollideAlone(b2Manifold* manifold, const b2EdgeShape& edgeA, const b2Poly
     o = LookFromRight(edgeA);
     if (!IsRightOfCurve(o, b2Mul(bInA, polygonB.m_centroid)))
     {
+        if (edgeA.m_oneSided)
+        {
+            return answer;
+        }
         o = LookFromLeft(o);
     }
     answer.normalInB = b2MulT(bInA.q, o.normal);
@@ -346,6 +350,7 @@ b2EdgeShape NeighbourAt(const b2EdgeShape& edge, uint8 end)
         neighbour.m_vertex0 = edge.m_vertex1;
         neighbour.m_hasVertex0 = true;
     }
+    neighbour.m_oneSided = edge.m_oneSided;
     return neighbour;
 }
 } // namespace

@@ -90,6 +90,15 @@ void DumpPoints(const b2Vec2* points, int32 count)
     }
 }
 
+/// Nothing of what has two, as shapes of 2.3 have.
+void DumpSides(bool isOneSided)
+{
+    if (isOneSided)
+    {
+        b2Log("    shape.m_oneSided = bool(1);\n");
+    }
+}
+
 void DumpEdge(const b2EdgeShape& edge)
 {
     b2Log("    b2EdgeShape shape;\n");
@@ -99,6 +108,7 @@ void DumpEdge(const b2EdgeShape& edge)
     DumpPoint("shape.m_vertex3", edge.m_vertex3);
     b2Log("    shape.m_hasVertex0 = bool(%d);\n", edge.m_hasVertex0);
     b2Log("    shape.m_hasVertex3 = bool(%d);\n", edge.m_hasVertex3);
+    DumpSides(edge.m_oneSided);
 }
 
 void DumpShape(const b2Shape& shape)
@@ -137,6 +147,7 @@ void DumpShape(const b2Shape& shape)
             b2Log("    shape.SetNextVertex(b2Vec2(%.8ef, %.8ef));\n", double(chain.m_nextVertex.x),
                   double(chain.m_nextVertex.y));
         }
+        DumpSides(chain.m_oneSided);
         break;
     }
     }

@@ -33,6 +33,7 @@ b2ChainShape& b2ChainShape::operator=(const b2ChainShape& other)
     m_nextVertex = other.m_nextVertex;
     m_hasPrevVertex = other.m_hasPrevVertex;
     m_hasNextVertex = other.m_hasNextVertex;
+    m_oneSided = other.m_oneSided;
     return *this;
 }
 
@@ -46,6 +47,7 @@ void b2ChainShape::Clear()
     m_count = 0;
     m_hasPrevVertex = false;
     m_hasNextVertex = false;
+    m_oneSided = false;
 }
 
 void b2ChainShape::TakeVertices(const b2Vec2* vertices, int32 count, int32 least, bool isLoop)
@@ -106,6 +108,15 @@ void b2ChainShape::CreateChain(const b2Vec2* vertices, int32 count)
     TakeVertices(vertices, count, 2, false);
 }
 
+void b2ChainShape::CreateChain(const b2Vec2* vertices, int32 count, const b2Vec2& prevVertex,
+                               const b2Vec2& nextVertex)
+{
+    CreateChain(vertices, count);
+    SetPrevVertex(prevVertex);
+    SetNextVertex(nextVertex);
+    m_oneSided = true;
+}
+
 void b2ChainShape::SetPrevVertex(const b2Vec2& prevVertex)
 {
     m_prevVertex = prevVertex;
@@ -139,6 +150,7 @@ void b2ChainShape::GetChildEdge(b2EdgeShape* edge, int32 index) const
     edge->m_vertex3 = isLast ? m_nextVertex : m_vertices[index + 2];
     edge->m_hasVertex0 = !isFirst || m_hasPrevVertex;
     edge->m_hasVertex3 = !isLast || m_hasNextVertex;
+    edge->m_oneSided = m_oneSided;
 }
 
 bool b2ChainShape::TestPoint(const b2Transform& transform, const b2Vec2& p) const

@@ -11,6 +11,19 @@ void b2EdgeShape::Set(const b2Vec2& v1, const b2Vec2& v2)
     m_vertex2 = v2;
     m_hasVertex0 = false;
     m_hasVertex3 = false;
+    m_oneSided = false;
+}
+
+void b2EdgeShape::SetOneSided(const b2Vec2& v0, const b2Vec2& v1, const b2Vec2& v2,
+                              const b2Vec2& v3)
+{
+    m_vertex0 = v0;
+    m_vertex1 = v1;
+    m_vertex2 = v2;
+    m_vertex3 = v3;
+    m_hasVertex0 = true;
+    m_hasVertex3 = true;
+    m_oneSided = true;
 }
 
 b2Shape* b2EdgeShape::Clone(b2BlockAllocator* allocator) const
@@ -48,7 +61,8 @@ bool b2EdgeShape::RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
     const b2Vec2 e = m_vertex2 - m_vertex1;
     const float32 height = b2Cross(to1, e);
     const float32 t = height / (side2 - side1);
-    if (!(t >= 0.0f && t <= input.maxFraction))
+    const bool isFromLeft = height > 0.0f;
+    if (!(t >= 0.0f && t <= input.maxFraction) || (m_oneSided && isFromLeft))
     {
         return false;
     }

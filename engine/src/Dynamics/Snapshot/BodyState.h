@@ -32,7 +32,7 @@ void Visit(Archive& archive, b2EdgeShape& shape)
 {
     static_assert(kHasSize<b2EdgeShape, 56>, "Say here what becomes of the new member.");
     archive(shape.m_radius, shape.m_vertex1, shape.m_vertex2, shape.m_vertex0, shape.m_vertex3,
-            shape.m_hasVertex0, shape.m_hasVertex3);
+            shape.m_hasVertex0, shape.m_hasVertex3, shape.m_oneSided);
 }
 
 template <class Archive>
@@ -52,7 +52,7 @@ void Visit(Archive& archive, b2ChainShape& shape)
 {
     static_assert(kHasSize<b2ChainShape, 48>, "Say here what becomes of the new member.");
     archive(shape.m_radius, shape.m_prevVertex, shape.m_nextVertex, shape.m_hasPrevVertex,
-            shape.m_hasNextVertex);
+            shape.m_hasNextVertex, shape.m_oneSided);
     archive.Count(shape.m_count, sizeof(b2Vec2));
     if constexpr (Archive::kReads)
     {

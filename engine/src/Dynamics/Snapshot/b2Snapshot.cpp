@@ -17,7 +17,7 @@ namespace
 
 /// To be raised with every change of what is saved, of its order or of its meaning; also when a
 /// step does something else with it, for then the films that it was saved for are others.
-constexpr uint32 kVersion = 2;
+constexpr uint32 kVersion = 3;
 
 /// What stands in front of the content. A file that was sent as text has other line ends.
 struct Header

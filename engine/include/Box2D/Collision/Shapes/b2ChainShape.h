@@ -8,8 +8,8 @@
 /// Chains of edges.
 
 /// Edges end to end, open or as a loop, each a child of its own: level ground. Collides from both
-/// sides and knows each edge's neighbours, so bodies slide along it without catching. It should not
-/// cross itself.
+/// sides, or from its right alone, and knows each edge's neighbours, so bodies slide along it
+/// without catching. It should not cross itself.
 class b2ChainShape final : public b2Shape
 {
 public:
@@ -33,6 +33,10 @@ public:
     /// With asserts off, vertices that are not finite or too close to the one before are left out,
     /// and where too few remain the chain has none.
     void CreateChain(const b2Vec2* vertices, int32 count);
+
+    /// The same between ghost vertices [m], finite; it stops only what is on its right, as in 2.4.
+    void CreateChain(const b2Vec2* vertices, int32 count, const b2Vec2& prevVertex,
+                     const b2Vec2& nextVertex);
 
     /// The ghost vertex before the first [m], finite, to continue another chain.
     void SetPrevVertex(const b2Vec2& prevVertex);
@@ -61,6 +65,7 @@ public:
     b2Vec2 m_nextVertex;          ///< ghost vertex after the last [m]
     bool m_hasPrevVertex = false; ///< whether there is one
     bool m_hasNextVertex = false; ///< whether there is one
+    bool m_oneSided = false;      ///< whether its edges stop only what is on their right
 
 private:
     /// Copies the vertices that are finite and far enough apart, with room for one more; none when
