@@ -76,6 +76,7 @@ private:
     }
     void AddMotor(GlyphPen& pen, bool enabled, float32 speed);
     void AddPins(const b2Vec2& a, const b2Vec2& b);
+    void AddStop(GlyphPen& pen, float32 distance, bool exists);
 
     void Add(const b2RevoluteJoint& joint);
     void Add(const b2PrismaticJoint& joint);
@@ -100,6 +101,16 @@ void GlyphWriter::AddMotor(GlyphPen& pen, bool enabled, float32 speed)
     if (enabled)
     {
         pen.ArcArrow(kArrowRadius, -4, 12, speed < 0.0f);
+    }
+}
+
+/// Across the pen's axis, at a distance from where it is [m].
+void GlyphWriter::AddStop(GlyphPen& pen, float32 distance, bool exists)
+{
+    if (exists)
+    {
+        const double at = double(distance) * m_view.camera.pixelsPerMeter;
+        pen.Line({at, -kHub}, {at, kHub});
     }
 }
 
@@ -166,7 +177,7 @@ void GlyphWriter::Add(const b2DistanceJoint& joint)
     }
     GlyphPen pen = PenAt(a, b - a);
     const double length = pen.Of(From(b)).x;
-    if (joint.GetFrequency() > 0.0f && length >= kShortSpring)
+    if (joint.IsSpring() && length >= kShortSpring)
     {
         pen.Zigzag({}, {length, 0.0}, kSpring);
     }
@@ -175,6 +186,8 @@ void GlyphWriter::Add(const b2DistanceJoint& joint)
         pen.Line({0.0, -2.5}, {length, -2.5});
         pen.Line({0.0, 2.5}, {length, 2.5});
     }
+    AddStop(pen, joint.GetMinLength(), joint.GetMinLength() > 0.0f);
+    AddStop(pen, joint.GetMaxLength(), joint.GetMaxLength() < b2_maxFloat);
     AddPins(a, b);
 }
 

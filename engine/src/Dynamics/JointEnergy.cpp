@@ -199,7 +199,7 @@ bool HasSpring(const b2Joint& joint)
     switch (joint.GetType())
     {
     case e_distanceJoint:
-        return As<b2DistanceJoint>(joint).GetFrequency() > 0.0f;
+        return As<b2DistanceJoint>(joint).IsSpring();
     case e_wheelJoint:
         return As<b2WheelJoint>(joint).GetSpringFrequencyHz() > 0.0f;
     case e_weldJoint:

@@ -12,31 +12,77 @@ namespace
 template <class F>
 struct DistanceLanes
 {
-    static constexpr int kImpulses = 1;
-    static constexpr int kPlainImpulses = kImpulses;
+    static constexpr int kImpulses = 3;
+    static constexpr int kPlainImpulses = 1;
     static constexpr bool kHoldsPositions = true;
     enum Features : uint8
     {
-        kSpring = 1 ///< for which the positions are not held
+        kSpring = 1, ///< for which the positions are not held
+        kLimits = 2  ///< of the length
     };
-
-    F impulse; ///< along the axis [N s]
+    F impulse;                    ///< of the rod or spring, along the axis [N s]
+    F lowerImpulse, upperImpulse; ///< of the limits [N s], never negative
     Vector<F> axis;
     Vector<F> armA, armB; ///< at the start of the step [m]
     Vector<F> offset;     ///< from centre of mass A to B [m]
     F mass;               ///< effective, along the axis
     F bias, gamma;        ///< of a spring
     F length;             ///< that it shall have [m]
-    F isSpring;           ///< 1 or 0
+    F isSpring;           ///< without limits: 1 or 0
+    F hasLimits;          ///< 1 or 0
 
-    void WarmStart(MovingPair<F>& pair, uint8) const { pair.Apply(impulse * axis, armA, armB); }
+    /// Written of lanes with limits only.
+    struct Limits
+    {
+        F mass;                   ///< effective, along the axis
+        F lower, upper;           ///< [m]
+        F lowerSpeed, upperSpeed; ///< that reach the limits in this step [m/s]
+    };
+    Limits limits;
+    static constexpr std::size_t kLimitNumbers = sizeof(Limits) / sizeof(F);
 
-    void SolveVelocity(MovingPair<F>& pair, uint8)
+    void WarmStart(MovingPair<F>& pair, uint8 features) const
+    {
+        F all = impulse;
+        if ((features & kLimits) != 0)
+        {
+            all = Select(IsSet(hasLimits), all + (lowerImpulse - upperImpulse), all);
+        }
+        pair.Apply(all * axis, armA, armB);
+    }
+
+    void SolveVelocity(MovingPair<F>& pair, uint8 features)
     {
         const F speed = Dot(axis, pair.PointSpeed(armA, armB));
         const F change = -mass * (speed + bias + gamma * impulse);
         impulse = impulse + change;
         pair.Apply(change * axis, armA, armB);
+        if ((features & kLimits) != 0)
+        {
+            SolveLimits(pair);
+        }
+    }
+
+    void SolveLimits(MovingPair<F>& pair)
+    {
+        const auto active = IsSet(hasLimits);
+        const F zero = F::Set(0.0f);
+        const F inwards = Dot(axis, pair.PointSpeed(armA, armB)) + limits.lowerSpeed;
+        const F up = Max(lowerImpulse - limits.mass * inwards, zero);
+        ApplyAlongAxis(pair, up - lowerImpulse);
+        lowerImpulse = Select(active, up, lowerImpulse);
+        const F outwards = limits.upperSpeed - Dot(axis, pair.PointSpeed(armA, armB));
+        const F down = Max(upperImpulse - limits.mass * outwards, zero);
+        ApplyAlongAxis(pair, upperImpulse - down);
+        upperImpulse = Select(active, down, upperImpulse);
+    }
+
+    /// Of limits, where there are any.
+    void ApplyAlongAxis(MovingPair<F>& pair, F change) const
+    {
+        MovingPair<F> pushed = pair;
+        pushed.Apply(change * axis, armA, armB);
+        pair.Take(IsSet(hasLimits), pushed);
     }
 
     auto SolvePosition(PlacedPair<F>& pair, uint8 features) const
@@ -47,7 +93,12 @@ struct DistanceLanes
         Vector<F> along = pair.Offset(offset) + turnedB - turnedA;
         const F now = Normalize(along);
         const F most = F::Set(b2_maxLinearCorrection);
-        const F error = Clamp(now - length, -most, most);
+        F wanted = length;
+        if ((features & kLimits) != 0)
+        {
+            wanted = Select(IsSet(hasLimits), Clamp(now, limits.lower, limits.upper), wanted);
+        }
+        const F error = Clamp(now - wanted, -most, most);
         const F k = pair.AxisMatrix(along, turnedA, turnedB);
         auto held = Not(Or(AtLeast(zero, now), AtLeast(zero, k)));
         auto joined = AtLeast(F::Set(b2_linearSlop), Abs(error));

@@ -39,6 +39,12 @@ inline bool IsLength(float32 length)
                       "A joint's length must be finite, within 1e15 m and not negative.");
 }
 
+/// The largest number stands for none.
+inline bool IsMaxLength(float32 length)
+{
+    return length == b2_maxFloat || IsLength(length);
+}
+
 inline bool IsSpring(float32 frequencyHz, float32 dampingRatio)
 {
     return B2_REQUIRE(b2IsValid(frequencyHz) && frequencyHz >= 0.0f && b2IsValid(dampingRatio) &&

@@ -215,12 +215,12 @@ struct RowFiller
         law.wanted = speed;
         law.most = context.timeStep * mostForce;
     }
-    /// After a motor, which may have no force.
+    /// After a motor, which may have no force. The largest number on either side: no limit there.
     void GiveToLimit(float32 place, float32 lower, float32 upper)
     {
         JointRows::Law& law = rows.laws[rows.rows - 1];
-        law.slowest = -SpeedTowards(place - lower);
-        law.fastest = SpeedTowards(upper - place);
+        law.slowest = lower > -b2_maxFloat ? -SpeedTowards(place - lower) : -b2_maxFloat;
+        law.fastest = upper < b2_maxFloat ? SpeedTowards(upper - place) : b2_maxFloat;
         law.place = place;
     }
     /// Adds a row for the angle to the two for the point.

@@ -9,7 +9,8 @@
 // Keep two anchors at length L:  C = |d| - L,  n = d / |d|
 //   Cdot = dot(n, vB + wB x rB - vA - wA x rA)
 //   K    = mA + mB + iA (rA x n)^2 + iB (rB x n)^2        (mA … inverse masses)
-// With a frequency it is a spring along n: see Softness.
+// With a frequency it is a spring along n: see Softness. Limits are inequalities on |d|, which may
+// close in on a limit at most as fast as it would reach it in this step.
 
 void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
                                     const b2Vec2& anchorB)
@@ -23,7 +24,8 @@ void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
 
 b2DistanceJoint::b2DistanceJoint(const b2DistanceJointDef* def)
     : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
-      m_length(def->length), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio)
+      m_length(def->length), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio),
+      m_minLength(def->minLength), m_maxLength(def->maxLength)
 {}
 
 void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
@@ -39,27 +41,55 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
         m_axis.SetZero(); // no direction to push in
     }
     const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
-    const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
-                                                     box2d::InverseOrZero(k), context.timeStep);
-    box2d::Carry(m_impulse, box2d::CarryOver(context));
+    const bool isSpring = IsSpring();
+    const bool isLimited = IsLimited();
+    const box2d::Softness soft = box2d::MakeSoftness(
+        isSpring ? m_frequencyHz : 0.0f, m_dampingRatio, box2d::InverseOrZero(k), context.timeStep);
+    const bool isFree = isLimited && !isSpring;
+    const float32 share = box2d::CarryOver(context);
+    box2d::Carry(m_impulse, isFree ? 0.0f : share);
+    box2d::Carry(m_lowerImpulse, isLimited ? share : 0.0f);
+    box2d::Carry(m_upperImpulse, isLimited ? share : 0.0f);
 
     using Lanes = box2d::DistanceLanes<float32>;
-    lane.features = m_frequencyHz > 0.0f ? Lanes::kSpring : 0;
-    lane.Write(Lanes{.impulse = m_impulse,
-                     .axis = box2d::InLanes(m_axis),
-                     .armA = box2d::InLanes(armA),
-                     .armB = box2d::InLanes(armB),
-                     .offset = box2d::InLanes(offset),
-                     .mass = box2d::InverseOrZero(k + soft.gamma),
-                     .bias = (length - m_length) * soft.biasRate,
-                     .gamma = soft.gamma,
-                     .length = m_length,
-                     .isSpring = box2d::Flag(m_frequencyHz > 0.0f)});
+    const float32 wanted = RigidLength();
+    Lanes lanes{.impulse = m_impulse,
+                .lowerImpulse = m_lowerImpulse,
+                .upperImpulse = m_upperImpulse,
+                .axis = box2d::InLanes(m_axis),
+                .armA = box2d::InLanes(armA),
+                .armB = box2d::InLanes(armB),
+                .offset = box2d::InLanes(offset),
+                .mass = isFree ? 0.0f : box2d::InverseOrZero(k + soft.gamma),
+                .bias = (length - wanted) * soft.biasRate,
+                .gamma = soft.gamma,
+                .length = wanted,
+                .isSpring = box2d::Flag(isSpring && !isLimited),
+                .hasLimits = box2d::Flag(isLimited),
+                .limits = {}};
+    if (!isLimited)
+    {
+        lane.features = isSpring ? Lanes::kSpring : 0;
+        lane.Write(lanes, sizeof(Lanes) / sizeof(float32) - Lanes::kLimitNumbers);
+        return;
+    }
+    lane.features = Lanes::kLimits;
+    // To a limit that there is not: what no body goes in a step.
+    const float32 toLower = m_minLength > 0.0f ? b2Max(length - m_minLength, 0.0f) : box2d::kReach;
+    const float32 toUpper = b2Clamp(m_maxLength - length, 0.0f, box2d::kReach);
+    lanes.limits = {.mass = length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
+                    .lower = m_minLength,
+                    .upper = m_maxLength,
+                    .lowerSpeed = toLower * context.inverseStep,
+                    .upperSpeed = toUpper * context.inverseStep};
+    lane.Write(lanes);
 }
 
 void b2DistanceJoint::KeepImpulses(const box2d::JointLane& lane)
 {
     m_impulse = lane[0];
+    m_lowerImpulse = lane[1];
+    m_upperImpulse = lane[2];
 }
 
 void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
@@ -67,21 +97,38 @@ void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::Joint
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
     const auto line = row.Between(m_localAnchorA, m_localAnchorB);
     m_axis = line.axis;
-    row.AddLine(line, line.length - m_length);
-    if (m_frequencyHz > 0.0f)
+    const float32 error = line.length - RigidLength();
+    row.AddLine(line, IsLimited() && !IsSpring() ? 0.0f : error);
+    if (IsSpring())
     {
-        row.GiveToSpring(line.length - m_length, m_frequencyHz, m_dampingRatio);
+        row.GiveToSpring(error, m_frequencyHz, m_dampingRatio);
+    }
+    if (IsLimited())
+    {
+        if (IsSpring())
+        {
+            row.AddAlong(line.axis, line.armA, line.armB, 0.0f);
+        }
+        row.GiveToMotor(0.0f, 0.0f);
+        row.GiveToLimit(line.length, m_minLength > 0.0f ? m_minLength : -b2_maxFloat, m_maxLength);
     }
 }
 
 void b2DistanceJoint::GetRowImpulses(float32 (&impulse)[3]) const
 {
     impulse[0] = m_impulse;
+    if (IsLimited())
+    {
+        impulse[IsSpring() ? 1 : 0] = m_lowerImpulse - m_upperImpulse;
+    }
 }
 
-void b2DistanceJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
+void b2DistanceJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3])
 {
     m_impulse = within[0];
+    const float32 limits = IsLimited() ? beyond[IsSpring() ? 1 : 0] : 0.0f;
+    m_lowerImpulse = b2Max(limits, 0.0f);
+    m_upperImpulse = b2Max(-limits, 0.0f);
 }
 
 b2Vec2 b2DistanceJoint::GetAnchorA() const
@@ -96,7 +143,7 @@ b2Vec2 b2DistanceJoint::GetAnchorB() const
 
 b2Vec2 b2DistanceJoint::GetReactionForce(float32 inv_dt) const
 {
-    return (inv_dt * m_impulse) * m_axis;
+    return (inv_dt * (m_impulse + m_lowerImpulse - m_upperImpulse)) * m_axis;
 }
 
 float32 b2DistanceJoint::GetReactionTorque(float32) const
@@ -112,6 +159,40 @@ void b2DistanceJoint::SetLength(float32 length)
         m_length = length;
         NoteChange();
     }
+}
+
+float32 b2DistanceJoint::SetMinLength(float32 minLength)
+{
+    if (box2d::IsLength(minLength))
+    {
+        SetLimits(b2Min(minLength, m_maxLength), m_maxLength);
+    }
+    return m_minLength;
+}
+
+float32 b2DistanceJoint::SetMaxLength(float32 maxLength)
+{
+    if (box2d::IsMaxLength(maxLength))
+    {
+        SetLimits(m_minLength, b2Max(maxLength, m_minLength));
+    }
+    return m_maxLength;
+}
+
+void b2DistanceJoint::SetLimits(float32 minLength, float32 maxLength)
+{
+    if (minLength != m_minLength || maxLength != m_maxLength)
+    {
+        WakeBodies();
+        m_minLength = minLength;
+        m_maxLength = maxLength;
+        NoteChange();
+    }
+}
+
+float32 b2DistanceJoint::GetCurrentLength() const
+{
+    return b2Distance(GetAnchorA(), GetAnchorB());
 }
 
 void b2DistanceJoint::SetFrequency(float32 hz)
@@ -141,5 +222,10 @@ void b2DistanceJoint::Dump()
     box2d::DumpNumber("length", m_length);
     box2d::DumpNumber("frequencyHz", m_frequencyHz);
     box2d::DumpNumber("dampingRatio", m_dampingRatio);
+    if (m_minLength > 0.0f || m_maxLength < b2_maxFloat)
+    {
+        box2d::DumpNumber("minLength", m_minLength);
+        box2d::DumpNumber("maxLength", m_maxLength);
+    }
     box2d::DumpEnd(m_number);
 }

@@ -45,3 +45,37 @@ void b2Joint::NoteChange()
 {
     m_changedAt = box2d::Data(*m_bodyA).world->stepNumber;
 }
+
+namespace
+{
+
+/// Of the oscillator that both masses make together; one that is 0 does not move.
+float32 ReducedMass(float32 a, float32 b)
+{
+    return a > 0.0f && b > 0.0f ? a * b / (a + b) : a + b;
+}
+
+// m x'' + c x' + k x = 0  with  k = m omega^2,  c = 2 zeta m omega,  omega = 2 pi f.
+void SpringOf(float32 mass, float32 frequencyHertz, float32 dampingRatio, float32& stiffness,
+              float32& damping)
+{
+    const float32 omega = 2.0f * b2_pi * frequencyHertz;
+    stiffness = mass * omega * omega;
+    damping = 2.0f * dampingRatio * mass * omega;
+}
+
+} // namespace
+
+void b2LinearStiffness(float32& stiffness, float32& damping, float32 frequencyHertz,
+                       float32 dampingRatio, const b2Body* bodyA, const b2Body* bodyB)
+{
+    SpringOf(ReducedMass(bodyA->GetMass(), bodyB->GetMass()), frequencyHertz, dampingRatio,
+             stiffness, damping);
+}
+
+void b2AngularStiffness(float32& stiffness, float32& damping, float32 frequencyHertz,
+                        float32 dampingRatio, const b2Body* bodyA, const b2Body* bodyB)
+{
+    SpringOf(ReducedMass(bodyA->GetInertia(), bodyB->GetInertia()), frequencyHertz, dampingRatio,
+             stiffness, damping);
+}

@@ -6,7 +6,7 @@
 /// @file
 /// Distance joints.
 
-/// Keeps two points at a distance, rigidly or like a spring.
+/// Keeps two points at a distance, rigidly or like a spring, or between a minimum and a maximum.
 struct b2DistanceJointDef : public b2JointDef
 {
     b2DistanceJointDef() { type = e_distanceJoint; }
@@ -19,9 +19,13 @@ struct b2DistanceJointDef : public b2JointDef
     /// Of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
     float32 frequencyHz = 0.0f;
     float32 dampingRatio = 0.0f; ///< of the spring, >= 0; 0: none, 1: critical
+    /// Limits of the distance [m], 0 <= minLength <= maxLength; 0 and b2_maxFloat: none. Between
+    /// them the anchors are free, or the spring holds them; when both are the same they are rigid.
+    float32 minLength = 0.0f;
+    float32 maxLength = b2_maxFloat; ///< see minLength
 };
 
-/// Keeps two anchors at a length, rigid or as a spring.
+/// Keeps two anchors at a length, rigid, as a spring, or between limits.
 class b2DistanceJoint : public b2Joint
 {
 public:
@@ -42,6 +46,17 @@ public:
     void SetDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
     /// Of the spring, >= 0; 0: none, 1: critical.
     float32 GetDampingRatio() const { return m_dampingRatio; }
+    /// Limits the distance [m] from below; finite and >= 0, and not above the maximum: what is
+    /// becomes the maximum. Returns what it is then. By the name of 2.4, as the next four.
+    float32 SetMinLength(float32 minLength);
+    float32 GetMinLength() const { return m_minLength; } ///< 0: no limit [m]
+    /// Limits the distance [m] from above; not below the minimum: what is becomes the minimum.
+    /// b2_maxFloat: no limit. Returns what it is then.
+    float32 SetMaxLength(float32 maxLength);
+    float32 GetMaxLength() const { return m_maxLength; } ///< b2_maxFloat: no limit [m]
+    float32 GetCurrentLength() const; ///< between the anchors at the bodies' present transforms [m]
+    /// Whether a spring acts: it has a frequency, and limits leave it a way.
+    bool IsSpring() const { return m_frequencyHz > 0.0f && m_minLength < m_maxLength; }
     void Dump() override;
 
 protected:
@@ -53,11 +68,24 @@ protected:
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
 
+    void SetLimits(float32 minLength, float32 maxLength);
+    /// Whether the distance may differ from the one that it is kept at, between limits.
+    bool IsLimited() const
+    {
+        return m_minLength < m_maxLength && (m_minLength > 0.0f || m_maxLength < b2_maxFloat);
+    }
+    /// Of what is rigid [m].
+    float32 RigidLength() const { return m_minLength < m_maxLength ? m_length : m_minLength; }
+
     b2Vec2 m_localAnchorA;
     b2Vec2 m_localAnchorB;
     float32 m_length;
     float32 m_frequencyHz;
     float32 m_dampingRatio;
-    float32 m_impulse = 0.0f; ///< along the joint, of the last step [N s]
-    b2Vec2 m_axis;            ///< unit vector from anchor A to anchor B, of the last step
+    float32 m_minLength;
+    float32 m_maxLength;
+    float32 m_impulse = 0.0f;      ///< of the rod or spring, of the last step [N s]
+    float32 m_lowerImpulse = 0.0f; ///< of the limits, of the last step [N s], >= 0
+    float32 m_upperImpulse = 0.0f; ///< see m_lowerImpulse
+    b2Vec2 m_axis;                 ///< unit vector from anchor A to anchor B, of the last step
 };

@@ -44,6 +44,15 @@ enum b2LimitState
     e_equalLimits,   ///< both are one: it cannot move
 };
 
+/// The stiffness [N/m] and damping [N s/m] of the spring that moves both bodies, or the dynamic one
+/// of them, with a frequency [Hz] and a damping ratio, by the names of 2.4. The bodies are not
+/// null.
+void b2LinearStiffness(float32& stiffness, float32& damping, float32 frequencyHertz,
+                       float32 dampingRatio, const b2Body* bodyA, const b2Body* bodyB);
+/// The same of a spring that turns them [N m/rad], [N m s/rad].
+void b2AngularStiffness(float32& stiffness, float32& damping, float32 frequencyHertz,
+                        float32 dampingRatio, const b2Body* bodyA, const b2Body* bodyB);
+
 /// Connects bodies and joints: a node of each body's list of joints.
 struct b2JointEdge
 {
