@@ -168,7 +168,7 @@ void ContinuousCollision::FindImpactTimes()
                         {
                             c.toiCount = 0;
                         }
-                        m_arrays.impactTimes[i] = TimeOfImpact(c, counts);
+                        m_arrays.impactTimes[i] = IsCandidate(c) ? TimeOfImpact(c, counts) : 1.0f;
                     }
                     if (counts.toiCalls > 0)
                     {
@@ -182,7 +182,11 @@ void ContinuousCollision::LookAt(b2Body& body)
 {
     for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
     {
-        AddEvent(*edge->contact, TimeOfImpact(Data(*edge->contact), m_counts));
+        const ContactData& c = Data(*edge->contact);
+        if (IsCandidate(c))
+        {
+            AddEvent(*edge->contact, TimeOfImpact(c, m_counts));
+        }
     }
 }
 
@@ -204,13 +208,9 @@ bool ContinuousCollision::IsCandidate(const ContactData& c) const
     return !c.IsTouching() || IsFast(a) || IsFast(b);
 }
 
-/// As a fraction of the step; 1 when there is none.
+/// Of a candidate, as a fraction of the step; 1 when there is none.
 float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& counts) const
 {
-    if (!IsCandidate(c))
-    {
-        return 1.0f;
-    }
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
     const float32 start = b2Max(a.sweepStart, b.sweepStart);

@@ -61,10 +61,19 @@ struct PairKernels
             StoreNumbers<Impulses, Joints, F>(own, joints);
         });
     }
+    /// Those that velocities are solved with; all, unless the kind says which.
+    static constexpr uint8 VelocityFeatures()
+    {
+        if constexpr (requires { Joints::kVelocityFeatures; })
+        {
+            return Joints::kVelocityFeatures;
+        }
+        return 0xFF;
+    }
     /// Without features, the most common case, most numbers need not be read.
     static void SolveVelocities(const JointBlock& block, float32* numbers, float32* bodies)
     {
-        if (block.features == 0)
+        if ((block.features & VelocityFeatures()) == 0)
         {
             SolveVelocities<Joints::kPlainImpulses>(block, numbers, bodies, 0);
         }

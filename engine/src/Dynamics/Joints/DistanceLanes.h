@@ -12,41 +12,51 @@ namespace
 template <class F>
 struct DistanceLanes
 {
-    static constexpr int kImpulses = 3;
-    static constexpr int kPlainImpulses = 1;
     static constexpr bool kHoldsPositions = true;
     enum Features : uint8
     {
         kSpring = 1, ///< for which the positions are not held
         kLimits = 2  ///< of the length
     };
-    F impulse;                    ///< of the rod or spring, along the axis [N s]
-    F lowerImpulse, upperImpulse; ///< of the limits [N s], never negative
+    static constexpr uint8 kVelocityFeatures = kLimits;
+    enum Form : uint8
+    {
+        kRodForm,
+        kSpringForm,
+        kLimitedForm, ///< with a spring between the limits, or without
+    };
+
+    F impulse; ///< of the rod or spring, along the axis [N s]
     Vector<F> axis;
     Vector<F> armA, armB; ///< at the start of the step [m]
     Vector<F> offset;     ///< from centre of mass A to B [m]
     F mass;               ///< effective, along the axis
     F bias, gamma;        ///< of a spring
     F length;             ///< that it shall have [m]
-    F isSpring;           ///< without limits: 1 or 0
-    F hasLimits;          ///< 1 or 0
+    F form;               ///< a Form
 
     /// Written of lanes with limits only.
     struct Limits
     {
-        F mass;                   ///< effective, along the axis
-        F lower, upper;           ///< [m]
-        F lowerSpeed, upperSpeed; ///< that reach the limits in this step [m/s]
+        F lowerImpulse, upperImpulse; ///< [N s], never negative
+        F mass;                       ///< effective, along the axis
+        F lower, upper;               ///< [m]
+        F lowerSpeed, upperSpeed;     ///< that reach the limits in this step [m/s]
     };
     Limits limits;
-    static constexpr std::size_t kLimitNumbers = sizeof(Limits) / sizeof(F);
+    static constexpr int kLimitNumbers = int(sizeof(Limits) / sizeof(F));
+    static constexpr int kPlainNumbers = 14; ///< in front of them
+    static constexpr int kPlainImpulses = 1;
+    static constexpr int kImpulses = kPlainNumbers + 2; ///< the last of which are of limits
+
+    auto HasLimits() const { return AtLeast(form, F::Set(float32(kLimitedForm))); }
 
     void WarmStart(MovingPair<F>& pair, uint8 features) const
     {
         F all = impulse;
         if ((features & kLimits) != 0)
         {
-            all = Select(IsSet(hasLimits), all + (lowerImpulse - upperImpulse), all);
+            all = Select(HasLimits(), all + (limits.lowerImpulse - limits.upperImpulse), all);
         }
         pair.Apply(all * axis, armA, armB);
     }
@@ -65,16 +75,16 @@ struct DistanceLanes
 
     void SolveLimits(MovingPair<F>& pair)
     {
-        const auto active = IsSet(hasLimits);
+        const auto active = HasLimits();
         const F zero = F::Set(0.0f);
         const F inwards = Dot(axis, pair.PointSpeed(armA, armB)) + limits.lowerSpeed;
-        const F up = Max(lowerImpulse - limits.mass * inwards, zero);
-        ApplyAlongAxis(pair, up - lowerImpulse);
-        lowerImpulse = Select(active, up, lowerImpulse);
+        const F up = Max(limits.lowerImpulse - limits.mass * inwards, zero);
+        ApplyAlongAxis(pair, up - limits.lowerImpulse);
+        limits.lowerImpulse = Select(active, up, limits.lowerImpulse);
         const F outwards = limits.upperSpeed - Dot(axis, pair.PointSpeed(armA, armB));
-        const F down = Max(upperImpulse - limits.mass * outwards, zero);
-        ApplyAlongAxis(pair, upperImpulse - down);
-        upperImpulse = Select(active, down, upperImpulse);
+        const F down = Max(limits.upperImpulse - limits.mass * outwards, zero);
+        ApplyAlongAxis(pair, limits.upperImpulse - down);
+        limits.upperImpulse = Select(active, down, limits.upperImpulse);
     }
 
     /// Of limits, where there are any.
@@ -82,7 +92,7 @@ struct DistanceLanes
     {
         MovingPair<F> pushed = pair;
         pushed.Apply(change * axis, armA, armB);
-        pair.Take(IsSet(hasLimits), pushed);
+        pair.Take(HasLimits(), pushed);
     }
 
     auto SolvePosition(PlacedPair<F>& pair, uint8 features) const
@@ -96,7 +106,7 @@ struct DistanceLanes
         F wanted = length;
         if ((features & kLimits) != 0)
         {
-            wanted = Select(IsSet(hasLimits), Clamp(now, limits.lower, limits.upper), wanted);
+            wanted = Select(HasLimits(), Clamp(now, limits.lower, limits.upper), wanted);
         }
         const F error = Clamp(now - wanted, -most, most);
         const F k = pair.AxisMatrix(along, turnedA, turnedB);
@@ -104,8 +114,9 @@ struct DistanceLanes
         auto joined = AtLeast(F::Set(b2_linearSlop), Abs(error));
         if ((features & kSpring) != 0)
         {
-            held = And(held, Not(IsSet(isSpring)));
-            joined = Or(joined, IsSet(isSpring));
+            const auto isSpring = And(IsSet(form), Not(HasLimits()));
+            held = And(held, Not(isSpring));
+            joined = Or(joined, isSpring);
         }
         PlacedPair<F> moved = pair;
         moved.Move((-error / Select(held, k, F::Set(1.0f))) * along, turnedA, turnedB);

@@ -26,7 +26,17 @@ b2DistanceJoint::b2DistanceJoint(const b2DistanceJointDef* def)
     : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
       m_length(def->length), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio),
       m_minLength(def->minLength), m_maxLength(def->maxLength)
-{}
+{
+    ChooseForm();
+}
+
+void b2DistanceJoint::ChooseForm()
+{
+    const bool isRod = m_minLength == m_maxLength;
+    m_isLimited = !isRod && (m_minLength > 0.0f || m_maxLength < b2_maxFloat);
+    m_restLength = isRod ? m_minLength : m_length;
+    m_springHz = isRod ? 0.0f : m_frequencyHz;
+}
 
 void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
@@ -41,43 +51,44 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
         m_axis.SetZero(); // no direction to push in
     }
     const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
-    const bool isSpring = IsSpring();
-    const bool isLimited = IsLimited();
-    const box2d::Softness soft = box2d::MakeSoftness(
-        isSpring ? m_frequencyHz : 0.0f, m_dampingRatio, box2d::InverseOrZero(k), context.timeStep);
-    const bool isFree = isLimited && !isSpring;
-    const float32 share = box2d::CarryOver(context);
-    box2d::Carry(m_impulse, isFree ? 0.0f : share);
-    box2d::Carry(m_lowerImpulse, isLimited ? share : 0.0f);
-    box2d::Carry(m_upperImpulse, isLimited ? share : 0.0f);
+    const box2d::Softness soft =
+        box2d::MakeSoftness(m_springHz, m_dampingRatio, box2d::InverseOrZero(k), context.timeStep);
+    box2d::Carry(m_impulse, box2d::CarryOver(context));
 
     using Lanes = box2d::DistanceLanes<float32>;
-    const float32 wanted = RigidLength();
-    Lanes lanes{.impulse = m_impulse,
-                .lowerImpulse = m_lowerImpulse,
-                .upperImpulse = m_upperImpulse,
-                .axis = box2d::InLanes(m_axis),
-                .armA = box2d::InLanes(armA),
-                .armB = box2d::InLanes(armB),
-                .offset = box2d::InLanes(offset),
-                .mass = isFree ? 0.0f : box2d::InverseOrZero(k + soft.gamma),
-                .bias = (length - wanted) * soft.biasRate,
-                .gamma = soft.gamma,
-                .length = wanted,
-                .isSpring = box2d::Flag(isSpring && !isLimited),
-                .hasLimits = box2d::Flag(isLimited),
-                .limits = {}};
-    if (!isLimited)
+    static_assert(sizeof(Lanes) == sizeof(float32) * (Lanes::kPlainNumbers + Lanes::kLimitNumbers));
+    const bool isSpring = m_springHz > 0.0f;
+    lane.features = isSpring ? Lanes::kSpring : 0;
+    Lanes lanes;
+    lanes.impulse = m_impulse;
+    lanes.axis = box2d::InLanes(m_axis);
+    lanes.armA = box2d::InLanes(armA);
+    lanes.armB = box2d::InLanes(armB);
+    lanes.offset = box2d::InLanes(offset);
+    lanes.mass = box2d::InverseOrZero(k + soft.gamma);
+    lanes.bias = (length - m_restLength) * soft.biasRate;
+    lanes.gamma = soft.gamma;
+    lanes.length = m_restLength;
+    lanes.form = isSpring ? float32(Lanes::kSpringForm) : float32(Lanes::kRodForm);
+    if (!m_isLimited)
     {
-        lane.features = isSpring ? Lanes::kSpring : 0;
-        lane.Write(lanes, sizeof(Lanes) / sizeof(float32) - Lanes::kLimitNumbers);
+        lane.Write(lanes, Lanes::kPlainNumbers);
         return;
     }
-    lane.features = Lanes::kLimits;
+    box2d::Carry(m_lowerImpulse, box2d::CarryOver(context));
+    box2d::Carry(m_upperImpulse, box2d::CarryOver(context));
     // To a limit that there is not: what no body goes in a step.
     const float32 toLower = m_minLength > 0.0f ? b2Max(length - m_minLength, 0.0f) : box2d::kReach;
     const float32 toUpper = b2Clamp(m_maxLength - length, 0.0f, box2d::kReach);
-    lanes.limits = {.mass = length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
+    lane.features = Lanes::kLimits;
+    lanes.form = float32(Lanes::kLimitedForm);
+    if (!isSpring) // free between the limits
+    {
+        lanes.impulse = lanes.mass = 0.0f;
+    }
+    lanes.limits = {.lowerImpulse = m_lowerImpulse,
+                    .upperImpulse = m_upperImpulse,
+                    .mass = length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
                     .lower = m_minLength,
                     .upper = m_maxLength,
                     .lowerSpeed = toLower * context.inverseStep,
@@ -88,8 +99,12 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
 void b2DistanceJoint::KeepImpulses(const box2d::JointLane& lane)
 {
     m_impulse = lane[0];
-    m_lowerImpulse = lane[1];
-    m_upperImpulse = lane[2];
+    if (m_isLimited)
+    {
+        using Lanes = box2d::DistanceLanes<float32>;
+        m_lowerImpulse = lane[Lanes::kPlainNumbers];
+        m_upperImpulse = lane[Lanes::kPlainNumbers + 1];
+    }
 }
 
 void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
@@ -97,38 +112,41 @@ void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::Joint
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
     const auto line = row.Between(m_localAnchorA, m_localAnchorB);
     m_axis = line.axis;
-    const float32 error = line.length - RigidLength();
-    row.AddLine(line, IsLimited() && !IsSpring() ? 0.0f : error);
-    if (IsSpring())
+    row.AddLine(line, line.length - m_restLength);
+    if (m_springHz > 0.0f)
     {
-        row.GiveToSpring(error, m_frequencyHz, m_dampingRatio);
+        row.GiveToSpring(line.length - m_restLength, m_springHz, m_dampingRatio);
     }
-    if (IsLimited())
+    if (!m_isLimited)
     {
-        if (IsSpring())
-        {
-            row.AddAlong(line.axis, line.armA, line.armB, 0.0f);
-        }
-        row.GiveToMotor(0.0f, 0.0f);
-        row.GiveToLimit(line.length, m_minLength > 0.0f ? m_minLength : -b2_maxFloat, m_maxLength);
+        return;
     }
+    if (m_springHz > 0.0f)
+    {
+        row.AddAlong(line.axis, line.armA, line.armB, 0.0f);
+    }
+    row.GiveToMotor(0.0f, 0.0f);
+    row.GiveToLimit(line.length, m_minLength > 0.0f ? m_minLength : -b2_maxFloat, m_maxLength);
 }
 
 void b2DistanceJoint::GetRowImpulses(float32 (&impulse)[3]) const
 {
     impulse[0] = m_impulse;
-    if (IsLimited())
+    if (m_isLimited)
     {
-        impulse[IsSpring() ? 1 : 0] = m_lowerImpulse - m_upperImpulse;
+        impulse[m_springHz > 0.0f ? 1 : 0] = m_lowerImpulse - m_upperImpulse;
     }
 }
 
 void b2DistanceJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3])
 {
     m_impulse = within[0];
-    const float32 limits = IsLimited() ? beyond[IsSpring() ? 1 : 0] : 0.0f;
-    m_lowerImpulse = b2Max(limits, 0.0f);
-    m_upperImpulse = b2Max(-limits, 0.0f);
+    if (m_isLimited)
+    {
+        const float32 limits = beyond[m_springHz > 0.0f ? 1 : 0];
+        m_lowerImpulse = b2Max(limits, 0.0f);
+        m_upperImpulse = b2Max(-limits, 0.0f);
+    }
 }
 
 b2Vec2 b2DistanceJoint::GetAnchorA() const
@@ -157,6 +175,7 @@ void b2DistanceJoint::SetLength(float32 length)
     {
         WakeBodies();
         m_length = length;
+        ChooseForm();
         NoteChange();
     }
 }
@@ -186,6 +205,8 @@ void b2DistanceJoint::SetLimits(float32 minLength, float32 maxLength)
         WakeBodies();
         m_minLength = minLength;
         m_maxLength = maxLength;
+        m_lowerImpulse = m_upperImpulse = 0.0f;
+        ChooseForm();
         NoteChange();
     }
 }
@@ -201,6 +222,7 @@ void b2DistanceJoint::SetFrequency(float32 hz)
     {
         WakeBodies();
         m_frequencyHz = hz;
+        ChooseForm();
         NoteChange();
     }
 }

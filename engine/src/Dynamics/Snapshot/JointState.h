@@ -59,9 +59,9 @@ struct JointAccess::Snapshot
     template <class Archive>
     static void Visit(Archive& archive, b2DistanceJoint& j)
     {
-        static_assert(kHasSize<b2DistanceJoint, 192>, "Say here what becomes of the new member.");
+        static_assert(kHasSize<b2DistanceJoint, 208>, "Say here what becomes of the new member.");
         archive(j.m_localAnchorA, j.m_localAnchorB, j.m_length, j.m_frequencyHz, j.m_dampingRatio,
-                j.m_minLength, j.m_maxLength);
+                j.m_minLength, j.m_maxLength, j.m_isLimited, j.m_restLength, j.m_springHz);
         archive(j.m_impulse, j.m_lowerImpulse, j.m_upperImpulse, j.m_axis);
     }
 

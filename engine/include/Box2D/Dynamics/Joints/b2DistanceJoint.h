@@ -56,7 +56,7 @@ public:
     float32 GetMaxLength() const { return m_maxLength; } ///< b2_maxFloat: no limit [m]
     float32 GetCurrentLength() const; ///< between the anchors at the bodies' present transforms [m]
     /// Whether a spring acts: it has a frequency, and limits leave it a way.
-    bool IsSpring() const { return m_frequencyHz > 0.0f && m_minLength < m_maxLength; }
+    bool IsSpring() const { return m_springHz > 0.0f; }
     void Dump() override;
 
 protected:
@@ -69,13 +69,8 @@ protected:
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
 
     void SetLimits(float32 minLength, float32 maxLength);
-    /// Whether the distance may differ from the one that it is kept at, between limits.
-    bool IsLimited() const
-    {
-        return m_minLength < m_maxLength && (m_minLength > 0.0f || m_maxLength < b2_maxFloat);
-    }
-    /// Of what is rigid [m].
-    float32 RigidLength() const { return m_minLength < m_maxLength ? m_length : m_minLength; }
+    /// What follows from the numbers, so that a step need not ask.
+    void ChooseForm();
 
     b2Vec2 m_localAnchorA;
     b2Vec2 m_localAnchorB;
@@ -84,6 +79,9 @@ protected:
     float32 m_dampingRatio;
     float32 m_minLength;
     float32 m_maxLength;
+    bool m_isLimited;              ///< the distance may differ from what it is kept at
+    float32 m_restLength;          ///< that a rod or spring is to have [m]
+    float32 m_springHz;            ///< 0: no spring
     float32 m_impulse = 0.0f;      ///< of the rod or spring, of the last step [N s]
     float32 m_lowerImpulse = 0.0f; ///< of the limits, of the last step [N s], >= 0
     float32 m_upperImpulse = 0.0f; ///< see m_lowerImpulse
