@@ -7,18 +7,27 @@ include(CMakePackageConfigHelpers)
 set(BOXREEL_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/boxreel)
 set(BOXREEL_HEADERS_DIR ${CMAKE_INSTALL_INCLUDEDIR}/boxreel)
 
-# boxreel_install_library(NAME DESCRIPTION TEXT HEADERS DIR [NEEDS LIBRARY …] [PACKAGES PKGCONFIG …] [LIBS FLAG …]):
-# the library boxreel::NAME with the headers below DIR. NEEDS: others of ours; PACKAGES and LIBS: what
+# boxreel_install_library(NAME DESCRIPTION TEXT HEADERS DIR [NAMES SUFFIX] [NEEDS LIBRARY …] [PACKAGES PKGCONFIG …]
+# [LIBS FLAG …]): the library boxreel::NAME with the headers below DIR/include, and below DIR/includeSUFFIX, which only
+# users of this library find. NEEDS: others of ours; PACKAGES and LIBS: what
 # a program that links it must link as well, for these are static libraries. boxreelConfig.cmake.in says
 # the same for CMake.
 function(boxreel_install_library name)
-  cmake_parse_arguments(ARG "" "DESCRIPTION;HEADERS" "NEEDS;PACKAGES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "DESCRIPTION;HEADERS;NAMES" "NEEDS;PACKAGES;LIBS" ${ARGN})
   if(NOT TARGET boxreel_${name})
     return() # the engine alone is installed
   endif()
+  set(folders ${BOXREEL_HEADERS_DIR})
+  set(PC_NAMES)
+  if(ARG_NAMES)
+    list(APPEND folders ${BOXREEL_HEADERS_DIR}${ARG_NAMES})
+    set(PC_NAMES " -I\${includedir}/boxreel${ARG_NAMES}")
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${ARG_HEADERS}/include${ARG_NAMES}/
+            DESTINATION ${BOXREEL_HEADERS_DIR}${ARG_NAMES} COMPONENT development)
+  endif()
   # A set for each, so that the package reads only those that are asked for.
   install(TARGETS boxreel_${name} EXPORT boxreel-${name}-targets
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development INCLUDES DESTINATION ${BOXREEL_HEADERS_DIR})
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development INCLUDES DESTINATION ${folders})
   install(EXPORT boxreel-${name}-targets NAMESPACE boxreel:: DESTINATION ${BOXREEL_PACKAGE_DIR}
           COMPONENT development)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${ARG_HEADERS}/include/ DESTINATION ${BOXREEL_HEADERS_DIR}
@@ -50,7 +59,7 @@ set(BOXREEL_LOAD_LIBRARIES)
 if(CMAKE_DL_LIBS)
   set(BOXREEL_LOAD_LIBRARIES -l${CMAKE_DL_LIBS})
 endif()
-boxreel_install_library(engine HEADERS engine DESCRIPTION "2D rigid bodies with the API of the Box2D 2.3 manual")
+boxreel_install_library(engine HEADERS engine NAMES -2.4 DESCRIPTION "2D rigid bodies with the API of the Box2D 2.3 manual")
 boxreel_install_library(drawlist HEADERS debugdraw DESCRIPTION "What was asked to be drawn, and the camera")
 boxreel_install_library(debugdraw HEADERS debugdraw DESCRIPTION "The engine's debug drawing as a draw list"
   NEEDS drawlist engine)

@@ -88,7 +88,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"chipmunk/", {"tests/benchmark/"}},
         {"box2d/",
          {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24", "tests/benchmark/",
-          "tests/debugdraw/Box2d24Draw"}},
+          "tests/debugdraw/Box2d24Draw", "tests/engine/Header24Test.", "tests/consumer/engine/"}},
         // For tests of other projects; the manual's listings test themselves.
         {"gtest/", {"golden/include/golden/GoldenTest.", "docs/manual/listings/"}},
         {"gmock/", {"docs/manual/listings/"}},
@@ -135,6 +135,10 @@ std::string_view LayerOf(std::string_view path)
         {
             return EngineLayer(path.substr(folder.size()));
         }
+    }
+    if (path == "engine/include-2.4/box2d/box2d.h")
+    {
+        return "engine";
     }
     if (path.starts_with("debugdraw/"))
     {

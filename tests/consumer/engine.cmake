@@ -19,8 +19,10 @@ foreach(asked engine "") # none: all that is installed
   step("configuring with '${asked}'" COMMAND "${CMAKE_COMMAND}" --fresh ${bare} ${package} -DCOMPONENTS=${asked}
     -S "${fall}" -B "${WORK_DIR}/fall")
   step("building" COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/fall")
-  step("running" OUTPUT said COMMAND "${WORK_DIR}/fall/fall")
-  expect_text("${said}" "after a second it falls at -10.0 m/s")
+  foreach(program fall fall24)
+    step("running ${program}" OUTPUT said COMMAND "${WORK_DIR}/fall/${program}")
+    expect_text("${said}" "after a second it falls at -10.0 m/s")
+  endforeach()
 endforeach()
 
 step("asking for what is not installed" FAILS OUTPUT said COMMAND "${CMAKE_COMMAND}" ${bare} ${package}

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
+#ifdef FALL_24
+#include <box2d/box2d.h>
+#else
 #include <Box2D/Box2D.h>
+#endif
 
 #include <cstdio>
 
