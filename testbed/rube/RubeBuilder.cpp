@@ -138,9 +138,15 @@ private:
     }
 
     // The inertia is about the body's origin; what is left about the centre of mass must not be
-    // negative.
+    // negative. What the fixtures have given already stays as it is, to the last bit.
     void ApplyMassData(const b2MassData& data, b2Body& body)
     {
+        b2MassData given;
+        body.GetMassData(&given);
+        if (data.mass == given.mass && data.center == given.center && data.I == given.I)
+        {
+            return;
+        }
         const float32 ofCenter = data.mass * data.center.LengthSquared();
         if (data.I > 0.0f && !(data.I >= ofCenter))
         {

@@ -5,6 +5,7 @@
 #include "RubeFile.h"
 #include "RubeNames.h"
 #include "RubePolygons.h"
+#include "RubeText.h"
 
 #include <algorithm>
 #include <map>
@@ -59,6 +60,14 @@ RubeChain ChainOf(const b2ChainShape& shape)
         chain.next = shape.m_nextVertex;
     }
     return chain;
+}
+
+bool IsOneSided(const b2Shape& shape)
+{
+    return (shape.GetType() == b2Shape::e_edge &&
+            static_cast<const b2EdgeShape&>(shape).m_oneSided) ||
+           (shape.GetType() == b2Shape::e_chain &&
+            static_cast<const b2ChainShape&>(shape).m_oneSided);
 }
 
 decltype(RubeFixture::shape) ShapeOf(const b2Shape& shape)
@@ -158,11 +167,34 @@ void Describe(RubeJoint& said, b2PrismaticJoint& joint)
     said.details = prismatic;
 }
 
+/// Whether a distance joint is a rope: a maximum length and nothing else.
+bool IsRope(const b2DistanceJoint& joint)
+{
+    return !joint.IsSpring() && joint.GetMinLength() == 0.0f && joint.GetMaxLength() > 0.0f &&
+           joint.GetMaxLength() < b2_maxFloat;
+}
+
+/// Whether it has limits that a scene file has no word for: others are ropes or rods.
+bool HasUnsaidLimits(const b2DistanceJoint& joint)
+{
+    const float32 least = joint.GetMinLength();
+    const float32 most = joint.GetMaxLength();
+    return !IsRope(joint) && least < most && (least > 0.0f || most < b2_maxFloat);
+}
+
 void Describe(RubeJoint& said, b2DistanceJoint& joint)
 {
     SetAnchors(said, joint);
+    if (IsRope(joint))
+    {
+        said.type = "rope";
+        said.details = RubeRope{joint.GetMaxLength()};
+        return;
+    }
+    const bool isRod = joint.GetMinLength() == joint.GetMaxLength();
     said.type = "distance";
-    said.details = RubeDistance{joint.GetLength(), joint.GetFrequency(), joint.GetDampingRatio()};
+    said.details = RubeDistance{isRod ? joint.GetMinLength() : joint.GetLength(),
+                                isRod ? 0.0f : joint.GetFrequency(), joint.GetDampingRatio()};
 }
 
 void Describe(RubeJoint& said, b2PulleyJoint& joint)
@@ -236,6 +268,8 @@ public:
             m_said.bodies.push_back(BodyOf(*body));
             const auto name = bodyNames.find(std::uint32_t(body->GetNumber()));
             m_said.bodies.back().name = name != bodyNames.end() ? name->second : "";
+            DescribeMass(*body);
+            NoteOneSided(*body);
         }
         for (b2Joint* joint : InOrder(m_world.GetJointList()))
         {
@@ -248,7 +282,6 @@ public:
         {
             KeepFrom(*file);
         }
-        SayMasses();
         return std::move(m_said);
     }
 
@@ -269,6 +302,21 @@ private:
         }
     }
 
+    void NoteOneSided(b2Body& body)
+    {
+        const std::vector<b2Fixture*> fixtures = InOrder(body.GetFixtureList());
+        for (std::size_t i = 0; i < fixtures.size(); ++i)
+        {
+            if (IsOneSided(*fixtures[i]->GetShape()))
+            {
+                m_leftOut.push_back("That " + WithName("fixture", i, "") + " of " +
+                                    NameOfBody(m_said, m_said.bodies.size() - 1) +
+                                    " stops one side only is left out: scene files have no word "
+                                    "for it.");
+            }
+        }
+    }
+
     void DescribeJoint(b2Joint& joint)
     {
         RubeJoint said;
@@ -285,6 +333,12 @@ private:
             break;
         case e_distanceJoint:
             Describe(said, static_cast<b2DistanceJoint&>(joint));
+            if (HasUnsaidLimits(static_cast<b2DistanceJoint&>(joint)))
+            {
+                m_leftOut.push_back("The minimum and maximum length of " +
+                                    WithName("joint", m_said.joints.size(), "") +
+                                    " are left out, for which scene files have no word.");
+            }
             break;
         case e_pulleyJoint:
             Describe(said, static_cast<b2PulleyJoint&>(joint));
@@ -353,26 +407,21 @@ private:
         }
     }
 
-    /// Only where it is not what the fixtures have: so it comes back bit by bit.
-    void SayMasses()
+    /// Of all dynamic bodies, also where it is what the fixtures have: other readers set the mass
+    /// data that a file gives, which without any are 1 kg at the origin.
+    void DescribeMass(b2Body& body)
     {
-        b2World other(m_said.gravity);
-        std::vector<std::string> unused;
-        RubeScene bodies = m_said;
-        bodies.joints.clear();
-        (void)BuildRubeScene(bodies, other, unused);
-        const std::vector<b2Body*> built = InOrder(other.GetBodyList());
-        for (const auto& [body, index] : m_bodies)
+        RubeBody& said = m_said.bodies.back();
+        b2MassData data;
+        body.GetMassData(&data);
+        if (body.GetType() == b2_dynamicBody && IsReadableMass(data))
         {
-            b2MassData mass, plain;
-            body->GetMassData(&mass);
-            built[index]->GetMassData(&plain);
-            const bool isOwn =
-                mass.mass != plain.mass || mass.I != plain.I || mass.center != plain.center;
-            if (body->GetType() == b2_dynamicBody && isOwn)
-            {
-                m_said.bodies[index].massData = mass;
-            }
+            said.massData = data;
+        }
+        else if (body.GetType() == b2_dynamicBody)
+        {
+            m_leftOut.push_back("The mass of " + NameOfBody(m_said, m_said.bodies.size() - 1) +
+                                " is left out: it is more than a scene file may give.");
         }
     }
 

@@ -383,6 +383,16 @@ void ReadWorld(const JsonValue& value, RubeScene& scene)
 
 } // namespace
 
+bool IsReadableMass(const b2MassData& data)
+{
+    const auto isWithin = [](float32 value, float32 least, float32 most) {
+        return value >= least && value <= most;
+    };
+    return data.mass > 0.0f && isWithin(data.mass, 0.0f, kStrongest) &&
+           isWithin(data.I, 0.0f, kStiffest) && isWithin(data.center.x, -kFarthest, kFarthest) &&
+           isWithin(data.center.y, -kFarthest, kFarthest);
+}
+
 Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& source)
 {
     const Result<JsonDocument> document = JsonDocument::Parse(text, source);

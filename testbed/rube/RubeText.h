@@ -18,4 +18,7 @@ namespace boxreel
 /// name.
 Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& source);
 
+/// Whether ParseRubeScene takes this as a mass: within its limits, and not 0.
+bool IsReadableMass(const b2MassData& data);
+
 } // namespace boxreel

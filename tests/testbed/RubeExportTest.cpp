@@ -115,6 +115,90 @@ TEST(RubeExport, OfAllJointsAndShapesGoesRoundWithoutLoss)
     }
 }
 
+// A reader without our rule takes what the file gives: of a body without mass data, 1 kg.
+TEST(RubeExport, GivesTheMassOfEveryDynamicBody)
+{
+    b2World world(b2Vec2(0.0f, -10.0f));
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.25f, b2Vec2(0.3f, 0.0f), 0.4f);
+    for (int32 i = 0; i < 6; ++i)
+    {
+        b2BodyDef def;
+        def.type = b2BodyType(i % 3);
+        b2Body* body = world.CreateBody(&def);
+        body->CreateFixture(&box, 7.0f * float32(i));
+    }
+    std::vector<std::string> leftOut;
+    const RubeScene said = Read(WriteRubeText(ExportWorld(world, {}, {}, leftOut)));
+    std::size_t index = said.bodies.size();
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        const std::optional<b2MassData>& given = said.bodies[--index].massData;
+        ASSERT_EQ(given.has_value(), body->GetType() == b2_dynamicBody) << index;
+        if (given)
+        {
+            b2MassData mass;
+            body->GetMassData(&mass);
+            EXPECT_EQ(given->mass, mass.mass);
+            EXPECT_EQ(given->center, mass.center);
+            EXPECT_EQ(given->I, mass.I);
+        }
+    }
+    EXPECT_THAT(leftOut, IsEmpty());
+}
+
+TEST(RubeExport, LeavesOutAMassThatNoFileMayGive)
+{
+    b2World world(b2Vec2(0.0f, -10.0f));
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    b2MassData heavy;
+    heavy.mass = 2e12f;
+    world.CreateBody(&def)->SetMassData(&heavy);
+    std::vector<std::string> leftOut;
+    const RubeScene said = Read(WriteRubeText(ExportWorld(world, {}, {}, leftOut)));
+    EXPECT_FALSE(said.bodies.at(0).massData.has_value());
+    EXPECT_EQ(leftOut.size(), 1u);
+}
+
+TEST(RubeExport, SaysWhichLimitsAndSidesItLeavesOut)
+{
+    b2World world(b2Vec2(0.0f, -10.0f));
+    b2BodyDef body;
+    body.type = b2_dynamicBody;
+    b2DistanceJointDef def;
+    def.bodyA = world.CreateBody(&body);
+    def.bodyB = world.CreateBody(&body);
+    def.length = 2.0f;
+    def.frequencyHz = 1.0f;
+    def.minLength = def.maxLength = 3.0f;
+    world.CreateJoint(&def); // a rod
+    def.frequencyHz = 0.0f;
+    def.minLength = 0.0f;
+    world.CreateJoint(&def); // a rope
+    std::vector<std::string> leftOut;
+    RubeScene said = ExportWorld(world, {}, {}, leftOut);
+    EXPECT_THAT(leftOut, IsEmpty());
+    const auto* rod = std::get_if<RubeDistance>(&said.joints[0].details);
+    ASSERT_NE(rod, nullptr);
+    EXPECT_EQ(rod->length, 3.0f);
+    EXPECT_EQ(rod->frequency, 0.0f);
+    const auto* rope = std::get_if<RubeRope>(&said.joints[1].details);
+    ASSERT_NE(rope, nullptr);
+    EXPECT_EQ(rope->maxLength, 3.0f);
+
+    def.minLength = 1.0f;
+    world.CreateJoint(&def);
+    b2EdgeShape edge;
+    edge.SetOneSided(b2Vec2(-2.0f, 0.0f), b2Vec2(-1.0f, 0.0f), b2Vec2(1.0f, 0.0f),
+                     b2Vec2(2.0f, 0.0f));
+    def.bodyA->CreateFixture(&edge, 0.0f);
+    said = ExportWorld(world, {}, {}, leftOut);
+    ASSERT_EQ(leftOut.size(), 2u);
+    EXPECT_THAT(leftOut[0], HasSubstr("fixture 0"));
+    EXPECT_THAT(leftOut[1], HasSubstr("joint 2"));
+}
+
 // The engine tells how long a pulley's ropes are; a file wants how long they may be together.
 TEST(RubeExport, OfASlackPulleyStaysSlack)
 {
