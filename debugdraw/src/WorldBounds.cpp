@@ -70,7 +70,7 @@ Rect BoundsOfWhatCanMove(const b2World& world)
 
 } // namespace
 
-Rect BoundsAtStart(const b2World& world)
+Rect BoundsAtStart(const b2World& world, const Rect& extra)
 {
     Rect bounds = BoundsOfWhatCanMove(world);
     const bool nothingMoves = bounds.IsEmpty();
@@ -83,16 +83,18 @@ Rect BoundsAtStart(const b2World& world)
             bounds.Include(nothingMoves ? box : Intersection(box, near));
         }
     }
+    bounds.Include(extra);
     return bounds.IsEmpty() ? kAroundTheOrigin : bounds;
 }
 
-Rect BoundsOfEverything(const b2World& world)
+Rect BoundsOfEverything(const b2World& world, const Rect& extra)
 {
     Rect bounds = BoundsOfWhatCanMove(world);
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
     {
         bounds.Include(BoundsOfBody(*body));
     }
+    bounds.Include(extra);
     return bounds.IsEmpty() ? kAroundTheOrigin : bounds;
 }
 

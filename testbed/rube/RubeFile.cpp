@@ -53,6 +53,27 @@ public:
         }
     }
 
+    /// The images, so that a background is not cut.
+    std::vector<b2AABB> Framed() const override
+    {
+        std::vector<b2AABB> boxes;
+        for (const RubeImage& image : m_content.images)
+        {
+            if (image.corners)
+            {
+                const std::array<b2Vec2, 4> corners = CornersOf(image);
+                b2AABB& box = boxes.emplace_back();
+                box.lowerBound = box.upperBound = corners[0];
+                for (const b2Vec2& corner : corners)
+                {
+                    box.lowerBound = b2Min(box.lowerBound, corner);
+                    box.upperBound = b2Max(box.upperBound, corner);
+                }
+            }
+        }
+        return boxes;
+    }
+
     const RubeScene& Content() const { return m_content; }
     const std::vector<const b2Joint*>& Joints() const { return m_joints; }
 
@@ -80,7 +101,8 @@ private:
         }
     }
 
-    void DrawOutline(const RubeImage& image, b2Draw& draw) const
+    /// In the world [m].
+    std::array<b2Vec2, 4> CornersOf(const RubeImage& image) const
     {
         std::array<b2Vec2, 4> corners = *image.corners;
         if (image.body)
@@ -90,7 +112,12 @@ private:
                 corner = m_bodies[*image.body]->GetWorldPoint(corner);
             }
         }
-        draw.DrawPolygon(corners.data(), 4, b2Color(0.6f, 0.6f, 0.8f));
+        return corners;
+    }
+
+    void DrawOutline(const RubeImage& image, b2Draw& draw) const
+    {
+        draw.DrawPolygon(CornersOf(image).data(), 4, b2Color(0.6f, 0.6f, 0.8f));
     }
 
     RubeScene m_content;

@@ -109,6 +109,10 @@ public:
     /// What it shows beside its bodies: rays, hulls, marks.
     virtual void Draw(b2Draw& draw) const { (void)draw; }
 
+    /// Boxes [m] of what it draws that a camera which fits the scene keeps in view as it does
+    /// bodies.
+    virtual std::vector<b2AABB> Framed() const { return {}; }
+
     /// Lists what the scene keeps beside its world and changes after it was made (SceneState.h), to
     /// be saved and restored; a scene that keeps nothing need not.
     virtual void VisitState(SceneState& state) { (void)state; }

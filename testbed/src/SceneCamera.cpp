@@ -28,6 +28,11 @@ Camera FixedCamera(const FixedView& view, int width, int height)
     return camera;
 }
 
+Rect RectOf(const b2AABB& box)
+{
+    return Rect{{box.lowerBound.x, box.lowerBound.y}, {box.upperBound.x, box.upperBound.y}};
+}
+
 double HeightForFollowing(const Rect& bodies, int width, int height)
 {
     const Camera fitting = FitTo(bodies, width, height, 0.5 * (1.0 - kFollowedShare));
@@ -46,7 +51,8 @@ std::vector<int> NumbersOf(ViewChoice choice)
 
 } // namespace
 
-SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, int height)
+SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, int height,
+                         const std::vector<b2AABB>& framed)
     : m_bodies(NumbersOf(choice)), m_made(CountMade(world))
 {
     m_view.width = width;
@@ -61,11 +67,11 @@ SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, in
     }
     else if (const auto* fit = std::get_if<FitView>(&choice))
     {
-        LookAtAll(world, fit->wholeWorld);
+        LookAtAll(world, fit->wholeWorld, framed);
     }
     else if (std::holds_alternative<SceneView>(choice))
     {
-        LookAtAll(world, false);
+        LookAtAll(world, false, framed);
     }
     else
     {
@@ -73,13 +79,18 @@ SceneCamera::SceneCamera(const ViewChoice& choice, b2World& world, int width, in
         m_seesCentersOnly = follow != nullptr;
         m_followHeight = follow != nullptr ? follow->height : std::nullopt;
         m_waits = BoundsOfBodies(FindBodies(world, m_bodies)).IsEmpty();
-        m_waits ? LookAtAll(world, false) : LookAtBodies(world);
+        m_waits ? LookAtAll(world, false, framed) : LookAtBodies(world);
     }
 }
 
-void SceneCamera::LookAtAll(b2World& world, bool whole)
+void SceneCamera::LookAtAll(b2World& world, bool whole, const std::vector<b2AABB>& framed)
 {
-    const Rect bounds = whole ? BoundsOfEverything(world) : BoundsAtStart(world);
+    Rect extra;
+    for (const b2AABB& box : framed)
+    {
+        extra.Include(RectOf(box));
+    }
+    const Rect bounds = whole ? BoundsOfEverything(world, extra) : BoundsAtStart(world, extra);
     m_view = m_mover.emplace<FitCamera>(m_view.width, m_view.height, bounds).View();
 }
 
@@ -96,9 +107,10 @@ void SceneCamera::LookAtBodies(b2World& world)
 }
 
 Result<SceneCamera> SceneCamera::Create(const ViewChoice& choice, b2World& world, int width,
-                                        int height, bool bodiesMayCome)
+                                        int height, bool bodiesMayCome,
+                                        const std::vector<b2AABB>& framed)
 {
-    const SceneCamera camera(choice, world, width, height);
+    const SceneCamera camera(choice, world, width, height, framed);
     const Result<void> came = bodiesMayCome ? Result<void>() : camera.CheckBodiesCame();
     return came ? Result<SceneCamera>(camera) : came.GetError();
 }
@@ -109,7 +121,7 @@ Rect SceneCamera::Subject(b2World& world) const
     return m_seesCentersOnly ? BoundsOfCenters(bodies) : BoundsOfBodies(bodies);
 }
 
-void SceneCamera::Update(b2World& world, double time, double dt)
+void SceneCamera::Update(b2World& world, double time, double dt, const std::vector<b2AABB>& framed)
 {
     m_made = std::max(m_made, CountMade(world));
     if (m_waits && !Subject(world).IsEmpty())
@@ -119,7 +131,12 @@ void SceneCamera::Update(b2World& world, double time, double dt)
     }
     else if (auto* fit = std::get_if<FitCamera>(&m_mover))
     {
-        fit->Update(BoundsOfMovers(world), dt);
+        std::vector<Rect> seen = BoundsOfMovers(world);
+        for (const b2AABB& box : framed)
+        {
+            seen.push_back(RectOf(box));
+        }
+        fit->Update(seen, dt);
         m_view = fit->View();
     }
     else if (auto* follow = std::get_if<FollowCamera>(&m_mover))

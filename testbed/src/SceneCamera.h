@@ -19,12 +19,15 @@ class SceneCamera
 public:
     /// Of a picture of `width` x `height` pixels. Unusable when the world has no body of a number
     /// that the view names, unless bodies may come later: until the first of those that are named
-    /// does, the view keeps in sight what moves.
+    /// does, the view keeps in sight what moves. `framed`: boxes [m] that a view which fits the
+    /// scene shows beside bodies.
     static Result<SceneCamera> Create(const ViewChoice& choice, b2World& world, int width,
-                                      int height, bool bodiesMayCome = false);
+                                      int height, bool bodiesMayCome = false,
+                                      const std::vector<b2AABB>& framed = {});
 
-    /// Once after every step of `dt` seconds; `time`: simulated since the start [s].
-    void Update(b2World& world, double time, double dt);
+    /// Once after every step of `dt` seconds; `time`: simulated since the start [s]; `framed` as in
+    /// Create.
+    void Update(b2World& world, double time, double dt, const std::vector<b2AABB>& framed = {});
 
     const Camera& View() const { return m_view; }
 
@@ -42,10 +45,11 @@ public:
 
 private:
     using Mover = std::variant<std::monostate, FitCamera, FollowCamera, CameraPath>;
-    SceneCamera(const ViewChoice& choice, b2World& world, int width, int height);
+    SceneCamera(const ViewChoice& choice, b2World& world, int width, int height,
+                const std::vector<b2AABB>& framed);
     Rect Subject(b2World& world) const;
     void LookAtBodies(b2World& world);
-    void LookAtAll(b2World& world, bool whole);
+    void LookAtAll(b2World& world, bool whole, const std::vector<b2AABB>& framed);
     void VisitState(const NumberVisitor& visit);
 
     std::vector<int> m_bodies;

@@ -128,7 +128,7 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
     }
     const Result<SceneCamera> camera =
         SceneCamera::Create(view, source.scene->World(), WidthBesidePanels(look), look.height,
-                            MakesBodies(*source.scene, look));
+                            MakesBodies(*source.scene, look), source.scene->Framed());
     if (!camera)
     {
         return camera.GetError();
@@ -224,7 +224,7 @@ void SceneSession::Simulate()
         m_stepMilliseconds = m_sceneStep == 1 ? taken : 0.9 * m_stepMilliseconds + 0.1 * taken;
     }
     m_camera.Update(m_scene->World(), SecondsAt(m_sceneStep, m_stepsPerSecond),
-                    StepSeconds(m_stepsPerSecond));
+                    StepSeconds(m_stepsPerSecond), m_scene->Framed());
 }
 
 double SceneSession::Time() const

@@ -68,6 +68,16 @@ TEST_F(WorldBounds, AWorldAtRestShowsAllOfIt)
     ExpectNear(BoundsAtStart(world), -500.0f, -0.5f, 500.0f, 0.5f);
 }
 
+TEST_F(WorldBounds, WhatIsDrawnBesideTheWorldIsShown)
+{
+    const Rect picture{{-20.0f, -1.0f}, {3.0f, 30.0f}};
+    ExpectNear(BoundsAtStart(world, picture), -20.0f, -1.0f, 3.0f, 30.0f);
+    Add(b2_dynamicBody, 5.0f, 0.0f, 1.0f, 2.0f);
+    Add(b2_staticBody, 0.0f, -90.0f, 500.0f, 0.5f); // far from what moves, and so not shown
+    ExpectNear(BoundsAtStart(world, picture), -20.0f, -2.0f, 6.0f, 30.0f);
+    ExpectNear(BoundsOfEverything(world, picture), -500.0f, -90.5f, 500.0f, 30.0f);
+}
+
 TEST_F(WorldBounds, AnEmptyWorldShowsThePlaceAroundTheOrigin)
 {
     EXPECT_FALSE(BoundsAtStart(world).IsEmpty());

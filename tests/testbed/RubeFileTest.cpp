@@ -253,6 +253,23 @@ TEST_F(RubeFile, SaysHowItsSceneWantsToBeStepped)
     EXPECT_EQ((*scene)->PreferredSteps().positionIterations, 5);
 }
 
+TEST_F(RubeFile, FramesItsImages)
+{
+    std::vector<std::string> leftOut;
+    const auto scene =
+        LoadRubeScene(Write(R"({"body":[{"type":2,"position":{"x":10,"y":0}}],"image":[
+                 {"corners":{"x":[-40,40,40,-40],"y":[-5,-5,25,25]}},{"file":"no corners"},
+                 {"body":0,"corners":{"x":[-2,2,2,-2],"y":[-1,-1,1,1]}}]})"),
+                      leftOut);
+    ASSERT_TRUE(scene);
+    const std::vector<b2AABB> boxes = (*scene)->Framed();
+    ASSERT_EQ(boxes.size(), 2u);
+    EXPECT_EQ(boxes[0].lowerBound, b2Vec2(-40.0f, -5.0f));
+    EXPECT_EQ(boxes[0].upperBound, b2Vec2(40.0f, 25.0f));
+    EXPECT_EQ(boxes[1].lowerBound, b2Vec2(8.0f, -1.0f)) << "where its body is";
+    EXPECT_EQ(boxes[1].upperBound, b2Vec2(12.0f, 1.0f));
+}
+
 TEST_F(RubeFile, ThatCannotBeReadIsNamed)
 {
     EXPECT_THAT(Complaint(m_folder / "absent.json"), HasSubstr("does not exist"));

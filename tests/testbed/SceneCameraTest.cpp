@@ -138,6 +138,38 @@ TEST_F(SceneCameraTest, AFittedBodyStaysInViewHoweverFarItGoes)
     EXPECT_LT(camera.View().pixelsPerMeter, 0.1 * start);
 }
 
+TEST_F(SceneCameraTest, FitsWhatIsDrawnBesideBodies)
+{
+    Add(0.0f, 0.0f, 1.0f);
+    const auto shows = [](const boxreel::Camera& view, const b2AABB& box) {
+        const double halfHeight = 0.5 * view.height / view.pixelsPerMeter;
+        const double halfWidth = 0.5 * view.width / view.pixelsPerMeter;
+        return box.lowerBound.x > view.centerX - halfWidth &&
+               box.upperBound.x < view.centerX + halfWidth &&
+               box.lowerBound.y > view.centerY - halfHeight &&
+               box.upperBound.y < view.centerY + halfHeight;
+    };
+    b2AABB picture;
+    picture.lowerBound.Set(-30.0f, -10.0f);
+    picture.upperBound.Set(40.0f, 20.0f);
+    for (const ViewChoice& choice : {ViewChoice(FitView{false}), ViewChoice(SceneView())})
+    {
+        Result<SceneCamera> camera =
+            SceneCamera::Create(choice, world, 1280, 720, false, {picture});
+        ASSERT_TRUE(camera);
+        EXPECT_TRUE(shows(camera->View(), picture));
+        const boxreel::Camera before = camera->View();
+        camera->Update(world, kStep, kStep, {picture});
+        EXPECT_EQ(camera->View(), before) << "it is in view already";
+        picture.upperBound.x += 10.0f; // it moves with its body
+        for (int i = 0; i < 60; ++i)
+        {
+            camera->Update(world, kStep, kStep, {picture});
+            ASSERT_TRUE(shows(camera->View(), picture)) << i;
+        }
+    }
+}
+
 TEST_F(SceneCameraTest, TheWholeWorldIsTheStaticSurroundingsToo)
 {
     b2Body* ground = Add(0.0f, -300.0f, 250.0f, b2_staticBody);

@@ -12,11 +12,13 @@ namespace boxreel
 {
 
 /// What should be seen before the first step [m]: everything that can move and where its joints are
-/// anchored, and of the static surroundings as much as lies near it. Never empty.
-Rect BoundsAtStart(const b2World& world);
+/// anchored, and of the static surroundings as much as lies near it; and `extra`, what is drawn
+/// beside the world. Never empty.
+Rect BoundsAtStart(const b2World& world, const Rect& extra = {});
 
-/// All there is, the static surroundings and the anchors of joints too [m]. Never empty.
-Rect BoundsOfEverything(const b2World& world);
+/// All there is, the static surroundings and the anchors of joints too [m], and `extra`. Never
+/// empty.
+Rect BoundsOfEverything(const b2World& world, const Rect& extra = {});
 
 /// Of these bodies [m], null ones left out; empty if there are none. A body without shapes counts
 /// as a point.
