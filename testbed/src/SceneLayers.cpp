@@ -16,22 +16,6 @@ namespace boxreel
 namespace
 {
 
-struct LayerName
-{
-    const char* name;
-    bool SceneLayers::*layer;
-};
-
-constexpr LayerName kLayers[] = {
-    {"shapes", &SceneLayers::shapes},         {"joints", &SceneLayers::joints},
-    {"aabbs", &SceneLayers::aabbs},           {"pairs", &SceneLayers::pairs},
-    {"centers", &SceneLayers::centers},       {"masses", &SceneLayers::masses},
-    {"contacts", &SceneLayers::contacts},     {"normals", &SceneLayers::normals},
-    {"impulses", &SceneLayers::impulses},     {"friction", &SceneLayers::friction},
-    {"velocities", &SceneLayers::velocities}, {"forces", &SceneLayers::forces},
-    {"names", &SceneLayers::names},           {"glyphs", &SceneLayers::glyphs},
-};
-
 uint32 EngineFlags(const SceneLayers& layers)
 {
     const std::pair<bool, uint32> flags[] = {{layers.shapes, b2Draw::e_shapeBit},
@@ -69,7 +53,7 @@ bool HasContacts(const ContactLook& look)
 std::vector<std::string> LayerNames()
 {
     std::vector<std::string> names;
-    for (const LayerName& known : kLayers)
+    for (const SceneLayer& known : kSceneLayers)
     {
         names.emplace_back(known.name);
     }
@@ -84,7 +68,7 @@ Result<SceneLayers> ParseLayers(const std::string& option, const std::string& te
     for (const std::string& part : SplitAt(',', text))
     {
         bool isKnown = false;
-        for (const LayerName& known : kLayers)
+        for (const SceneLayer& known : kSceneLayers)
         {
             if (part == known.name)
             {
@@ -103,7 +87,7 @@ Result<SceneLayers> ParseLayers(const std::string& option, const std::string& te
 std::string TextOf(const SceneLayers& layers)
 {
     std::string text;
-    for (const LayerName& known : kLayers)
+    for (const SceneLayer& known : kSceneLayers)
     {
         if (layers.*known.layer)
         {

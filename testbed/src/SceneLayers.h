@@ -36,6 +36,22 @@ struct SceneLayers
     friend bool operator==(const SceneLayers&, const SceneLayers&) = default;
 };
 
+/// A layer by the name that `--draw` and the window's settings give it.
+struct SceneLayer
+{
+    const char* name;
+    bool SceneLayers::*layer;
+};
+inline constexpr SceneLayer kSceneLayers[] = {
+    {"shapes", &SceneLayers::shapes},         {"joints", &SceneLayers::joints},
+    {"aabbs", &SceneLayers::aabbs},           {"pairs", &SceneLayers::pairs},
+    {"centers", &SceneLayers::centers},       {"masses", &SceneLayers::masses},
+    {"contacts", &SceneLayers::contacts},     {"normals", &SceneLayers::normals},
+    {"impulses", &SceneLayers::impulses},     {"friction", &SceneLayers::friction},
+    {"velocities", &SceneLayers::velocities}, {"forces", &SceneLayers::forces},
+    {"names", &SceneLayers::names},           {"glyphs", &SceneLayers::glyphs},
+};
+
 /// Of all layers, as `--draw` and its help have them.
 std::vector<std::string> LayerNames();
 

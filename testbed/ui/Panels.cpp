@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -39,11 +40,13 @@ constexpr LayerCheck kLayerChecks[] = {
     {"Contact impulses", &SceneLayers::impulses},
     {"Friction impulses", &SceneLayers::friction},
     {"Centres of mass", &SceneLayers::centers},
+    {"Mass signs", &SceneLayers::masses},
     {"Velocities", &SceneLayers::velocities},
     {"Joint forces", &SceneLayers::forces},
     {"Joint signs", &SceneLayers::glyphs},
     {"Names", &SceneLayers::names},
 };
+static_assert(std::size(kLayerChecks) == std::size(kSceneLayers), "A layer has no check box.");
 
 struct KeyHelp
 {

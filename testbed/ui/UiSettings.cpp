@@ -38,19 +38,10 @@ void VisitAll(Settings& s, const Visit& visit)
     visit("warm starting", s.choices.solver.warmStarting);
     visit("continuous", s.choices.solver.continuous);
     visit("sub-stepping", s.choices.solver.subStepping);
-    visit("shapes", s.choices.layers.shapes);
-    visit("joints", s.choices.layers.joints);
-    visit("aabbs", s.choices.layers.aabbs);
-    visit("pairs", s.choices.layers.pairs);
-    visit("centers", s.choices.layers.centers);
-    visit("contacts", s.choices.layers.contacts);
-    visit("normals", s.choices.layers.normals);
-    visit("impulses", s.choices.layers.impulses);
-    visit("friction", s.choices.layers.friction);
-    visit("velocities", s.choices.layers.velocities);
-    visit("forces", s.choices.layers.forces);
-    visit("glyphs", s.choices.layers.glyphs);
-    visit("names", s.choices.layers.names);
+    for (const SceneLayer& layer : kSceneLayers)
+    {
+        visit(layer.name, s.choices.layers.*layer.layer);
+    }
     visit("numbers", s.choices.labels);
     visit("statistics", s.choices.statistics);
     visit("profile", s.choices.profile);

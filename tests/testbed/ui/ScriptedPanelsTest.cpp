@@ -64,10 +64,12 @@ TEST(ScriptedPanels, ChooseTheLayersOneByOne)
         {"Contact impulses", &SceneLayers::impulses},
         {"Friction impulses", &SceneLayers::friction},
         {"Centres of mass", &SceneLayers::centers},
+        {"Mass signs", &SceneLayers::masses},
         {"Velocities", &SceneLayers::velocities},
         {"Joint forces", &SceneLayers::forces},
         {"Joint signs", &SceneLayers::glyphs},
         {"Names", &SceneLayers::names}};
+    ASSERT_EQ(checks.size(), std::size(kSceneLayers));
     std::string lines;
     for (const auto& [name, layer] : checks)
     {

@@ -42,13 +42,9 @@ TEST_F(UiSettingsTest, ComeBackAsTheyWere)
     choices.showsPanels = false;
     choices.keepsSolver = true;
     choices.solver = {11, 7, 4, 120, false, false, false, true};
-    for (bool SceneLayers::*layer :
-         {&SceneLayers::shapes, &SceneLayers::joints, &SceneLayers::aabbs, &SceneLayers::pairs,
-          &SceneLayers::centers, &SceneLayers::contacts, &SceneLayers::normals,
-          &SceneLayers::impulses, &SceneLayers::friction, &SceneLayers::velocities,
-          &SceneLayers::forces, &SceneLayers::names, &SceneLayers::glyphs})
+    for (const SceneLayer& layer : kSceneLayers)
     {
-        choices.layers.*layer = !(choices.layers.*layer);
+        choices.layers.*layer.layer = !(choices.layers.*layer.layer);
     }
     choices.labels = true;
     choices.statistics = false;
