@@ -240,7 +240,7 @@ void DeclareGoldenReport(CLI::App& golden, GoldenReportOptions& options)
         "Examples:\n"
         "  boxreel golden report\n"
         "  boxreel golden report shard-0 shard-1 -o report.html\n"
-        "  boxreel golden report --against ../before/build/boxreel");
+        "  boxreel golden report --against ../before/build/release/boxreel");
 }
 
 void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
@@ -296,7 +296,7 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
                    "  boxreel golden verify\n"
                    "  boxreel golden verify pyramid --output /tmp/failures\n"
                    "  boxreel golden verify --report report.html\n"
-                   "  boxreel golden verify pyramid --against ../before/build/boxreel\n"
+                   "  boxreel golden verify pyramid --against ../before/build/release/boxreel\n"
                    "  boxreel golden verify menu --film menu.mp4 --preset cross-machine");
     accept->footer("Look at the pictures before they are committed, and say in the commit why they "
                    "changed.\n\n"

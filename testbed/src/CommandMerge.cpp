@@ -26,7 +26,12 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
     for (const std::filesystem::path& path : paths)
     {
         std::error_code ignored;
-        if (!std::filesystem::is_regular_file(path, ignored))
+        const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+        if (!std::filesystem::exists(status))
+        {
+            return Error{ErrorKind::Unusable, path.string() + " does not exist; check the path."};
+        }
+        if (!std::filesystem::is_regular_file(status))
         {
             return Error{ErrorKind::Unusable, path.string() + " is no film; name the parts that "
                                                               "`boxreel record --frame-range` "

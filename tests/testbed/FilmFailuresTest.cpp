@@ -175,6 +175,8 @@ TEST_F(FilmFailures, WhatCannotBeAsItIsAskedForIsSaidBeforeAnythingIsSimulated)
         {{"record", "pyramid", "-o", "a.part.mp4"}, "what an unfinished film is called"},
         {{"merge", "a.mkv", "-o", "a.part.mkv"}, "what an unfinished film is called"},
         {{"merge", "a.mkv", "-o", "-"}, "such as -o film.mkv"},
+        {{"merge", "absent.mkv", "-o", "film.mkv"}, "absent.mkv does not exist"},
+        {{"merge", ".", "-o", "film.mkv"}, ". is no film"},
         {{"record", "pyramid", "-o", "a.webm", "--codec-option", "drop-threshold=50"},
          "number of frames"},
     };
