@@ -24,7 +24,7 @@ Figure DrawFallingBox()
     sketch.Label(start + edge, Side::Right, "start", kInk, 12.0);
     sketch.Label(box->GetPosition() + edge, Side::Right, "after 60 steps", kInk, 12.0);
     sketch.Arrow(start, box->GetPosition());
-    sketch.Measure(b2Vec2(-1.0f, 0.0f), b2Vec2(-1.0f, box->GetPosition().y), "1.01 m", 46.0);
+    sketch.Measure(b2Vec2(-1.0f, 0.0f), b2Vec2(-1.0f, box->GetPosition().y), "1.015 m", 46.0);
     return sketch.Finished();
 }
 

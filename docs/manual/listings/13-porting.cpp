@@ -5,6 +5,15 @@
 
 #include <cmath>
 
+// [statistics]
+extern int32 b2_toiCalls, b2_toiIters; // as such programs do; the headers declare them too
+
+void PrintSearches()
+{
+    std::printf("%d searches, %d advances\n", b2_toiCalls, b2_toiIters);
+}
+// [/statistics]
+
 namespace
 {
 
@@ -39,75 +48,63 @@ TEST(PortingListing, SetsASpringByItsStiffness)
     EXPECT_EQ(def.frequencyHz, 0.0f) << "a rod";
 }
 
-// [one-sided]
-/// Chains, and edges with both neighbours, stop only what comes from the right of their direction,
-/// as those of Box2D 2.4 do.
-class OneSided : public b2ContactListener
+TEST(PortingListing, LimitsADistanceJoint)
 {
-    /// From one vertex to the next; 0 of what has no direction: another shape, an edge alone.
-    static b2Vec2 Direction(b2Fixture& fixture, int32 child)
-    {
-        b2EdgeShape edge;
-        if (fixture.GetType() == b2Shape::e_chain)
-        {
-            static_cast<b2ChainShape*>(fixture.GetShape())->GetChildEdge(&edge, child);
-        }
-        else if (fixture.GetType() == b2Shape::e_edge)
-        {
-            edge = *static_cast<b2EdgeShape*>(fixture.GetShape());
-        }
-        const bool isSided =
-            fixture.GetType() == b2Shape::e_chain || (edge.m_hasVertex0 && edge.m_hasVertex3);
-        return isSided ? fixture.GetBody()->GetWorldVector(edge.m_vertex2 - edge.m_vertex1)
-                       : b2Vec2_zero;
-    }
+    manual::Stage stage;
+    b2Body* hook = stage.Body(b2_staticBody, 0.0f, 10.0f);
+    b2Body* load = stage.Box(0.0f, 7.0f, 1.0f, 1.0f);
+    // [limits]
+    b2DistanceJointDef def;
+    def.Initialize(hook, load, hook->GetPosition(), load->GetPosition());
+    def.minLength = 1.0f;
+    def.maxLength = 4.0f; // free between the two, as there is no frequency
+    // [/limits]
+    auto* joint = static_cast<b2DistanceJoint*>(stage.world.CreateJoint(&def));
+    EXPECT_EQ(joint->GetLength(), 3.0f);
+    stage.Run(0.3f);
+    EXPECT_NEAR(load->GetLinearVelocity().y, -3.0f, 0.01f) << "it falls";
+    stage.Run(3.0f);
+    EXPECT_NEAR(joint->GetCurrentLength(), 4.0f, 0.005f) << "to the maximum";
+}
 
-    void PreSolve(b2Contact* contact, const b2Manifold*) override
-    {
-        const b2Vec2 alongA = Direction(*contact->GetFixtureA(), contact->GetChildIndexA());
-        const b2Vec2 alongB = Direction(*contact->GetFixtureB(), contact->GetChildIndexB());
-        const bool isA = alongA != b2Vec2_zero; // never both: a chain meets no chain
-        const b2Vec2 along = isA ? alongA : alongB;
-        b2WorldManifold manifold;
-        contact->GetWorldManifold(&manifold);
-        const b2Vec2 away = isA ? manifold.normal : -manifold.normal;
-        if (b2Cross(along, away) > 0.0f) // to the left
-        {
-            contact->SetEnabled(false);
-        }
-    }
-};
-// [/one-sided]
-
-/// Where a ball is after two seconds that flies at a shape from y.
-float32 ThrownAt(const b2Shape& shape, float32 y)
+/// Where a ball is after two seconds that flies from the middle of a square to the right, or from
+/// its right to the middle.
+float32 Thrown(const b2Shape& shape, bool outwards)
 {
-    OneSided listener;
     manual::Stage stage(b2Vec2_zero);
-    stage.world.SetContactListener(&listener);
     stage.Body(b2_staticBody, 0.0f, 0.0f)->CreateFixture(&shape, 0.0f);
-    b2Body* ball = stage.Ball(2.0f, y, 0.3f);
-    ball->SetLinearVelocity(b2Vec2(0.0f, y < 0.0f ? 3.0f : -3.0f));
-    stage.Run(2.0f);
-    stage.world.SetContactListener(nullptr);
-    return ball->GetPosition().y;
+    b2Body* ball = stage.Ball(outwards ? 0.0f : 5.0f, 0.0f, 0.3f);
+    ball->SetLinearVelocity(b2Vec2(outwards ? 3.0f : -3.0f, 0.0f));
+    stage.Run(1.5f);
+    return ball->GetPosition().x;
 }
 
 TEST(PortingListing, StopsOnOneSideOnly)
 {
-    const b2Vec2 fromRightToLeft[] = {{5.0f, 0.0f}, {0.0f, 0.0f}, {-5.0f, 0.0f}};
-    b2ChainShape chain;
-    chain.CreateChain(fromRightToLeft, 3);
-    EXPECT_GT(ThrownAt(chain, 2.0f), 0.25f) << "from the right of a chain to the left: from above";
-    EXPECT_GT(ThrownAt(chain, -2.0f), 2.0f);
-    b2EdgeShape edge;
-    edge.Set(b2Vec2(5.0f, 0.0f), b2Vec2(-5.0f, 0.0f));
-    EXPECT_LT(ThrownAt(edge, -2.0f), -0.25f) << "an edge alone stops both sides";
-    edge.m_vertex0.Set(6.0f, 0.0f);
-    edge.m_vertex3.Set(-6.0f, 0.0f);
-    edge.m_hasVertex0 = edge.m_hasVertex3 = true;
-    EXPECT_GT(ThrownAt(edge, 2.0f), 0.25f);
-    EXPECT_GT(ThrownAt(edge, -2.0f), 2.0f);
+    const b2Vec2 outline[] = {{-2.0f, -2.0f}, {-2.0f, 2.0f}, {2.0f, 2.0f}, {2.0f, -2.0f}};
+    // [one-sided]
+    b2ChainShape loop;
+    loop.CreateLoop(outline, 4); // clockwise, so that its right is inside
+    loop.m_oneSided = true;
+    // [/one-sided]
+    EXPECT_LT(Thrown(loop, true), 1.75f) << "from inside";
+    EXPECT_LT(Thrown(loop, false), 1.0f) << "in from outside";
+    loop.m_oneSided = false;
+    EXPECT_GT(Thrown(loop, false), 2.0f);
+}
+
+TEST(PortingListing, CountsSearches)
+{
+    manual::Stage stage;
+    stage.Ground();
+    b2Body* box = stage.Box(0.0f, 1.0f);
+    box->SetLinearVelocity(b2Vec2(0.0f, -200.0f));
+    b2_toiCalls = 0;
+    stage.Run(1.0f / 60.0f);
+    testing::internal::CaptureStdout();
+    PrintSearches();
+    EXPECT_THAT(testing::internal::GetCapturedStdout(),
+                testing::MatchesRegex("[1-9][0-9]* searches, [0-9]+ advances\n"));
 }
 
 // [threshold]
