@@ -61,6 +61,34 @@ struct PairMasses
     }
 };
 
+/// A row that may be inactive, a motor or a limit, beside two rows that always hold. Solved together
+/// (their Schur complement): an impulse along this row comes with the impulses of the two that keep
+/// them satisfied.
+template <class F>
+struct HeldRow
+{
+    F mass;             ///< effective, while the two hold
+    Vector<F> reaction; ///< impulses of the two for an impulse of 1
+
+    /// The angle between two bodies whose points are held. With K of the three rows and the masses
+    /// a = iA / (mA + mB), b = iB / (mA + mB)
+    ///   |K point| / (mA + mB)^2 = 1 + a rA^2 + b rB^2 + a b (rA x rB)^2
+    ///   |K|       / (mA + mB)^3 = a + b + a b (rA - rB)^2
+    /// Sums of what is not negative: long arms lose no digits, as they would in a difference.
+    static HeldRow AngleOfPoint(const PairMasses<F>& pair, const Vector<F>& rA, const Vector<F>& rB)
+    {
+        const F inverse = InverseOrZero(pair.mA + pair.mB);
+        const F a = pair.iA * inverse;
+        const F b = pair.iB * inverse;
+        const F area = Cross(rA, rB);
+        const Vector<F> apart = rB - rA;
+        const F point = F::Set(1.0f) + a * Dot(rA, rA) + b * Dot(rB, rB) + a * b * area * area;
+        const F all = a + b + a * b * Dot(apart, apart);
+        const Vector<F> pull = Skew(a * rA + b * rB) + (a * b * area) * apart;
+        return {point * inverse * InverseOrZero(all), (F::Set(-1.0f) / point) * pull};
+    }
+};
+
 /// The bodies of lanes with their velocities, from a block and back.
 template <class F>
 struct MovingPair : PairMasses<F>
@@ -183,6 +211,17 @@ template <class F>
 auto IsSet(F flag)
 {
     return AtLeast(flag, F::Set(1.0f));
+}
+
+/// The total impulse of a pair of limits, positive at the lower one, that keeps a speed from
+/// exceeding -lowerSpeed and upperSpeed, which are not negative. Of the two terms at most one is
+/// not zero: at most one limit pushes.
+template <class F>
+F LimitImpulse(F impulse, F mass, F speed, F lowerSpeed, F upperSpeed)
+{
+    const F zero = F::Set(0.0f);
+    return Max(impulse - mass * (speed + lowerSpeed), zero) +
+           Min(impulse - mass * (speed - upperSpeed), zero);
 }
 
 /// The largest impulse that a force can give in a step, as a bound on a vector.

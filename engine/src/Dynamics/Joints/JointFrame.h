@@ -162,6 +162,16 @@ inline float32 InverseDeterminant(const b2Mat22& m)
     return determinant != 0.0f ? 1.0f / determinant : 0.0f;
 }
 
+/// For what the lanes calculate too: of one lane.
+inline PairMasses<simd::Float1> MassesOf(const JointFrame& f)
+{
+    return {{f.mA}, {f.iA}, {f.mB}, {f.iB}};
+}
+inline HeldRow<float32> NumbersOf(const HeldRow<simd::Float1>& row)
+{
+    return {row.mass.v, {row.reaction.x.v, row.reaction.y.v}};
+}
+
 /// The numbers of a symmetric matrix.
 inline PairMasses<float32>::Matrix InLanes(const b2Mat22& m)
 {
