@@ -21,31 +21,51 @@
 namespace box2d
 {
 
+namespace
+{
+
+/// True if the island of all that the gear moves includes what this joint moves, with the gear
+/// between `body` and a body of the other joint.
+bool Reaches(b2Joint& joint, const b2Body& body, b2Joint& otherJoint)
+{
+    b2Body& other = *(&body == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA());
+    return Data(body).IsDynamic() || !Data(other).IsDynamic() ||
+           &other == otherJoint.GetBodyA() || &other == otherJoint.GetBodyB();
+}
+
+/// The definition's body first, else the joint's second one, which the joint is about.
+void SortBodies(b2Joint& joint, b2Body* wish, b2Body* (&bodies)[2])
+{
+    bodies[0] = wish == joint.GetBodyA() ? wish : joint.GetBodyB();
+    bodies[1] = bodies[0] == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA();
+}
+
+} // namespace
+
 GearBodies BodiesOf(const b2GearJointDef& def)
 {
-    // The definition's body first, else the joint's second one, which the joint is about.
-    const auto candidates = [](b2Joint& joint, b2Body* wish, b2Body*(&bodies)[2]) {
-        bodies[0] = wish == joint.GetBodyA() ? wish : joint.GetBodyB();
-        bodies[1] = bodies[0] == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA();
-    };
     b2Body* first[2];
     b2Body* second[2];
-    candidates(*def.joint1, def.bodyA, first);
-    candidates(*def.joint2, def.bodyB, second);
-    for (int dynamic = 2; dynamic >= 0; --dynamic)
+    SortBodies(*def.joint1, def.bodyA, first);
+    SortBodies(*def.joint2, def.bodyB, second);
+    GearBodies unmoved;
+    for (b2Body* a : first)
     {
-        for (b2Body* a : first)
+        for (b2Body* b : second)
         {
-            for (b2Body* b : second)
+            if (a == b)
             {
-                if (a != b && Data(*a).IsDynamic() + Data(*b).IsDynamic() >= dynamic)
-                {
-                    return {a, b};
-                }
+                continue;
             }
+            if ((Data(*a).IsDynamic() || Data(*b).IsDynamic()) &&
+                Reaches(*def.joint1, *a, *def.joint2) && Reaches(*def.joint2, *b, *def.joint1))
+            {
+                return {a, b};
+            }
+            unmoved = unmoved.a == nullptr ? GearBodies{a, b} : unmoved;
         }
     }
-    return {};
+    return unmoved;
 }
 
 namespace

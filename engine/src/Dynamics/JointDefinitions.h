@@ -14,9 +14,10 @@ namespace box2d
 /// said.
 bool IsSound(const b2JointDef& def);
 
-/// The two bodies a gear hangs on: one of the first joint and another one of the second, the
-/// definition's own when they are that, if possible both dynamic. Null when the joints have no two
-/// such bodies.
+/// The two different bodies a gear connects, one of each of its joints: those of the definition.
+/// Other ones only where these are none of the joints', or would leave bodies that the gear moves
+/// in two islands: a post on which a gear wheel turns does not connect the wheel to anything. Null
+/// if the joints have no two different bodies.
 struct GearBodies
 {
     b2Body* a = nullptr;

@@ -224,6 +224,14 @@ F LimitImpulse(F impulse, F mass, F speed, F lowerSpeed, F upperSpeed)
            Min(impulse - mass * (speed - upperSpeed), zero);
 }
 
+/// How far to move what is beyond its limits back towards them: not all the way, for what is within
+/// the slop trembles where contacts push it out again.
+template <class F>
+F BackTowards(F lower, F upper, F value, F slop, F most)
+{
+    return Clamp(Clamp(value, lower - slop, upper + slop) - value, -most, most);
+}
+
 /// The largest impulse that a force can give in a step, as a bound on a vector.
 template <class F>
 Vector<F> ClampLength(const Vector<F>& v, F limit)

@@ -165,23 +165,22 @@ struct PrismaticLanes
     }
 
     /// Moves what is beyond a limit back to it, with the other two rows held. Returns by how much
-    /// it was beyond [m].
+    /// [m].
     F PushBack(PlacedPair<F>& pair, const Vector<F>& along, const Levers& now, F translation) const
     {
-        const F back = Clamp(translation, lower, upper) - translation;
         const F zero = F::Set(0.0f);
-        const F error = Select(IsSet(hasLimits), Abs(back), zero);
-        const auto beyond = Not(AtLeast(zero, error));
-        if (Any(beyond))
+        const F back = BackTowards(lower, upper, translation, F::Set(b2_linearSlop),
+                                   F::Set(b2_maxLinearCorrection));
+        const auto moves = And(IsSet(hasLimits), Not(AtLeast(zero, Abs(back))));
+        if (Any(moves))
         {
-            const F most = F::Set(b2_maxLinearCorrection);
             const auto held = now.RowOf(pair);
-            const F push = held.mass * Clamp(back, -most, most);
+            const F push = held.mass * back;
             PlacedPair<F> moved = pair;
             Move(moved, along, now, push * held.reaction, push);
-            pair.Take(beyond, moved);
+            pair.Take(moves, moved);
         }
-        return error;
+        return Select(moves, Abs(back), zero);
     }
 };
 

@@ -102,30 +102,28 @@ struct RevoluteLanes
                    AtLeast(F::Set(b2_angularSlop), angularError));
     }
 
-    /// Turns what is beyond a limit back to it, with the point held. Returns by how much it was
-    /// beyond [rad].
+    /// Turns what is beyond a limit back to it, with the point held. Returns by how much [rad].
     F TurnBack(PlacedPair<F>& pair) const
     {
-        const F now = axial.angle + pair.b.angle - pair.a.angle;
-        const F back = Clamp(now, axial.lower, axial.upper) - now;
         const F zero = F::Set(0.0f);
-        const F error = Select(IsSet(hasLimits), Abs(back), zero);
-        const auto beyond = Not(AtLeast(zero, error));
-        if (Any(beyond))
+        const F now = axial.angle + pair.b.angle - pair.a.angle;
+        const F back = BackTowards(axial.lower, axial.upper, now, F::Set(b2_angularSlop),
+                                   F::Set(b2_maxAngularCorrection));
+        const auto turns = And(IsSet(hasLimits), Not(AtLeast(zero, Abs(back))));
+        if (Any(turns))
         {
-            const F most = F::Set(b2_maxAngularCorrection);
             const Vector<F> turnedA = pair.a.Turn(armA);
             const Vector<F> turnedB = pair.b.Turn(armB);
             const auto row = HeldRow<F>::AngleOfPoint(pair, turnedA, turnedB);
-            const F turn = row.mass * Clamp(back, -most, most);
+            const F turn = row.mass * back;
             const Vector<F> push = turn * row.reaction;
             PlacedPair<F> moved = pair;
             moved.a.d = moved.a.d - pair.mA * push;
             moved.b.d = moved.b.d + pair.mB * push;
             moved.Rotate(Cross(turnedA, push) + turn, Cross(turnedB, push) + turn);
-            pair.Take(beyond, moved);
+            pair.Take(turns, moved);
         }
-        return error;
+        return Select(turns, Abs(back), zero);
     }
 };
 
