@@ -261,4 +261,82 @@ TEST(GearJoint, OnOneCarrierKeepsItsAngularMomentum)
     EXPECT_NEAR(hinges[0]->GetJointSpeed() + hinges[1]->GetJointSpeed(), 0.0f, 1e-3f);
 }
 
+/// A wheel that an arm carries round a fixed one; both wheels are geared and meet.
+struct Planetary : JointScene
+{
+    explicit Planetary(bool armFirst) : JointScene(b2Vec2(0.0f, 0.0f))
+    {
+        sun = Post();
+        AddBall(sun, 1.0f);
+        planet = Ball(2.0f, 0.0f, 1.0f);
+        arm = Load(1.0f, 0.0f, 1.0f, 0.1f);
+        arm->GetFixtureList()->SetSensor(true);
+        b2RevoluteJointDef hinge;
+        b2Body* const pair[2][2] = {{sun, arm}, {planet, arm}};
+        b2Joint* joints[2];
+        for (int i = 0; i < 2; ++i)
+        {
+            hinge.Initialize(pair[i][armFirst], pair[i][!armFirst], pair[i][0]->GetPosition());
+            joints[i] = world.CreateJoint(&hinge);
+        }
+        b2GearJointDef def;
+        def.bodyA = sun;
+        def.bodyB = planet;
+        def.joint1 = joints[0];
+        def.joint2 = joints[1];
+        gear = Create<b2GearJoint>(def);
+    }
+
+    b2Body* sun;
+    b2Body* planet;
+    b2Body* arm;
+    b2GearJoint* gear;
+};
+
+TEST(GearJoint, ConnectsTheBodiesOfItsDefinition)
+{
+    for (const bool armFirst : {false, true})
+    {
+        Planetary scene(armFirst);
+        ASSERT_NE(scene.gear, nullptr);
+        EXPECT_EQ(scene.gear->GetBodyA(), scene.sun);
+        EXPECT_EQ(scene.gear->GetBodyB(), scene.planet);
+        scene.planet->SetAngularVelocity(2.0f);
+        for (int i = 0; i < 60; ++i)
+        {
+            scene.Step();
+            ASSERT_EQ(scene.world.GetContactCount(), 0) << "wheels of a gear do not collide";
+        }
+    }
+}
+
+/// Two wheels on posts of their own, the gear defined with the posts.
+TEST(GearJoint, WakesTheWheelsOfTwoPostsTogether)
+{
+    JointScene scene(b2Vec2(0.0f, 0.0f));
+    b2Body* posts[2];
+    b2Body* wheels[2];
+    b2Joint* joints[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        posts[i] = scene.Post(4.0f * float32(i));
+        wheels[i] = scene.Ball(4.0f * float32(i), 0.0f);
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(posts[i], wheels[i], posts[i]->GetPosition());
+        joints[i] = scene.world.CreateJoint(&hinge);
+    }
+    b2GearJointDef def;
+    def.bodyA = posts[0];
+    def.bodyB = posts[1];
+    def.joint1 = joints[0];
+    def.joint2 = joints[1];
+    ASSERT_NE(scene.world.CreateJoint(&def), nullptr);
+    scene.Step(60);
+    ASSERT_FALSE(wheels[0]->IsAwake() || wheels[1]->IsAwake());
+    wheels[0]->SetAngularVelocity(3.0f);
+    scene.Step();
+    EXPECT_TRUE(wheels[1]->IsAwake());
+    EXPECT_NEAR(wheels[0]->GetAngularVelocity() + wheels[1]->GetAngularVelocity(), 0.0f, 1e-4f);
+}
+
 } // namespace

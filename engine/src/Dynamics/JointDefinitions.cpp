@@ -29,8 +29,8 @@ namespace
 bool Reaches(b2Joint& joint, const b2Body& body, b2Joint& otherJoint)
 {
     b2Body& other = *(&body == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA());
-    return Data(body).IsDynamic() || !Data(other).IsDynamic() ||
-           &other == otherJoint.GetBodyA() || &other == otherJoint.GetBodyB();
+    return Data(body).IsDynamic() || !Data(other).IsDynamic() || &other == otherJoint.GetBodyA() ||
+           &other == otherJoint.GetBodyB();
 }
 
 /// The definition's body first, else the joint's second one, which the joint is about.

@@ -61,9 +61,9 @@ struct PairMasses
     }
 };
 
-/// A row that may be inactive, a motor or a limit, beside two rows that always hold. Solved together
-/// (their Schur complement): an impulse along this row comes with the impulses of the two that keep
-/// them satisfied.
+/// A row that may be inactive, a motor or a limit, beside two rows that always hold. Solved
+/// together (their Schur complement): an impulse along this row comes with the impulses of the two
+/// that keep them satisfied.
 template <class F>
 struct HeldRow
 {

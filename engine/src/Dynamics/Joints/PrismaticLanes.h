@@ -36,8 +36,8 @@ struct PrismaticLanes
                     Select(turns, inertia, F::Set(1.0f))};
         }
 
-        /// The row along the axis while those two are held, as HeldRow<F>::AngleOfPoint has it: with
-        /// p and q the differences of the levers across and along
+        /// The row along the axis while those two are held, as HeldRow<F>::AngleOfPoint has it:
+        /// with p and q the differences of the levers across and along
         ///   |K held| / (mA + mB)^2 = a + b + a b p^2
         ///   |K|      / (mA + mB)^3 = a + b + a b (p^2 + q^2)
         HeldRow<F> RowOf(const PairMasses<F>& pair) const
@@ -55,8 +55,8 @@ struct PrismaticLanes
         }
     };
 
-    Vector<F> impulse;                          ///< across the axis [N s], against turning [N m s]
-    F motorImpulse, limitImpulse;               ///< [N s], the limit's positive at the lower one
+    Vector<F> impulse;            ///< across the axis [N s], against turning [N m s]
+    F motorImpulse, limitImpulse; ///< [N s], the limit's positive at the lower one
     Vector<F> axis;
     Levers levers;
     typename PairMasses<F>::Matrix matrix; ///< across and about the axis
@@ -145,8 +145,8 @@ struct PrismaticLanes
         const Vector<F> across = Skew(along);
         const Levers now = {Cross(reachA, along), Cross(turnedB, along), Cross(reachA, across),
                             Cross(turnedB, across)};
-        const F limitError = (features & kLimits) != 0 ? PushBack(pair, along, now, Dot(along, d))
-                                                       : F::Set(0.0f);
+        const F limitError =
+            (features & kLimits) != 0 ? PushBack(pair, along, now, Dot(along, d)) : F::Set(0.0f);
         const Vector<F> error = {Dot(across, d), angleError + pair.b.angle - pair.a.angle};
         const Vector<F> change = now.MatrixOf(pair).Solve(-error);
         Move(pair, along, now, change, F::Set(0.0f));

@@ -72,8 +72,8 @@ struct RevoluteLanes
     void SolveLimits(MovingPair<F>& pair)
     {
         const F speed = pair.wB - pair.wA;
-        const F total = LimitImpulse(limitImpulse, axial.row.mass, speed, axial.lowerSpeed,
-                                     axial.upperSpeed);
+        const F total =
+            LimitImpulse(limitImpulse, axial.row.mass, speed, axial.lowerSpeed, axial.upperSpeed);
         Turn(pair, IsSet(hasLimits), total, limitImpulse);
     }
 
