@@ -20,6 +20,8 @@ inline constexpr int kJointLanes = 8;
 /// Numbers of a lane that belong to its bodies: their masses.
 inline constexpr int kMassNumbers = 4;
 
+struct JointKernels;
+
 struct JointBlock
 {
     b2JointType type;
@@ -30,8 +32,22 @@ struct JointBlock
     int32 count = 0;              ///< used; the others belong to bodies 0 without mass
     int32 bodyA[kJointLanes] = {}, bodyB[kJointLanes] = {}; ///< solver index
     int32 bodyC[kJointLanes] = {}, bodyD[kJointLanes] = {};
-    std::size_t numbers; ///< the first of its numbers
+    std::size_t numbers;                   ///< the first of its numbers
+    const JointKernels* kernels = nullptr; ///< of the step
     b2Joint* joint[kJointLanes] = {};
+};
+
+/// Blocks of one kind and width that are solved one after the other: calls and what they save are
+/// paid once for all links of a chain.
+struct JointRun
+{
+    const JointBlock* first;
+    const JointBlock* last; ///< behind the end
+    float32* numbers;       ///< of all blocks
+
+    const JointBlock* begin() const { return first; }
+    const JointBlock* end() const { return last; }
+    float32* NumbersOf(const JointBlock& block) const { return numbers + block.numbers; }
 };
 
 /// A lane as its joint sees it: where the joint writes its numbers at the start of a step, and
@@ -61,14 +77,14 @@ struct JointLane
     float32 operator[](int32 number) const { return first[number * stride]; }
 };
 
-/// What is done to blocks of one kind at one width.
+/// What is done to blocks of one kind and width.
 struct JointKernels
 {
     int32 numberCount;
-    void (*warmStart)(const JointBlock& block, float32* numbers, float32* bodies);
-    void (*solveVelocities)(const JointBlock& block, float32* numbers, float32* bodies);
+    void (*warmStart)(const JointRun& run, float32* bodies);
+    void (*solveVelocities)(const JointRun& run, float32* bodies);
     /// Whether all errors were below the tolerance.
-    bool (*solvePositions)(const JointBlock& block, float32* numbers, float32* bodies);
+    bool (*solvePositions)(const JointRun& run, float32* bodies);
 };
 
 /// For the widest instructions that this processor has; see UseWideInstructions.

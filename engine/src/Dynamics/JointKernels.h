@@ -44,11 +44,15 @@ struct PairKernels
                         bodies);
         }
     }
-    static void WarmStart(const JointBlock& block, float32* numbers, float32* bodies)
+    static void WarmStart(const JointRun& run, float32* bodies)
     {
-        ForMoving(block, numbers, bodies, [&](MovingPair<F>& pair, const float32* own) {
-            LoadNumbers<Joints, F>(own).WarmStart(pair, block.features);
-        });
+        for (const JointBlock& block : run)
+        {
+            ForMoving(block, run.NumbersOf(block), bodies,
+                      [&](MovingPair<F>& pair, const float32* own) {
+                          LoadNumbers<Joints, F>(own).WarmStart(pair, block.features);
+                      });
+        }
     }
     /// `Impulses` of each joint being written back.
     template <int Impulses>
@@ -71,16 +75,29 @@ struct PairKernels
         return 0xFF;
     }
     /// Without features, the most common case, most numbers need not be read.
-    static void SolveVelocities(const JointBlock& block, float32* numbers, float32* bodies)
+    static void SolveVelocities(const JointRun& run, float32* bodies)
     {
-        if ((block.features & VelocityFeatures()) == 0)
+        for (const JointBlock& block : run)
         {
-            SolveVelocities<Joints::kPlainImpulses>(block, numbers, bodies, 0);
+            if ((block.features & VelocityFeatures()) == 0)
+            {
+                SolveVelocities<Joints::kPlainImpulses>(block, run.NumbersOf(block), bodies, 0);
+            }
+            else
+            {
+                SolveVelocities<Joints::kImpulses>(block, run.NumbersOf(block), bodies,
+                                                   block.features);
+            }
         }
-        else
+    }
+    static bool SolvePositions(const JointRun& run, float32* bodies)
+    {
+        bool joined = true;
+        for (const JointBlock& block : run)
         {
-            SolveVelocities<Joints::kImpulses>(block, numbers, bodies, block.features);
+            joined = SolvePositions(block, run.NumbersOf(block), bodies) && joined;
         }
+        return joined;
     }
     static bool SolvePositions(const JointBlock& block, float32* numbers, float32* bodies)
     {
@@ -101,7 +118,7 @@ struct PairKernels
 };
 
 /// For what has no positions to hold, a friction or a motor joint.
-inline bool HoldsNoPositions(const JointBlock&, float32*, float32*)
+inline bool HoldsNoPositions(const JointRun&, float32*)
 {
     return true;
 }

@@ -185,27 +185,37 @@ void JointSchedule::AddKind(b2JointType type, b2Joint* const* begin, b2Joint* co
 }
 
 template <class Function>
-void JointSchedule::ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& one)
+void JointSchedule::ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& some)
 {
     ParallelFor(threads, end - begin, kBlockGrain, [&](int32 first, int32 last) {
-        for (int32 i = first; i < last; ++i)
-        {
-            one(m_blocks[std::size_t(begin + i)]);
-        }
+        some(m_blocks.data() + begin + first, m_blocks.data() + begin + last);
     });
 }
 
+/// `one` is called with runs, in order; on several threads, with those of a level at one time.
 template <class Function>
-void JointSchedule::ForLevels(ThreadPool* threads, Function&& one)
+void JointSchedule::ForRuns(ThreadPool* threads, Function&& one)
 {
+    const auto forRuns = [&](const JointBlock* begin, const JointBlock* end) {
+        while (begin != end)
+        {
+            const JointBlock* last = begin + 1;
+            while (last != end && last->kernels == begin->kernels)
+            {
+                ++last;
+            }
+            one(*begin->kernels, JointRun{begin, last, m_numbers.data()});
+            begin = last;
+        }
+    };
     if (threads == nullptr)
     {
-        std::for_each(m_blocks.begin(), m_blocks.end(), one);
+        forRuns(m_blocks.data(), m_blocks.data() + m_blocks.size());
         return;
     }
     for (std::size_t i = 0; i + 1 < m_levels.size(); ++i)
     {
-        ForBlocks(m_levels[i], m_levels[i + 1], threads, one);
+        ForBlocks(m_levels[i], m_levels[i + 1], threads, forRuns);
     }
 }
 
@@ -232,6 +242,7 @@ void FillPair(const b2Body& bodyA, const b2Body& bodyB, int lane, int32* a, int3
 
 void JointSchedule::Fill(JointBlock& block, const SolverContext& context)
 {
+    block.kernels = &KernelsOf(block);
     block.features = block.movesA = block.movesB = block.movesC = block.movesD = 0;
     for (int lane = 0; lane < block.count; ++lane)
     {
@@ -259,38 +270,45 @@ void JointSchedule::Fill(JointBlock& block, const SolverContext& context)
 void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
 {
     float32* bodies = reinterpret_cast<float32*>(context.bodies);
-    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock& block) { Fill(block, context); });
-    ForLevels(threads, [&](JointBlock& block) {
-        KernelsOf(block).warmStart(block, NumbersOf(block), bodies);
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
+        std::for_each(begin, end, [&](JointBlock& block) { Fill(block, context); });
+    });
+    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+        kernels.warmStart(run, bodies);
     });
 }
 
 void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads)
 {
     float32* bodies = reinterpret_cast<float32*>(context.bodies);
-    ForLevels(threads, [&](JointBlock& block) {
-        KernelsOf(block).solveVelocities(block, NumbersOf(block), bodies);
+    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+        kernels.solveVelocities(run, bodies);
     });
 }
 
 void JointSchedule::StoreImpulses(ThreadPool* threads)
 {
-    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock& block) {
-        float32* own = NumbersOf(block) + kMassNumbers * block.width;
-        for (int lane = 0; lane < block.count; ++lane)
-        {
-            JointAccess::KeepImpulses(*block.joint[lane], {own + lane, block.width});
-        }
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
+        std::for_each(begin, end, [&](const JointBlock& block) { Keep(block); });
     });
+}
+
+/// Puts the impulses of a block back into its joints.
+void JointSchedule::Keep(const JointBlock& block)
+{
+    float32* own = NumbersOf(block) + kMassNumbers * block.width;
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        JointAccess::KeepImpulses(*block.joint[lane], {own + lane, block.width});
+    }
 }
 
 bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* threads)
 {
     float32* bodies = reinterpret_cast<float32*>(context.bodies);
     std::atomic<bool> joined = true;
-    ForLevels(threads, [&](JointBlock& block) {
-        if (!KernelsOf(block).solvePositions(block, NumbersOf(block), bodies) &&
-            joined.load(std::memory_order_relaxed))
+    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+        if (!kernels.solvePositions(run, bodies) && joined.load(std::memory_order_relaxed))
         {
             joined.store(false, std::memory_order_relaxed);
         }

@@ -39,10 +39,11 @@ private:
     void AddLevel(b2Joint* const* begin, b2Joint* const* end);
     void AddKind(b2JointType type, b2Joint* const* begin, b2Joint* const* end);
     template <class Function>
-    void ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& one);
+    void ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& some);
     template <class Function>
-    void ForLevels(ThreadPool* threads, Function&& one);
+    void ForRuns(ThreadPool* threads, Function&& one);
     void Fill(JointBlock& block, const SolverContext& context);
+    void Keep(const JointBlock& block);
     float32* NumbersOf(const JointBlock& block) { return m_numbers.data() + block.numbers; }
 
     Array<JointBlock> m_blocks; // level by level

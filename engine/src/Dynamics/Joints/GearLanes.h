@@ -83,12 +83,26 @@ struct GearKernels
         pair.ApplyAlong(side.axis, side.armFrame, side.armBody, impulse);
     }
 
+    static void WarmStart(const JointRun& run, float32* bodies)
+    {
+        for (const JointBlock& block : run)
+        {
+            WarmStart(block, run.NumbersOf(block), bodies);
+        }
+    }
     static void WarmStart(const JointBlock& block, float32* numbers, float32* bodies)
     {
         for (int lane = 0; lane < block.count; lane += F::kLanes)
         {
             const Gears gears = LoadNumbers<Gears, F>(numbers + kFirst + lane);
             Apply(block, lane, gears, gears.impulse, numbers, bodies);
+        }
+    }
+    static void SolveVelocities(const JointRun& run, float32* bodies)
+    {
+        for (const JointBlock& block : run)
+        {
+            SolveVelocities(block, run.NumbersOf(block), bodies);
         }
     }
     static void SolveVelocities(const JointBlock& block, float32* numbers, float32* bodies)
@@ -129,6 +143,15 @@ struct GearKernels
     static void MoveTo(PlacedPair<F>& pair, const typename Gears::Side& side, F impulse)
     {
         pair.MoveAlong(side.axis, side.armFrame, side.armBody, impulse);
+    }
+    static bool SolvePositions(const JointRun& run, float32* bodies)
+    {
+        bool joined = true;
+        for (const JointBlock& block : run)
+        {
+            joined = SolvePositions(block, run.NumbersOf(block), bodies) && joined;
+        }
+        return joined;
     }
     static bool SolvePositions(const JointBlock& block, float32* numbers, float32* bodies)
     {
