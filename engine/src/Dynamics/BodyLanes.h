@@ -78,6 +78,12 @@ F Length(const Vector<F>& v)
 {
     return Sqrt(Dot(v, v));
 }
+/// Whether the length is at most so much.
+template <class F>
+auto LengthIsWithin(const Vector<F>& v, F length)
+{
+    return AtLeast(length * length, Dot(v, v));
+}
 template <class F>
 F Clamp(F value, F low, F high)
 {

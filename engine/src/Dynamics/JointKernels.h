@@ -28,6 +28,7 @@ struct PairKernels
     using Joints = Lanes<F>;
     static constexpr int kWidth = F::kLanes == 1 ? 1 : kJointLanes;
     static constexpr int kFirst = kMassNumbers * kWidth; ///< of the kind's own numbers
+    static constexpr bool kHasPlainForm = Joints::kPlainImpulses != Joints::kImpulses;
 
     /// Calls for each F of lanes, with their bodies in motion and the joints' numbers.
     template <class Function>
@@ -95,11 +96,16 @@ struct PairKernels
         bool joined = true;
         for (const JointBlock& block : run)
         {
-            joined = SolvePositions(block, run.NumbersOf(block), bodies) && joined;
+            float32* numbers = run.NumbersOf(block);
+            joined = (kHasPlainForm && block.features == 0
+                          ? SolvePositions(block, numbers, bodies, 0)
+                          : SolvePositions(block, numbers, bodies, block.features)) &&
+                     joined;
         }
         return joined;
     }
-    static bool SolvePositions(const JointBlock& block, float32* numbers, float32* bodies)
+    BOX2D_INLINE static bool SolvePositions(const JointBlock& block, float32* numbers,
+                                            float32* bodies, uint8 features)
     {
         bool joined = true;
         for (int lane = 0; lane < block.count; lane += F::kLanes)
@@ -108,7 +114,7 @@ struct PairKernels
             const int32* b = block.bodyB + lane;
             PlacedPair<F> pair = LoadPlaced<F>(a, b, numbers + lane, bodies);
             const Joints joints = LoadNumbers<Joints, F>(numbers + kFirst + lane);
-            const auto held = joints.SolvePosition(pair, block.features);
+            const auto held = joints.SolvePosition(pair, features);
             joined = !Any(And(pair.CanMove(), Not(held))) && joined;
             StorePlaced(pair, a, b, uint32(block.movesA) >> lane, uint32(block.movesB) >> lane,
                         bodies);

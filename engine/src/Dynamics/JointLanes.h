@@ -30,15 +30,15 @@ struct PairMasses
     {
         F k11, k12, k22;
 
-        /// Zero where it is singular.
-        Vector<F> Solve(const Vector<F>& b) const
+        BOX2D_INLINE Vector<F> operator*(const Vector<F>& v) const
         {
-            return Solve(b, InverseUnlessZero(Determinant()));
+            return {k11 * v.x + k12 * v.y, k12 * v.x + k22 * v.y};
         }
-        Vector<F> Solve(const Vector<F>& b, F inverseDeterminant) const
+        /// Zero where it is singular.
+        BOX2D_INLINE Vector<F> Solve(const Vector<F>& b) const
         {
-            return {inverseDeterminant * (b.x * k22 - b.y * k12),
-                    inverseDeterminant * (k11 * b.y - k12 * b.x)};
+            const F scale = InverseUnlessZero(Determinant());
+            return {scale * (b.x * k22 - b.y * k12), scale * (k11 * b.y - k12 * b.x)};
         }
         F Determinant() const { return k11 * k22 - k12 * k12; }
     };
@@ -287,10 +287,28 @@ BOX2D_INLINE MovingPair<F> LoadMoving(const int32* a, const int32* b, const floa
     return pair;
 }
 
+template <class F, int Count>
+BOX2D_INLINE void StoreNumbersOf(float32* numbers, int32 body, uint32 moves, const F (&from)[Count])
+{
+    if ((moves & 1u) != 0)
+    {
+        for (int i = 0; i < Count; ++i)
+        {
+            from[i].Store(numbers + kBodyStride * body + i);
+        }
+    }
+}
+
 template <class F>
 BOX2D_INLINE void StoreMoving(const MovingPair<F>& pair, const int32* a, const int32* b,
                               uint32 movesA, uint32 movesB, float32* bodies)
 {
+    if constexpr (F::kLanes == 1) // what does not change need not be written
+    {
+        StoreNumbersOf(bodies, *a, movesA, {pair.vA.x, pair.vA.y, pair.wA});
+        StoreNumbersOf(bodies, *b, movesB, {pair.vB.x, pair.vB.y, pair.wB});
+        return;
+    }
     const F rowsA[4] = {pair.vA.x, pair.vA.y, pair.wA, pair.angleA};
     const F rowsB[4] = {pair.vB.x, pair.vB.y, pair.wB, pair.angleB};
     StoreMoved(bodies, a, movesA, rowsA);
@@ -317,6 +335,12 @@ template <class F>
 BOX2D_INLINE void StorePlace(float32* bodies, const int32* of, uint32 moves,
                              const typename PlacedPair<F>::Place& place)
 {
+    if constexpr (F::kLanes == 1)
+    {
+        StoreNumbersOf(bodies + 3, *of, moves,
+                       {place.angle, place.d.x, place.d.y, place.s, place.c});
+        return;
+    }
     const F first[4] = {place.speed[0], place.speed[1], place.speed[2], place.angle};
     const F second[4] = {place.d.x, place.d.y, place.s, place.c};
     StoreMoved(bodies, of, moves, first);

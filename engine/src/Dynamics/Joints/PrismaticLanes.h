@@ -59,16 +59,15 @@ struct PrismaticLanes
     F motorImpulse, limitImpulse; ///< [N s], the limit's positive at the lower one
     Vector<F> axis;
     Levers levers;
-    typename PairMasses<F>::Matrix matrix; ///< across and about the axis
-    F inverse;                             ///< 1 over its determinant
-    Vector<F> armA, armB;                  ///< at the start of the step [m]
-    Vector<F> offset;                      ///< from centre of mass A to B [m]
-    F angleError;                          ///< at the start of the step [rad]
-    HeldRow<F> row;                        ///< along the axis, while the other two are held
-    F hasMotor, hasLimits;                 ///< 1 or 0
-    F motorSpeed, mostMotor;               ///< [m/s], [N s]
-    F lower, upper;                        ///< [m]
-    F lowerSpeed, upperSpeed;              ///< that reach the limits in this step [m/s]
+    typename PairMasses<F>::Matrix inverse; ///< of the matrix across and about the axis
+    Vector<F> armA, armB;                   ///< at the start of the step [m]
+    Vector<F> offset;                       ///< from centre of mass A to B [m]
+    F angleError;                           ///< at the start of the step [rad]
+    HeldRow<F> row;                         ///< along the axis, while the other two are held
+    F hasMotor, hasLimits;                  ///< 1 or 0
+    F motorSpeed, mostMotor;                ///< [m/s], [N s]
+    F lower, upper;                         ///< [m]
+    F lowerSpeed, upperSpeed;               ///< that reach the limits in this step [m/s]
 
     void WarmStart(MovingPair<F>& pair, uint8) const
     {
@@ -89,7 +88,7 @@ struct PrismaticLanes
     {
         const Vector<F> speed = {pair.SpeedAlong(Skew(axis), levers.acrossA, levers.acrossB),
                                  pair.wB - pair.wA};
-        const Vector<F> change = matrix.Solve(-speed, inverse);
+        const Vector<F> change = inverse * -speed;
         impulse = impulse + change;
         Apply(pair, change);
         if ((features & kMotor) != 0)

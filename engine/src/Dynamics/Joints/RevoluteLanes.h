@@ -21,13 +21,12 @@ struct RevoluteLanes
         kLimits = 2
     };
 
-    Vector<F> impulse;                     ///< of the point [N s]
-    F motorImpulse, limitImpulse;          ///< [N m s], the limit's positive at the lower one
-    Vector<F> armA, armB;                  ///< at the start of the step [m]
-    Vector<F> offset;                      ///< from centre of mass A to B [m]
-    typename PairMasses<F>::Matrix matrix; ///< of the point
-    F inverse;                             ///< 1 over its determinant
-    F hasMotor, hasLimits;                 ///< 1 or 0
+    Vector<F> impulse;                      ///< of the point [N s]
+    F motorImpulse, limitImpulse;           ///< [N m s], the limit's positive at the lower one
+    Vector<F> armA, armB;                   ///< at the start of the step [m]
+    Vector<F> offset;                       ///< from centre of mass A to B [m]
+    typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
+    F hasMotor, hasLimits;                  ///< 1 or 0
 
     /// Written of lanes with a motor or limits only.
     struct Axial
@@ -48,7 +47,7 @@ struct RevoluteLanes
 
     void SolveVelocity(MovingPair<F>& pair, uint8 features)
     {
-        const Vector<F> change = matrix.Solve(-pair.PointSpeed(armA, armB), inverse);
+        const Vector<F> change = inverse * -pair.PointSpeed(armA, armB);
         impulse = impulse + change;
         pair.Apply(change, armA, armB);
         if ((features & kMotor) != 0)
@@ -98,7 +97,7 @@ struct RevoluteLanes
         const Vector<F> turnedB = pair.b.Turn(armB);
         const Vector<F> error = pair.Offset(offset) + turnedB - turnedA;
         pair.Move(pair.PointMatrix(turnedA, turnedB).Solve(-error), turnedA, turnedB);
-        return And(AtLeast(F::Set(b2_linearSlop), Length(error)),
+        return And(LengthIsWithin(error, F::Set(b2_linearSlop)),
                    AtLeast(F::Set(b2_angularSlop), angularError));
     }
 

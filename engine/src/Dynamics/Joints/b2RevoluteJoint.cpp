@@ -38,7 +38,6 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);
     const b2Vec2 armB = f.ArmB(m_localAnchorB);
-    const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
 
     using Lanes = box2d::RevoluteLanes<float32>;
     Lanes lanes;
@@ -48,8 +47,7 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     lanes.armA = box2d::InLanes(armA);
     lanes.armB = box2d::InLanes(armB);
     lanes.offset = box2d::InLanes(f.Offset());
-    lanes.matrix = box2d::InLanes(matrix);
-    lanes.inverse = box2d::InverseDeterminant(matrix);
+    lanes.inverse = box2d::InverseInLanes(box2d::PointMatrix(f, armA, armB));
     lanes.hasMotor = box2d::Flag(m_enableMotor);
     lanes.hasLimits = box2d::Flag(m_enableLimit);
     if (!m_enableMotor && !m_enableLimit)
