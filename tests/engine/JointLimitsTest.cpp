@@ -165,6 +165,33 @@ TEST(PrismaticMotor, ReachesItsSpeedInAStepFarFromItsAxis)
     EXPECT_NEAR(slider->GetJointSpeed(), 1.0f, 1e-3f);
 }
 
+/// A body that a strong motor drives along an axis 14 m away, from limit to limit.
+TEST(PrismaticMotor, StopsAtTheLimitsOfADistantAxis)
+{
+    JointScene scene;
+    b2Body* body = scene.Load(-10.0f, 10.0f, 2.0f, 0.5f);
+    b2PrismaticJointDef def;
+    def.Initialize(scene.Post(), body, b2Vec2(0.0f, 0.0f), b2Vec2(2.0f, 1.0f));
+    def.enableLimit = true;
+    def.upperTranslation = 20.0f;
+    def.enableMotor = true;
+    def.maxMotorForce = 10000.0f;
+    def.motorSpeed = 10.0f;
+    auto* slider = scene.Create<b2PrismaticJoint>(def);
+    float32 farthest = 0.0f;
+    float32 nearest = 0.0f;
+    for (int i = 0; i < 600; ++i)
+    {
+        scene.Step();
+        farthest = b2Max(farthest, slider->GetJointTranslation());
+        nearest = b2Min(nearest, slider->GetJointTranslation());
+        slider->SetMotorSpeed(i < 300 ? 10.0f : -10.0f);
+    }
+    EXPECT_NEAR(farthest, 20.0f, b2_linearSlop);
+    EXPECT_NEAR(nearest, 0.0f, b2_linearSlop);
+    EXPECT_NEAR(slider->GetJointSpeed(), 0.0f, 1e-3f);
+}
+
 /// The angle of a crank after 10 s that a motor turns against a rod and a piston [rad].
 float32 TurnCrank(int32 subSteps)
 {

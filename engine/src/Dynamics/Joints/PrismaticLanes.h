@@ -163,13 +163,13 @@ struct PrismaticLanes
                     levers.axisB * axial + levers.acrossB * held.x + held.y);
     }
 
-    /// Moves what is beyond a limit back to it, with the other two rows held. Returns by how much
-    /// [m].
+    /// Moves what is beyond a limit by more than a slop back, with the other two rows held. Returns
+    /// by how much it was beyond, or 0 [m].
     F PushBack(PlacedPair<F>& pair, const Vector<F>& along, const Levers& now, F translation) const
     {
         const F zero = F::Set(0.0f);
-        const F back = BackTowards(lower, upper, translation, F::Set(b2_linearSlop),
-                                   F::Set(b2_maxLinearCorrection));
+        const F slop = F::Set(b2_linearSlop);
+        const F back = BackTowards(lower, upper, translation, slop, F::Set(b2_maxLinearCorrection));
         const auto moves = And(IsSet(hasLimits), Not(AtLeast(zero, Abs(back))));
         if (Any(moves))
         {
@@ -179,7 +179,7 @@ struct PrismaticLanes
             Move(moved, along, now, push * held.reaction, push);
             pair.Take(moves, moved);
         }
-        return Select(moves, Abs(back), zero);
+        return Select(moves, Abs(back) + slop, zero);
     }
 };
 

@@ -101,13 +101,15 @@ struct RevoluteLanes
                    AtLeast(F::Set(b2_angularSlop), angularError));
     }
 
-    /// Turns what is beyond a limit back to it, with the point held. Returns by how much [rad].
+    /// Turns what is beyond a limit by more than a slop back, with the point held. Returns by how
+    /// much it was beyond, or 0 [rad].
     F TurnBack(PlacedPair<F>& pair) const
     {
         const F zero = F::Set(0.0f);
         const F now = axial.angle + pair.b.angle - pair.a.angle;
-        const F back = BackTowards(axial.lower, axial.upper, now, F::Set(b2_angularSlop),
-                                   F::Set(b2_maxAngularCorrection));
+        const F slop = F::Set(b2_angularSlop);
+        const F back =
+            BackTowards(axial.lower, axial.upper, now, slop, F::Set(b2_maxAngularCorrection));
         const auto turns = And(IsSet(hasLimits), Not(AtLeast(zero, Abs(back))));
         if (Any(turns))
         {
@@ -122,7 +124,7 @@ struct RevoluteLanes
             moved.Rotate(Cross(turnedA, push) + turn, Cross(turnedB, push) + turn);
             pair.Take(turns, moved);
         }
-        return Select(turns, Abs(back), zero);
+        return Select(turns, Abs(back) + slop, zero);
     }
 };
 
