@@ -47,9 +47,13 @@ FFmpegOutput::FFmpegOutput(AtomicFile* file) : m_file(file), m_writing{this}, m_
 FFmpegOwner<AVIOContext> FFmpegOutput::MakeContext(Cursor& cursor, bool forWriting) const
 {
     auto* buffer = static_cast<unsigned char*>(FFmpeg().av_malloc(kBufferSize));
-    return FFmpegOwner<AVIOContext>(FFmpeg().avio_alloc_context(
-        buffer, kBufferSize, forWriting ? 1 : 0, &cursor, forWriting ? nullptr : OnRead,
-        forWriting ? OnWrite : nullptr, m_file != nullptr ? OnSeek : nullptr));
+    // Takes libav's bytes as const since FFmpeg 7, and as not const before.
+    const auto onWrite = [](void* opaque, auto* data, int size) {
+        return OnWrite(opaque, data, size);
+    };
+    return FFmpegOwner<AVIOContext>(
+        FFmpeg().avio_alloc_context(buffer, kBufferSize, forWriting ? 1 : 0, &cursor, OnRead,
+                                    onWrite, m_file != nullptr ? OnSeek : nullptr));
 }
 
 void FFmpegOutput::AttachTo(AVFormatContext& context)
@@ -70,7 +74,7 @@ Result<void> FFmpegOutput::Write(std::int64_t position, std::span<const std::uin
     return m_file != nullptr ? m_file->WriteAt(position, bytes) : WriteToStandardOutput(bytes);
 }
 
-int FFmpegOutput::OnWrite(void* opaque, std::uint8_t* data, int size)
+int FFmpegOutput::OnWrite(void* opaque, const std::uint8_t* data, int size)
 {
     auto& cursor = *static_cast<Cursor*>(opaque);
     FFmpegOutput& output = *cursor.output;

@@ -42,7 +42,7 @@ private:
     };
 
     FFmpegOwner<AVIOContext> MakeContext(Cursor& cursor, bool forWriting) const;
-    static int OnWrite(void* opaque, std::uint8_t* data, int size);
+    static int OnWrite(void* opaque, const std::uint8_t* data, int size);
     static int OnRead(void* opaque, std::uint8_t* data, int size);
     static std::int64_t OnSeek(void* opaque, std::int64_t offset, int whence);
     static int OnOpen(AVFormatContext* context, AVIOContext** io, const char* url, int flags,

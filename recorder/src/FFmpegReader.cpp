@@ -32,6 +32,20 @@ std::string NameOr(const char* name)
     return name != nullptr ? name : "unknown";
 }
 
+/// How long a frame is shown, in its stream's ticks. The member's name changed with FFmpeg 6.
+template <class Frame>
+std::int64_t LengthOf(const Frame& frame)
+{
+    if constexpr (requires { frame.duration; })
+    {
+        return frame.duration;
+    }
+    else
+    {
+        return frame.pkt_duration;
+    }
+}
+
 class FFmpegReader final : public VideoSource
 {
 public:
@@ -290,7 +304,7 @@ Result<bool> FFmpegReader::Next(StoredFrame& stored)
     }
     const AVRational base = m_stream->time_base;
     stored.seconds = double(m_picture->best_effort_timestamp * base.num) / double(base.den);
-    stored.length = double(m_picture->pkt_duration * base.num) / double(base.den);
+    stored.length = double(LengthOf(*m_picture) * base.num) / double(base.den);
     if (info.container == "apng")
     {
         stored.seconds = PlaceEvenly(stored.seconds, stored.length);

@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -28,6 +29,8 @@ std::vector<char> ReadWhole(const char* path)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+constexpr char kFallback = '?'; // stands for letters that the font lacks
+
 /// Whether the bytes begin as a TrueType or OpenType font; Dear ImGui stops the program at others.
 bool LooksLikeFont(const std::vector<char>& bytes)
 {
@@ -35,16 +38,58 @@ bool LooksLikeFont(const std::vector<char>& bytes)
     return start == std::string_view("\0\1\0\0", 4) || start == "true" || start == "OTTO";
 }
 
-/// Gives letters the distances they have at scale 1, times the scale: a larger picture is the same
-/// picture, not one set anew.
-void SpaceAs(const ImFont& model, float scale, ImFont& font)
+// A font of Dear ImGui's had one size until version 1.92; letters are those of one size since.
+#if IMGUI_VERSION_NUM >= 19200
+using Letters = ImFontBaked;
+
+Letters& LettersOf(ImFont& font)
 {
-    for (ImFontGlyph& glyph : font.Glyphs)
-    {
-        glyph.AdvanceX = scale * model.FindGlyph(ImWchar(glyph.Codepoint))->AdvanceX;
-    }
-    font.BuildLookupTable(); // which keeps advances of its own
+    return *font.GetFontBaked(font.LegacySize);
 }
+
+float LineHeightOf(const Letters& letters)
+{
+    return letters.Size;
+}
+
+void ApplyAdvances(Letters& letters)
+{
+    for (const ImFontGlyph& glyph : letters.Glyphs)
+    {
+        letters.IndexAdvanceX[int(glyph.Codepoint)] = glyph.AdvanceX;
+    }
+}
+
+/// Keeps the atlas as it is: with these letters alone, and ready for contexts that share it.
+void Finish(ImFontAtlas& atlas)
+{
+    LettersOf(*atlas.Fonts[0]).FindGlyph(IM_UNICODE_CODEPOINT_INVALID); // makes the fallback
+    atlas.Fonts[0]->Flags |= ImFontFlags_NoLoadGlyphs | ImFontFlags_LockBakedSizes;
+    ImFontAtlasUpdateNewFrame(&atlas, 0, false);
+}
+#else
+using Letters = ImFont;
+
+Letters& LettersOf(ImFont& font)
+{
+    return font;
+}
+
+float LineHeightOf(const Letters& letters)
+{
+    return letters.FontSize;
+}
+
+void ApplyAdvances(Letters& letters)
+{
+    letters.BuildLookupTable();
+}
+
+void Finish(ImFontAtlas& atlas)
+{
+    atlas.ClearInputData();
+}
+#endif
 
 } // namespace
 
@@ -73,25 +118,27 @@ FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFont
     std::vector<char> file = ReadWhole(fontFile);
     if (LooksLikeFont(file))
     {
-        config.FontDataOwnedByAtlas = false;
-        m_atlas->AddFontFromMemoryTTF(file.data(), int(file.size()), float(kFontPixels * scale),
-                                      &config, kRanges);
-        m_atlas->Build(); // reads `file`, so while it lives
+        void* const bytes = IM_ALLOC(file.size()); // the atlas frees it
+        std::memcpy(bytes, file.data(), file.size());
+        m_atlas->AddFontFromMemoryTTF(bytes, int(file.size()), float(kFontPixels * scale), &config,
+                                      kRanges);
     }
     else
     {
         config.SizePixels = float(kBuiltInPixels * scale);
         m_atlas->AddFontDefault(scale == 1.0 ? nullptr : &config);
-        m_atlas->Build();
     }
+    m_atlas->Fonts[0]->FallbackChar = kFallback;
+    m_atlas->Build();
     if (scale != 1.0)
     {
-        SpaceAs(*Get().m_atlas->Fonts[0], float(scale), *m_atlas->Fonts[0]);
+        SpaceAs(Get(), float(scale));
     }
+    KeepLetters();
     unsigned char* pixels = nullptr;
     m_atlas->GetTexDataAsAlpha8(&pixels, &m_width, &m_height);
     m_coverage = pixels;
-    m_atlas->ClearInputData();
+    Finish(*m_atlas);
 }
 
 FontAtlas::~FontAtlas()
@@ -99,16 +146,47 @@ FontAtlas::~FontAtlas()
     IM_DELETE(m_atlas);
 }
 
+/// Gives letters the distances they have in `model`, times the scale: a larger picture is the same
+/// picture, not one with its text set again.
+void FontAtlas::SpaceAs(const FontAtlas& model, float scale)
+{
+    Letters& letters = LettersOf(*m_atlas->Fonts[0]);
+    for (ImFontGlyph& glyph : letters.Glyphs)
+    {
+        glyph.AdvanceX = scale * model.LetterOf(glyph.Codepoint).advance;
+    }
+    ApplyAdvances(letters);
+}
+
+/// Copies what is drawn of each letter. Dear ImGui may look letters up only under its lock.
+void FontAtlas::KeepLetters()
+{
+    Letters& letters = LettersOf(*m_atlas->Fonts[0]);
+    m_lineHeight = LineHeightOf(letters);
+    for (const ImFontGlyph& glyph : letters.Glyphs)
+    {
+        m_letters[glyph.Codepoint] = {
+            glyph.AdvanceX,
+            glyph.Visible != 0,
+            {glyph.X0, glyph.Y0, glyph.X1, glyph.Y1, glyph.U0, glyph.V0, glyph.U1, glyph.V1}};
+    }
+    m_letters.try_emplace(kFallback); // a font may lack even that
+}
+
+const FontAtlas::Letter& FontAtlas::LetterOf(char32_t letter) const
+{
+    const auto found = m_letters.find(letter);
+    return found != m_letters.end() ? found->second : m_letters.at(kFallback);
+}
+
 bool FontAtlas::Has(char32_t letter) const
 {
-    return letter <= 0xFFFF &&
-           m_atlas->Fonts[0]->FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr;
+    return m_letters.contains(letter);
 }
 
 void FontAtlas::Layout(std::string_view text, std::vector<GlyphQuad>& quads) const
 {
     quads.clear();
-    const ImFont& font = *m_atlas->Fonts[0];
     float x = 0.0f;
     float y = 0.0f;
     const char* const end = text.data() + text.size();
@@ -119,23 +197,23 @@ void FontAtlas::Layout(std::string_view text, std::vector<GlyphQuad>& quads) con
         if (character == '\n')
         {
             x = 0.0f;
-            y += font.FontSize;
+            y += m_lineHeight;
             continue;
         }
         character = character == '\t' ? ' ' : character;
-        const ImFontGlyph* const glyph =
-            character < ' ' ? nullptr : font.FindGlyph(ImWchar(character));
-        if (glyph == nullptr)
+        if (character < ' ')
         {
             continue;
         }
-        if (glyph->Visible)
+        const Letter& letter = LetterOf(character);
+        if (letter.isVisible)
         {
             const float left = std::floor(x + 0.5f);
-            quads.push_back({left + glyph->X0, y + glyph->Y0, left + glyph->X1, y + glyph->Y1,
-                             glyph->U0, glyph->V0, glyph->U1, glyph->V1});
+            const GlyphQuad& quad = letter.quad;
+            quads.push_back({left + quad.x0, y + quad.y0, left + quad.x1, y + quad.y1, quad.u0,
+                             quad.v0, quad.u1, quad.v1});
         }
-        x += glyph->AdvanceX;
+        x += letter.advance;
     }
 }
 

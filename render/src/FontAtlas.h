@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 struct ImFontAtlas;
@@ -54,7 +55,21 @@ public:
     ImFontAtlas* ImGuiAtlas() const { return m_atlas; }
 
 private:
+    struct Letter
+    {
+        float advance = 0.0f; ///< to the next one [px]
+        bool isVisible = false;
+        GlyphQuad quad{};
+    };
+
+    void SpaceAs(const FontAtlas& model, float scale);
+    void KeepLetters();
+    const Letter& LetterOf(char32_t letter) const;
+
     ImFontAtlas* m_atlas;
+    std::unordered_map<char32_t, Letter>
+        m_letters;             // looked up only: its order depends on the library
+    float m_lineHeight = 0.0f; // [px]
     const std::uint8_t* m_coverage = nullptr;
     int m_width = 0;
     int m_height = 0;

@@ -2,35 +2,14 @@
 #include <render/PanelCanvas.h>
 
 #include "ImGuiFrame.h"
+#include "ImGuiInput.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace boxreel
 {
 namespace
 {
-
-constexpr std::pair<ImGuiKey_, Key> kKeys[] = {{ImGuiKey_Tab, Key::Tab},
-                                               {ImGuiKey_LeftArrow, Key::Left},
-                                               {ImGuiKey_RightArrow, Key::Right},
-                                               {ImGuiKey_UpArrow, Key::Up},
-                                               {ImGuiKey_DownArrow, Key::Down},
-                                               {ImGuiKey_PageUp, Key::PageUp},
-                                               {ImGuiKey_PageDown, Key::PageDown},
-                                               {ImGuiKey_Home, Key::Home},
-                                               {ImGuiKey_End, Key::End},
-                                               {ImGuiKey_Delete, Key::Delete},
-                                               {ImGuiKey_Backspace, Key::Backspace},
-                                               {ImGuiKey_Space, Key::Space},
-                                               {ImGuiKey_Enter, Key::Enter},
-                                               {ImGuiKey_Escape, Key::Escape},
-                                               {ImGuiKey_A, KeyOf('a')},
-                                               {ImGuiKey_C, KeyOf('c')},
-                                               {ImGuiKey_V, KeyOf('v')},
-                                               {ImGuiKey_X, KeyOf('x')},
-                                               {ImGuiKey_Y, KeyOf('y')},
-                                               {ImGuiKey_Z, KeyOf('z')}};
 
 ImVec4 Ink(int red, int green, int blue, float alpha)
 {
@@ -86,33 +65,6 @@ void SetStyle(float scale)
     SetColors(style);
 }
 
-/// Tells Dear ImGui by which numbers it finds keys; each Key is its own.
-void MapKeys(ImGuiIO& io)
-{
-    for (const auto& [theirs, ours] : kKeys)
-    {
-        io.KeyMap[theirs] = static_cast<int>(ours);
-    }
-}
-
-void Hand(const PanelInput& input, ImGuiIO& io)
-{
-    io.MousePos = {input.pointer.x, input.pointer.y};
-    std::copy(input.buttons.begin(), input.buttons.end(), io.MouseDown);
-    io.MouseWheel = input.wheel;
-    io.AddInputCharactersUTF8(input.text.c_str());
-    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-    for (const Key key : input.keys)
-    {
-        io.KeysDown[static_cast<int>(key)] = true;
-    }
-    io.KeyShift = input.shift;
-    io.KeyCtrl = input.control;
-    io.DeltaTime = std::clamp(float(input.seconds), 1.0f / 1000.0f, 1.0f);
-}
-
-static_assert(kKeyCount <= 512, "Dear ImGui has room for so many keys");
-
 } // namespace
 
 struct PanelCanvas::Impl
@@ -121,7 +73,7 @@ struct PanelCanvas::Impl
     {
         frame.With([scale] {
             SetStyle(float(scale));
-            MapKeys(ImGui::GetIO());
+            PrepareInput(ImGui::GetIO());
         });
     }
 
@@ -144,7 +96,7 @@ Result<PanelCanvas> PanelCanvas::Create(int width, int height, double scale)
 
 const Overlay& PanelCanvas::Build(const PanelInput& input, const std::function<void()>& draw)
 {
-    m_impl->frame.With([&] { Hand(input, ImGui::GetIO()); });
+    m_impl->frame.With([&] { PassInput(input, ImGui::GetIO()); });
     const Overlay& overlay = m_impl->frame.Build(draw);
     m_impl->frame.With([&] {
         m_impl->wantsPointer = ImGui::GetIO().WantCaptureMouse;
@@ -156,6 +108,11 @@ const Overlay& PanelCanvas::Build(const PanelInput& input, const std::function<v
 void PanelCanvas::Resize(int width, int height)
 {
     m_impl->frame.Resize(width, height);
+}
+
+bool PanelCanvas::IsPressed(Key key)
+{
+    return IsKeyPressed(key);
 }
 
 bool PanelCanvas::WantsPointer() const

@@ -3,6 +3,7 @@
 
 #include "Fuzzy.h"
 
+#include <render/PanelCanvas.h>
 #include <scenes/Scene.h>
 
 #include <imgui.h>
@@ -108,8 +109,8 @@ std::string ScenePicker::Choose(bool& isOpen, Widgets& widgets)
     widgets.Note("Query");
     const std::vector<const SceneEntry*> found = Matching(m_query);
     m_chosen = isEdited ? 0 : m_chosen;
-    m_chosen += ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1 : 0;
-    m_chosen -= ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? 1 : 0;
+    m_chosen += PanelCanvas::IsPressed(Key::Down) ? 1 : 0;
+    m_chosen -= PanelCanvas::IsPressed(Key::Up) ? 1 : 0;
     m_chosen = std::clamp(m_chosen, 0, std::max(0, int(found.size()) - 1));
     std::string chosen;
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -135,7 +136,7 @@ std::string ScenePicker::Choose(bool& isOpen, Widgets& widgets)
         ImGui::TextDisabled("No scene has these letters in this order.");
     }
     ImGui::Dummy({0.0f, 0.0f});
-    const bool isLeft = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) ||
+    const bool isLeft = PanelCanvas::IsPressed(Key::Escape) ||
                         (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && m_wasOpen &&
                          !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                  ImGuiHoveredFlags_AllowWhenBlockedByActiveItem));

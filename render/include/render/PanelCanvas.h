@@ -49,6 +49,9 @@ public:
     /// is there, its button goes down, and up.
     const Overlay& Build(const PanelInput& input, const std::function<void()>& draw);
 
+    /// True if the key went down in this frame, or repeats. For `draw` alone.
+    static bool IsPressed(Key key);
+
     /// 1 to 8192 [px].
     void Resize(int width, int height);
 
