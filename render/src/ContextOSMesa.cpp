@@ -23,7 +23,7 @@ constexpr int kMinorVersion = 0x37;
 constexpr int kFormatRgba = 0x1908;
 constexpr unsigned kUnsignedByte = 0x1401;
 
-constexpr const char* kPackages = "libosmesa6";
+constexpr const char* kPackages = "libosmesa6 (Mesa 25.1 and later have none)";
 
 /// The library's functions, by the names it exports.
 struct OSMesa

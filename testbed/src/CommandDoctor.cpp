@@ -33,7 +33,6 @@ struct Check
 {
     std::string name;
     std::function<Finding()> look;
-    bool isBackend = false; ///< one of these is enough
 };
 
 std::string WideInstructions()
@@ -186,20 +185,58 @@ Finding LookAtDisplay()
                                                   "play need none."};
 }
 
-Result<int> Tell(const Check& check)
+/// Writes a line for each thing, and keeps the exit code of the first that does not work.
+class Report
 {
-    const Finding finding = check.look();
-    std::string name = check.name;
-    name.resize(std::max<std::size_t>(name.size(), 12), ' ');
-    std::string line = finding ? *finding : finding.GetError().message;
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    const Result<void> written = WriteOutput(
-        (finding ? std::string("ok    ") : Red("FAIL", stdout) + "  ") + name + " " + line + "\n");
-    if (!written)
+public:
+    void Add(const std::string& name, const Finding& finding)
     {
-        return written.GetError();
+        Write(finding ? "ok  " : Red("FAIL", stdout), name,
+              finding ? *finding : finding.GetError().message);
+        if (!finding && m_code == 0)
+        {
+            m_code = static_cast<int>(finding.GetError().kind);
+        }
     }
-    return finding ? 0 : static_cast<int>(finding.GetError().kind);
+
+    /// For what is not there and not needed.
+    void AddNone(const std::string& name, const std::string& why) { Write("none", name, why); }
+
+    /// An Error when the lines could not be written.
+    Result<int> Code() const { return m_written ? Result<int>(m_code) : m_written.GetError(); }
+
+private:
+    void Write(const std::string& status, std::string name, std::string text)
+    {
+        name.resize(std::max<std::size_t>(name.size(), 12), ' ');
+        std::replace(text.begin(), text.end(), '\n', ' ');
+        if (m_written)
+        {
+            m_written = WriteOutput(status + "  " + name + " " + text + "\n");
+        }
+    }
+
+    Result<void> m_written;
+    int m_code = 0;
+};
+
+/// One back end is enough. Mesa 25.1 and later have no OSMesa, so its package is not asked for
+/// where EGL draws.
+void AddBackends(Report& report)
+{
+    const Finding osMesa = LookAtBackend(Backend::OSMesa);
+    const Finding egl = LookAtBackend(Backend::Egl);
+    const auto add = [&report](const char* name, const Finding& finding, const char* otherName,
+                               const Finding& other) {
+        if (!finding && other)
+        {
+            report.AddNone(name, std::string(otherName) + " is used instead");
+            return;
+        }
+        report.Add(name, finding);
+    };
+    add("OSMesa", osMesa, "EGL", egl);
+    add("EGL", egl, "OSMesa", osMesa);
 }
 
 } // namespace
@@ -211,9 +248,6 @@ Result<int> RunDoctor(const DoctorOptions&)
         return [&scratch, name, codec] { return LookAtFilm(scratch.Path(), name, codec); };
     };
     const Check checks[] = {
-        {"engine", LookAtEngine},
-        {"OSMesa", [] { return LookAtBackend(Backend::OSMesa); }, true},
-        {"EGL", [] { return LookAtBackend(Backend::Egl); }, true},
         {"mp4, H.264", film("h264.mp4", "h264")},
         {"webm, VP9", film("vp9.webm", "vp9")},
         {"webm, AV1", film("av1.webm", "av1")},
@@ -226,21 +260,14 @@ Result<int> RunDoctor(const DoctorOptions&)
         {"disk", LookAtDisk},
         {"display", LookAtDisplay},
     };
-    int first = 0; // of what is wrong
-    int ofBackends = 0;
-    bool draws = false;
+    Report report;
+    report.Add("engine", LookAtEngine());
+    AddBackends(report);
     for (const Check& check : checks)
     {
-        const Result<int> code = Tell(check);
-        if (!code)
-        {
-            return code;
-        }
-        draws = draws || (check.isBackend && *code == 0);
-        int& kept = check.isBackend ? ofBackends : first;
-        kept = kept == 0 ? *code : kept;
+        report.Add(check.name, check.look());
     }
-    return first == 0 && !draws ? ofBackends : first;
+    return report.Code();
 }
 
 } // namespace boxreel
