@@ -13,6 +13,7 @@
 set -eu
 build=$1
 work=$2
+suite=bookworm # what this build links is this machine's
 tools='cpack dpkg-shlibdeps gzip'
 . "$(dirname "$0")/root.sh"
 

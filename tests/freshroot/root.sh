@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# Sourced with $work, a folder, and $tools, what else is needed of this machine: unpacks a minimal
-# Debian 12 with git, sh and apt into $work/root, kept as $work/base.tar for the next time. Packages come
-# from wherever this machine's own apt gets them. Exits with 77 where this machine cannot do that.
+# Sourced with $suite, the name of a Debian release, $work, a folder, and $tools, what else is needed of this
+# machine: unpacks a minimal Debian with git, sh and apt into $work/root, kept as $work/base.tar for the next
+# time. Packages come from the archives that this machine's own apt asks. Exits with 77 where this machine
+# cannot do that.
 # shellcheck shell=sh disable=SC2016,SC2034,SC2154 # $(…) is apt's, "$@" the inner shell's; see above
 root=$work/root
 
@@ -16,32 +17,38 @@ fail() {
 }
 
 [ "$(id -u)" -eq 0 ] || skip 'only root can make a Debian root and enter it'
-for tool in debootstrap chroot unshare apt-get $tools; do
-    command -v $tool >/dev/null || skip "$tool is not installed"
+for tool in mmdebstrap chroot unshare apt-get $tools; do
+    command -v "$tool" >/dev/null || skip "$tool is not installed"
 done
 unshare --mount true 2>/dev/null || skip 'this system lets nobody mount anything'
-mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' 'Origin: Debian' | sort -u | head -n 1)
-[ -n "$mirror" ] || skip "this machine's apt knows no Debian 12 (bookworm) main archive; run apt-get update once"
+
+# archives: a line of sources.list for each of Debian's that this machine knows, for $suite: where the host asks
+# bookworm, bookworm-updates and bookworm-security, these are trixie, trixie-updates and trixie-security.
+archives() {
+    host=$(apt-get indextargets --format '$(RELEASE)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' |
+        sed 's/-.*//' | sort -u | head -n 1)
+    [ -n "$host" ] || return 0
+    apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
+        sed -n "s/ $host\\([- ]\\)/ $suite\\1/p" | grep ' main$' | sort -u
+}
 
 # ------------------------------------------------------------------------------ an empty system
 
 mkdir -p "$work"
+archives >"$work/sources.list"
+[ -s "$work/sources.list" ] || skip "this machine's apt knows no archive of Debian; run apt-get update once"
+# The same way to the archives. They are signed with the key of the release before, too, so that the host's
+# keys are enough for a release after its own.
+apt-config dump Acquire | grep -Ei '^Acquire::(https?|ftp|Check-|Retries)' >"$work/apt.conf" || true
 if [ ! -f "$work/base.tar" ]; then
-    rm -rf "$work/base"
-    debootstrap --variant=minbase --include=git bookworm "$work/base" "$mirror" >"$work/debootstrap.log" 2>&1 ||
-        { tail -n 3 "$work/debootstrap.log"; skip 'debootstrap could not fetch a Debian 12'; }
-    rm -rf "$work"/base/var/lib/apt/lists/* "$work"/base/var/cache/apt/archives/*.deb
-    tar -C "$work/base" -cf "$work/base.tar.part" . && mv "$work/base.tar.part" "$work/base.tar"
-    rm -rf "$work/base"
+    mmdebstrap --mode=root --variant=minbase --include=git,ca-certificates --aptopt="$work/apt.conf" \
+        "$suite" "$work/base.part.tar" "$work/sources.list" >"$work/mmdebstrap.log" 2>&1 ||
+        { grep '^E: ' "$work/mmdebstrap.log"; skip "mmdebstrap could not make a Debian $suite"; }
+    mv "$work/base.part.tar" "$work/base.tar"
 fi
 rm -rf "$root"
 mkdir "$root"
 tar -C "$root" -xf "$work/base.tar"
-
-# The same archives, the same way there.
-apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
-    sort -u >"$root/etc/apt/sources.list"
-apt-config dump Acquire | grep -Ei '^Acquire::(https?|ftp|Check-|Retries)' >"$root/etc/apt/apt.conf.d/90host" || true
 cp /etc/resolv.conf /etc/hosts "$root/etc/"
 
 # inside COMMAND…: in the root, in a shell's own words, with nothing of this session around it. Processes
