@@ -2,7 +2,9 @@
 #include "FFmpegReader.h"
 
 #include "FFmpegLibrary.h"
+#include "FFmpegPackets.h"
 #include "FFmpegPicture.h"
+#include "GifRate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace boxreel
 {
@@ -44,6 +47,20 @@ std::int64_t LengthOf(const Frame& frame)
     {
         return frame.pkt_duration;
     }
+}
+
+/// How long each frame of a GIF is shown [1/100 s].
+std::vector<std::int64_t> DelaysOf(const std::filesystem::path& path)
+{
+    std::vector<std::int64_t> delays;
+    if (Result<FFmpegPackets> packets = FFmpegPackets::Open(path, {1, 100}))
+    {
+        while (const FFmpegOwner<AVPacket> packet = packets->Next())
+        {
+            delays.push_back(std::max<std::int64_t>(packet->duration, 1));
+        }
+    }
+    return delays;
 }
 
 class FFmpegReader final : public VideoSource
@@ -170,15 +187,11 @@ void FFmpegReader::FillInfo()
     info.width = codec.width;
     info.height = codec.height;
     AVRational rate = m_stream->avg_frame_rate;
-    // In these an average counts frames that are held for long but once. The rate that all times
-    // are multiples of is right then; a GIF's times are rounded, which makes it too high.
-    const AVRational finest = m_stream->r_frame_rate;
-    const bool isMp4 = info.container.find("mp4") != std::string::npos;
-    const bool isHeld =
-        std::int64_t(finest.num) * rate.den * 4 > std::int64_t(rate.num) * finest.den * 5;
-    if (isMp4 || (info.container == "gif" && isHeld))
+    if (info.container.find("mp4") != std::string::npos)
     {
-        rate = finest;
+        // The average counts frames that are held for long but once; all times are multiples of
+        // this.
+        rate = m_stream->r_frame_rate;
     }
     if (rate.num <= 0 || rate.den <= 0)
     {
@@ -186,6 +199,10 @@ void FFmpegReader::FillInfo()
     }
     info.framesPerSecond =
         rate.num > 0 && rate.den > 0 ? Rational{rate.num, rate.den} : Rational{1, 1};
+    if (info.container == "gif")
+    {
+        info.framesPerSecond = RateOfGif(DelaysOf(m_path));
+    }
     info.codec = m_decoder->codec->name;
     info.pixelFormat = NameOr(FFmpeg().av_get_pix_fmt_name(AVPixelFormat(codec.format)));
     info.colorSpace = NameOr(FFmpeg().av_color_space_name(codec.color_space));
