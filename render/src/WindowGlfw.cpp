@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -20,6 +21,7 @@ constexpr const char* kPackages = "libglfw3";
 
 // Every function of GLFW's that is called here, as glfw3.h declares it.
 #define BOXREEL_GLFW_FUNCTIONS(F)                                                                  \
+    F(InitHint)                                                                                    \
     F(Init)                                                                                        \
     F(Terminate)                                                                                   \
     F(GetError)                                                                                    \
@@ -78,6 +80,21 @@ Error Absent(const std::string& message)
     return Error{ErrorKind::Absent, message};
 }
 
+/// GLFW 3.4 speaks to Wayland, too, and tries that first, with complaints where there is none.
+void PreferX11([[maybe_unused]] const Glfw& glfw)
+{
+#ifdef GLFW_PLATFORM
+    const auto isSet = [](const char* variable) {
+        const char* const value = std::getenv(variable);
+        return value != nullptr && *value != '\0';
+    };
+    if (isSet("DISPLAY") || !isSet("WAYLAND_DISPLAY"))
+    {
+        glfw.InitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+    }
+#endif
+}
+
 /// The library, started. `Terminate` ends it again.
 Result<Glfw> Start()
 {
@@ -92,6 +109,7 @@ Result<Glfw> Start()
         return Absent(std::string(kLibrary) +
                       " lacks functions of GLFW 3.3; install it with: apt install " + kPackages);
     }
+    PreferX11(glfw);
     if (!glfw.Init())
     {
         const char* reason = nullptr;

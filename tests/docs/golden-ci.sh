@@ -53,7 +53,9 @@ $python steps.py "$checkout/docs/examples/golden-ci/.github/workflows/golden.yml
 
 # What the first step installs has all that ./boxreel needs to build, but for the program's own.
 grep -q '^apt-get -q update$' 'Install what the builds need' || fail 'the package lists of a container are empty'
-wanted=$(sed -n "/^install_missing/,/goal.* = test/s/^ *need '[^']*' //p" "$checkout/boxreel")
+# Debian 12 has OSMesa.
+wanted=$(sed -n "/^find_missing/,/goal.* = test/s/^ *need ['\"][^'\"]*['\"] //p" "$checkout/boxreel" |
+    sed 's/\$drawing/libosmesa6-dev/')
 [ "$(echo "$wanted" | wc -w)" -ge 18 ] || fail 'the boxreel script names its packages in another way than it did'
 for package in $wanted; do
     case $package in

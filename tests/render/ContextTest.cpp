@@ -278,7 +278,8 @@ TEST(Context, NamesEachBackEndThatWasTriedItsLibraryItsErrorAndItsPackage)
     EXPECT_EQ(Refusal(Backend::Auto, kNoLibraries),
               "Nothing can be drawn, for no back end that was tried works:\n"
               "  osmesa: libNoSuchMesa.so.8 did not load (libNoSuchMesa.so.8: cannot open shared "
-              "object file: No such file or directory); install it with: apt install libosmesa6\n"
+              "object file: No such file or directory); install it with: apt install libosmesa6 "
+              "(Mesa 25.1 and later have none)\n"
               "  egl: libNoSuchEgl.so.1 did not load (libNoSuchEgl.so.1: cannot open shared object "
               "file: No such file or directory); install it with: apt install libegl1 "
               "libegl-mesa0 libgl1-mesa-dri\n"
