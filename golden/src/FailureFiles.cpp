@@ -89,7 +89,11 @@ Result<void> FailureFiles::NoteAccepted() const
         return json.GetError();
     }
     std::optional<std::string> accepted = Accepted(*json);
-    return accepted ? WriteAll({{m_base + kVerdict, *std::move(accepted)}}) : Result<void>();
+    if (!accepted)
+    {
+        return {};
+    }
+    return WriteAll({{m_base + kVerdict, *std::move(accepted)}});
 }
 
 Result<void> FailureFiles::Write(const Moment& expected, const Moment& actual,

@@ -60,10 +60,14 @@ void ApplyAdvances(Letters& letters)
     }
 }
 
-/// Keeps the atlas as it is: with these letters alone, and ready for contexts that share it.
-void Finish(ImFontAtlas& atlas)
+/// Rasterises the letters, and keeps the atlas at that: ready for contexts that share it, and for
+/// one byte a pixel, which another format would be thrown away for.
+void Build(ImFontAtlas& atlas)
 {
-    LettersOf(*atlas.Fonts[0]).FindGlyph(IM_UNICODE_CODEPOINT_INVALID); // makes the fallback
+    constexpr ImWchar kNoLetter = 0xFFFF;
+    atlas.TexDesiredFormat = ImTextureFormat_Alpha8;
+    atlas.Build();
+    LettersOf(*atlas.Fonts[0]).FindGlyph(kNoLetter); // makes the fallback
     atlas.Fonts[0]->Flags |= ImFontFlags_NoLoadGlyphs | ImFontFlags_LockBakedSizes;
     ImFontAtlasUpdateNewFrame(&atlas, 0, false);
 }
@@ -85,8 +89,9 @@ void ApplyAdvances(Letters& letters)
     letters.BuildLookupTable();
 }
 
-void Finish(ImFontAtlas& atlas)
+void Build(ImFontAtlas& atlas)
 {
+    atlas.Build();
     atlas.ClearInputData();
 }
 #endif
@@ -129,7 +134,7 @@ FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFont
         m_atlas->AddFontDefault(scale == 1.0 ? nullptr : &config);
     }
     m_atlas->Fonts[0]->FallbackChar = kFallback;
-    m_atlas->Build();
+    Build(*m_atlas);
     if (scale != 1.0)
     {
         SpaceAs(Get(), float(scale));
@@ -138,7 +143,6 @@ FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFont
     unsigned char* pixels = nullptr;
     m_atlas->GetTexDataAsAlpha8(&pixels, &m_width, &m_height);
     m_coverage = pixels;
-    Finish(*m_atlas);
 }
 
 FontAtlas::~FontAtlas()

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What tests of single scenes have in common: to make one by its name and to play it.
@@ -44,7 +45,7 @@ inline std::vector<b2Body*> Movers(Scene& scene)
 }
 
 /// The body that the scene calls so.
-inline b2Body& Named(Scene& scene, const std::string& name)
+inline b2Body& Named(Scene& scene, std::string_view name)
 {
     for (b2Body* body = scene.World().GetBodyList(); body != nullptr; body = body->GetNext())
     {
