@@ -169,6 +169,10 @@ void FontAtlas::KeepLetters()
     m_lineHeight = LineHeightOf(letters);
     for (const ImFontGlyph& glyph : letters.Glyphs)
     {
+        if (glyph.Codepoint == IM_UNICODE_CODEPOINT_INVALID)
+        {
+            continue; // Dear ImGui 1.92 adds its sign for letters that are missing; ours is '?'
+        }
         m_letters[glyph.Codepoint] = {
             glyph.AdvanceX,
             glyph.Visible != 0,
