@@ -234,6 +234,23 @@ TEST_F(BackendCommand, BothBackEndsWriteTheSameBytes)
               0);
 }
 
+// Mesa keeps compiled shaders without saying for which width of vectors they are; those of another
+// width write beyond their memory.
+TEST_F(BackendCommand, UsesNoShadersOfOtherVectorWidths)
+{
+    if (!Works(Backend::Auto))
+    {
+        GTEST_SKIP() << "nothing to draw with is on this machine";
+    }
+    const TemporaryFolder cache;
+    variables.Set("MESA_SHADER_CACHE_DIR", cache.Path().string());
+    variables.Set("LP_NATIVE_VECTOR_WIDTH", "128");
+    const std::string narrow = Shot();
+    EXPECT_THAT(cache.Files(), IsEmpty());
+    unsetenv("LP_NATIVE_VECTOR_WIDTH");
+    EXPECT_EQ(Shot(), narrow);
+}
+
 TEST_F(BackendCommand, TheOptionWinsOverTheVariableAndTheVariableOverTheOrder)
 {
     if (!Works(Backend::OSMesa) || !Works(Backend::Egl))
