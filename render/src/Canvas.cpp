@@ -64,11 +64,11 @@ Canvas::~Canvas()
     {
         std::for_each(ofKind.begin(), ofKind.end(), drop);
     }
-    drop(m_mesh);
+    drop(m_meshProgram);
     const GLuint arrays[] = {m_quadArray, m_meshArray};
     m_gl.DeleteVertexArrays(2, arrays);
-    const GLuint buffers[] = {m_instances, m_quadIndices, m_meshVertices, m_meshIndices};
-    m_gl.DeleteBuffers(4, buffers);
+    const GLuint buffers[] = {m_instances, m_quadIndices, m_meshCorners};
+    m_gl.DeleteBuffers(3, buffers);
     const GLuint textures[] = {m_font, m_instancesTexture};
     m_gl.DeleteTextures(2, textures);
     m_gl.DeleteFramebuffers(1, &m_framebuffer);
@@ -98,7 +98,7 @@ Result<void> Canvas::MakeTarget()
     m_gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (GLuint* const buffer : {&m_instances, &m_quadIndices, &m_meshVertices, &m_meshIndices})
+    for (GLuint* const buffer : {&m_instances, &m_quadIndices, &m_meshCorners})
     {
         m_gl.GenBuffers(1, buffer);
     }
@@ -178,28 +178,30 @@ Result<const Canvas::Program*> Canvas::Need(ProgramKind kind, Form form)
 Result<const Canvas::Program*> Canvas::NeedMesh()
 {
     NeedFont();
-    if (!m_mesh)
+    if (!m_meshProgram)
     {
         Result<Program> made = Link(MeshShader());
         if (!made)
         {
             return made.GetError();
         }
-        m_mesh = *made;
+        m_meshProgram = *made;
         m_gl.BindVertexArray(m_meshArray);
-        m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshVertices);
-        m_gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_meshIndices);
-        const auto attribute = [this](GLuint index, GLint size, GLenum type, GLboolean normalized,
-                                      std::size_t offset) {
+        m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshCorners);
+        m_gl.EnableVertexAttribArray(0);
+        m_gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(MeshCorner),
+                                 Offset(offsetof(MeshCorner, pixel)));
+        const auto plane = [this](GLuint index, GLint size, std::size_t offset) {
             m_gl.EnableVertexAttribArray(index);
-            m_gl.VertexAttribPointer(index, size, type, normalized, sizeof(OverlayVertex),
-                                     Offset(offset));
+            m_gl.VertexAttribIPointer(index, size, GL_INT, sizeof(MeshCorner), Offset(offset));
         };
-        attribute(0, 2, GL_FLOAT, GL_FALSE, offsetof(OverlayVertex, position));
-        attribute(1, 2, GL_FLOAT, GL_FALSE, offsetof(OverlayVertex, uv));
-        attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(OverlayVertex, color));
+        plane(1, 4, offsetof(MeshCorner, ink));
+        plane(2, 4, offsetof(MeshCorner, inkX));
+        plane(3, 4, offsetof(MeshCorner, inkY));
+        plane(4, 4, offsetof(MeshCorner, texel));
+        plane(5, 2, offsetof(MeshCorner, texelY));
     }
-    return &*m_mesh;
+    return &*m_meshProgram;
 }
 
 void Canvas::NeedFont()
@@ -211,14 +213,14 @@ void Canvas::NeedFont()
     const FontAtlas& atlas = FontAtlas::Get(m_scale);
     m_gl.GenTextures(1, &m_font);
     m_gl.BindTexture(GL_TEXTURE_2D, m_font);
-    for (const auto& [name, value] : {std::pair<GLenum, GLint>{GL_TEXTURE_MIN_FILTER, GL_LINEAR},
-                                      {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+    for (const auto& [name, value] : {std::pair<GLenum, GLint>{GL_TEXTURE_MIN_FILTER, GL_NEAREST},
+                                      {GL_TEXTURE_MAG_FILTER, GL_NEAREST},
                                       {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
                                       {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE}})
     {
         m_gl.TexParameteri(GL_TEXTURE_2D, name, value);
     }
-    m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas.Width(), atlas.Height(), 0, GL_RED,
+    m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8UI, atlas.Width(), atlas.Height(), 0, GL_RED_INTEGER,
                     GL_UNSIGNED_BYTE, atlas.Coverage());
 }
 
@@ -359,13 +361,13 @@ void Canvas::DrawInstances(const Batch& batch, const Program& program, std::size
 
 Result<void> Canvas::Draw(const Overlay& overlay, std::span<const PixelBounds> rectangles)
 {
-    const auto isUnder = [&](const PixelBounds& rectangle) {
-        return std::any_of(
-            overlay.commands.begin(), overlay.commands.end(), [&](const OverlayCommand& c) {
-                return !Intersection(rectangle, {c.clipX0, c.clipY0, c.clipX1, c.clipY1}).IsEmpty();
-            });
-    };
-    if (std::none_of(rectangles.begin(), rectangles.end(), isUnder))
+    if (overlay.IsEmpty())
+    {
+        return {};
+    }
+    const FontAtlas& atlas = FontAtlas::Get(m_scale);
+    BuildMesh(overlay, rectangles, atlas.Width(), atlas.Height(), m_mesh);
+    if (m_mesh.runs.empty())
     {
         return {};
     }
@@ -376,26 +378,15 @@ Result<void> Canvas::Draw(const Overlay& overlay, std::span<const PixelBounds> r
     }
     m_gl.UseProgram((*program)->program);
     m_gl.BindVertexArray(m_meshArray);
-    m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshVertices);
-    m_gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(overlay.vertices.size() * sizeof(OverlayVertex)),
-                    overlay.vertices.data(), GL_STREAM_DRAW);
-    m_gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
-                    GLsizeiptr(overlay.indices.size() * sizeof(std::uint32_t)),
-                    overlay.indices.data(), GL_STREAM_DRAW);
+    m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshCorners);
+    m_gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_mesh.corners.size() * sizeof(MeshCorner)),
+                    m_mesh.corners.data(), GL_STREAM_DRAW);
     m_gl.Enable(GL_SCISSOR_TEST);
-    for (const PixelBounds& rectangle : rectangles)
+    for (const MeshRun& run : m_mesh.runs)
     {
-        for (const OverlayCommand& command : overlay.commands)
-        {
-            const PixelBounds part = Intersection(
-                rectangle, {command.clipX0, command.clipY0, command.clipX1, command.clipY1});
-            if (!part.IsEmpty())
-            {
-                m_gl.Scissor(part.x0, part.y0, part.x1 - part.x0, part.y1 - part.y0);
-                m_gl.DrawElements(GL_TRIANGLES, GLsizei(command.indexCount), GL_UNSIGNED_INT,
-                                  Offset(command.firstIndex * sizeof(std::uint32_t)));
-            }
-        }
+        const PixelBounds& b = run.bounds;
+        m_gl.Scissor(b.x0, b.y0, b.x1 - b.x0, b.y1 - b.y0);
+        m_gl.DrawArrays(GL_TRIANGLES, GLint(run.first), GLsizei(run.count));
     }
     m_gl.Disable(GL_SCISSOR_TEST);
     return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "GlFunctions.h"
+#include "OverlayMesh.h"
 #include "Shaders.h"
 
 #include <debugdraw/Result.h>
@@ -81,11 +82,11 @@ private:
     GLuint m_quadIndices = 0;
     std::size_t m_quads = 0; // that the indices suffice for
     GLuint m_meshArray = 0;
-    GLuint m_meshVertices = 0;
-    GLuint m_meshIndices = 0;
+    GLuint m_meshCorners = 0;
     GLuint m_font = 0;
     std::array<std::array<std::optional<Program>, kForms>, kProgramKinds> m_programs;
-    std::optional<Program> m_mesh;
+    std::optional<Program> m_meshProgram;
+    OverlayMesh m_mesh; // of the last call that drew one; keeps its memory
 };
 
 } // namespace boxreel

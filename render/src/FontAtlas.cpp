@@ -119,7 +119,7 @@ FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFont
     config.OversampleH = 1;
     config.OversampleV = 1;
     config.PixelSnapH = true;
-    m_atlas->Flags |= ImFontAtlasFlags_NoMouseCursors;
+    m_atlas->Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
     std::vector<char> file = ReadWhole(fontFile);
     if (LooksLikeFont(file))
     {
@@ -173,10 +173,8 @@ void FontAtlas::KeepLetters()
         {
             continue; // Dear ImGui 1.92 adds its sign for letters that are missing; ours is '?'
         }
-        m_letters[glyph.Codepoint] = {
-            glyph.AdvanceX,
-            glyph.Visible != 0,
-            {glyph.X0, glyph.Y0, glyph.X1, glyph.Y1, glyph.U0, glyph.V0, glyph.U1, glyph.V1}};
+        m_letters[glyph.Codepoint] = {glyph.AdvanceX, glyph.Visible != 0, glyph.X0, glyph.Y0,
+                                      glyph.X1,       glyph.Y1,           glyph.U0, glyph.V0};
     }
     m_letters.try_emplace(kFallback); // a font may lack even that
 }
@@ -190,6 +188,16 @@ const FontAtlas::Letter& FontAtlas::LetterOf(char32_t letter) const
 bool FontAtlas::Has(char32_t letter) const
 {
     return m_letters.contains(letter);
+}
+
+GlyphQuad FontAtlas::QuadOf(const Letter& letter, float x, float y) const
+{
+    // Pixels whose middle it holds: at odd scales lines stand between two rows.
+    const auto pixel = [](float at) { return int(std::ceil(at - 0.5f)); };
+    const auto texel = [](float at, int size) { return int(std::floor(at * float(size) + 0.5f)); };
+    const float left = std::floor(x + 0.5f);
+    return {pixel(left + letter.x0),      pixel(y + letter.y0),      pixel(letter.x1 - letter.x0),
+            pixel(letter.y1 - letter.y0), texel(letter.u0, m_width), texel(letter.v0, m_height)};
 }
 
 void FontAtlas::Layout(std::string_view text, std::vector<GlyphQuad>& quads) const
@@ -216,10 +224,7 @@ void FontAtlas::Layout(std::string_view text, std::vector<GlyphQuad>& quads) con
         const Letter& letter = LetterOf(character);
         if (letter.isVisible)
         {
-            const float left = std::floor(x + 0.5f);
-            const GlyphQuad& quad = letter.quad;
-            quads.push_back({left + quad.x0, y + quad.y0, left + quad.x1, y + quad.y1, quad.u0,
-                             quad.v0, quad.u1, quad.v1});
+            quads.push_back(QuadOf(letter, x, y));
         }
         x += letter.advance;
     }

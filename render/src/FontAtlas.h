@@ -7,6 +7,7 @@
 #include <vector>
 
 struct ImFontAtlas;
+struct ImFontGlyph;
 
 /// The one font of the toolkit's pictures, rasterised once a process and size: DejaVu Sans, or the
 /// font inside Dear ImGui where that is not installed. Labels are laid out here, panels by Dear
@@ -19,11 +20,13 @@ inline constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaV
 /// Height of a line [px]: legible in a film of 720 lines after 4:2:0, and small beside a shape.
 inline constexpr float kFontPixels = 15.0f;
 
-/// A letter to draw, relative to the text's top left corner.
+/// A letter to draw, relative to the text's top left corner [px, y down]. A pixel of it is a texel
+/// of the texture.
 struct GlyphQuad
 {
-    float x0, y0, x1, y1; ///< [px], y down, whole pixels
-    float u0, v0, u1, v1; ///< into the texture
+    int x, y; ///< top left corner
+    int width, height;
+    int texelX, texelY; ///< of its top left corner
 };
 
 class FontAtlas
@@ -55,16 +58,20 @@ public:
     ImFontAtlas* ImGuiAtlas() const { return m_atlas; }
 
 private:
+    /// As the atlas has it: the box about the pen [px], and where it begins in the atlas (0 to 1).
     struct Letter
     {
         float advance = 0.0f; ///< to the next one [px]
         bool isVisible = false;
-        GlyphQuad quad{};
+        float x0 = 0.0f, y0 = 0.0f, x1 = 0.0f, y1 = 0.0f;
+        float u0 = 0.0f, v0 = 0.0f;
     };
 
     void SpaceAs(const FontAtlas& model, float scale);
     void KeepLetters();
     const Letter& LetterOf(char32_t letter) const;
+    /// At a place in the text [px].
+    GlyphQuad QuadOf(const Letter& letter, float x, float y) const;
 
     ImFontAtlas* m_atlas;
     std::unordered_map<char32_t, Letter>

@@ -68,6 +68,7 @@ namespace boxreel
     F(UNIFORM1I, Uniform1i)                                                                        \
     F(UNIFORM2F, Uniform2f)                                                                        \
     F(USEPROGRAM, UseProgram)                                                                      \
+    F(VERTEXATTRIBIPOINTER, VertexAttribIPointer)                                                  \
     F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                    \
     F(VIEWPORT, Viewport)
 

@@ -2,8 +2,11 @@
 #include "ImGuiFrame.h"
 
 #include "FontAtlas.h"
+#include "ImGuiDrawData.h"
 
-#include <algorithm>
+#include <imgui_internal.h>
+
+#include <cmath>
 #include <mutex>
 #include <string>
 
@@ -14,6 +17,25 @@ namespace
 
 // Dear ImGui keeps its current context in one variable of the process.
 std::mutex g_imgui;
+
+// Sines and cosines come from the C library, which has several versions of them for one processor
+// or another; none of the table's lies near the middle between two of these steps.
+constexpr float kArcSteps = 65536.0f;
+
+/// Makes what is drawn the same on every processor; see ImGuiDrawData.h.
+void DrawPlainly(ImGuiStyle& style, ImDrawListSharedData& shared)
+{
+    style.AntiAliasedLines = false;
+    style.AntiAliasedFill = false;
+    // Borders with round corners would be slanted lines: AddBorder draws them.
+    style.WindowBorderSize = 0.0f;
+    style.PopupBorderSize = 0.0f;
+    for (ImVec2& point : shared.ArcFastVtx)
+    {
+        point = {std::round(point.x * kArcSteps) / kArcSteps,
+                 std::round(point.y * kArcSteps) / kArcSteps};
+    }
+}
 
 } // namespace
 
@@ -31,6 +53,7 @@ ImGuiFrame::ImGuiFrame(int width, int height, double scale) : m_width(width), m_
     io.DeltaTime = 1.0f / 60.0f;
     // What is shown hangs on the input alone, not on how many frames there were.
     io.ConfigInputTextCursorBlink = false;
+    DrawPlainly(ImGui::GetStyle(), *ImGui::GetDrawListSharedData());
     ImGui::SetCurrentContext(nullptr);
 }
 
@@ -54,7 +77,7 @@ const Overlay& ImGuiFrame::Build(const std::function<void()>& draw)
         ImGui::NewFrame();
         draw();
         ImGui::Render();
-        Copy(*ImGui::GetDrawData());
+        CopyDrawData(*ImGui::GetDrawData(), m_width, m_height, m_overlay);
     });
     return m_overlay;
 }
@@ -64,48 +87,6 @@ void ImGuiFrame::Resize(int width, int height)
     m_width = width;
     m_height = height;
     With([&] { ImGui::GetIO().DisplaySize = {float(width), float(height)}; });
-}
-
-void ImGuiFrame::Copy(const ImDrawData& data)
-{
-    m_overlay.vertices.clear();
-    m_overlay.indices.clear();
-    m_overlay.commands.clear();
-    for (int i = 0; i < data.CmdListsCount; ++i)
-    {
-        const ImDrawList& list = *data.CmdLists[i];
-        const auto firstVertex = std::uint32_t(m_overlay.vertices.size());
-        for (const ImDrawVert& vertex : list.VtxBuffer)
-        {
-            const auto channel = [&](int shift) {
-                return std::uint8_t(vertex.col >> shift & 0xffu);
-            };
-            m_overlay.vertices.push_back({{vertex.pos.x, vertex.pos.y},
-                                          {vertex.uv.x, vertex.uv.y},
-                                          {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT),
-                                           channel(IM_COL32_B_SHIFT), channel(IM_COL32_A_SHIFT)}});
-        }
-        for (const ImDrawCmd& command : list.CmdBuffer)
-        {
-            if (command.ElemCount == 0)
-            {
-                continue;
-            }
-            const auto firstIndex = std::uint32_t(m_overlay.indices.size());
-            for (unsigned int k = 0; k < command.ElemCount; ++k)
-            {
-                const ImDrawIdx index = list.IdxBuffer[int(command.IdxOffset + k)];
-                m_overlay.indices.push_back(firstVertex + command.VtxOffset + index);
-            }
-            const auto limit = [](float value, int most) {
-                return int(std::clamp(value, 0.0f, float(most)));
-            };
-            m_overlay.commands.push_back(
-                {firstIndex, command.ElemCount, limit(command.ClipRect.x, m_width),
-                 limit(command.ClipRect.y, m_height), limit(command.ClipRect.z, m_width),
-                 limit(command.ClipRect.w, m_height)});
-        }
-    }
 }
 
 Result<void> CheckPanelSize(int width, int height, double scale)

@@ -31,8 +31,6 @@ public:
     void Resize(int width, int height);
 
 private:
-    void Copy(const ImDrawData& data);
-
     int m_width;
     int m_height;
     ImGuiContext* m_context;

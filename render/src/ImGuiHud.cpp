@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ImGuiFrame.h"
 
+#include <render/PanelStroke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -19,9 +21,10 @@ constexpr float kUnderTitle = 9.0f; // room for the line below the title
 // The panel's width grows in steps of this, so that it does not jump with every digit of a number.
 constexpr float kWidthStep = 24.0f;
 constexpr float kMinWidth = 168.0f;
+constexpr float kRounding = 6.0f; // of the panel's corners
 
 constexpr ImU32 kGround = IM_COL32(12, 14, 18, 190);
-constexpr ImU32 kRim = IM_COL32(255, 255, 255, 36);
+constexpr Color kRim{255, 255, 255, 36};
 constexpr ImU32 kTitleInk = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 kNameInk = IM_COL32(170, 178, 190, 255);
 constexpr ImU32 kValueInk = IM_COL32(240, 242, 245, 255);
@@ -117,7 +120,8 @@ void Panel(const HudContent& content, const Layout& layout)
         const ImVec2 corner = ImGui::GetWindowPos();
         const float y = corner.y + padding + line + unit * 4.0f;
         ImGui::GetWindowDrawList()->AddRectFilled({corner.x + padding, y},
-                                                  {corner.x + right, y + unit}, kRim);
+                                                  {corner.x + right, y + unit},
+                                                  IM_COL32(kRim.r, kRim.g, kRim.b, kRim.a));
     }
     float y = layout.firstRow;
     for (const auto& [name, value] : content.rows)
@@ -128,16 +132,22 @@ void Panel(const HudContent& content, const Layout& layout)
     }
 }
 
+void Border(float unit)
+{
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    const Vec2 high{low.x + size.x, low.y + size.y};
+    AddBorder(*ImGui::GetWindowDrawList(), {{low.x, low.y}, high}, unit * kRounding, unit, kRim);
+}
+
 void SetStyle(float unit)
 {
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowPadding = {0.0f, 0.0f};
-    style.WindowRounding = unit * 6.0f;
-    style.WindowBorderSize = unit;
+    style.WindowRounding = unit * kRounding;
     style.WindowMinSize = {1.0f, 1.0f};
     style.ItemSpacing = {0.0f, 0.0f};
     style.Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(kGround);
-    style.Colors[ImGuiCol_Border] = ImGui::ColorConvertU32ToFloat4(kRim);
 }
 
 } // namespace
@@ -180,6 +190,7 @@ const Overlay& Hud::Build(const HudContent& content)
         if (ImGui::Begin("hud", nullptr, kFlags))
         {
             Panel(content, layout);
+            Border(layout.unit);
         }
         ImGui::End();
     });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Shaders.h"
 
+#include "OverlayMesh.h"
+
 namespace boxreel
 {
 namespace
@@ -267,56 +269,74 @@ void main()
 }
 )";
 
+// A letter's texels lie on whole pixels: each is fetched as the integer that it is, for what a
+// filter makes of it depends on the processor.
 constexpr const char* kGlyphVertex = R"(
-flat out vec4 origin; // of the letter [px], and in the texture
-flat out vec2 step01; // in the texture, a pixel
+flat out ivec2 offset; // from pixel to texel
 flat out vec4 ink;
 void main()
 {
-    vec4 rectangle = Attribute(1); // [px]
-    vec4 texture01 = Attribute(2);
-    origin = vec4(rectangle.xy, texture01.xy);
-    step01 = (texture01.zw - texture01.xy) / (rectangle.zw - rectangle.xy);
-    ink = Attribute(3); // premultiplied
+    offset = ivec2(Attribute(1).xy);
+    ink = Attribute(2); // premultiplied
     PlacePart(Attribute(0));
 }
 )";
 
 constexpr const char* kGlyphFragment = R"(
-uniform sampler2D font;
-flat in vec4 origin;
-flat in vec2 step01;
+uniform usampler2D font;
+flat in ivec2 offset;
 flat in vec4 ink;
 layout(location = 0) out vec4 color;
 void main()
 {
-    color = ink * texture(font, origin.zw + (gl_FragCoord.xy - origin.xy) * step01).r;
+    uint coverage = texelFetch(font, ivec2(gl_FragCoord.xy) + offset, 0).r;
+    color = ink * (float(coverage) / 255.0);
 }
 )";
 
+// Planes with integer coefficients (OverlayMesh.h).
 constexpr const char* kMeshVertex = R"(
 layout(location = 0) in vec2 position; // [px]
-layout(location = 1) in vec2 uvIn;
-layout(location = 2) in vec4 colorIn;
+layout(location = 1) in ivec4 inkIn;
+layout(location = 2) in ivec4 inkXIn;
+layout(location = 3) in ivec4 inkYIn;
+layout(location = 4) in ivec4 texelIn;
+layout(location = 5) in ivec2 texelYIn;
 uniform vec2 pixelToClip;
-out vec2 uv;
-out vec4 ink;
+flat out ivec4 ink;
+flat out ivec4 inkX;
+flat out ivec4 inkY;
+flat out ivec4 texel;
+flat out ivec2 texelY;
 void main()
 {
-    ink = vec4(colorIn.rgb * colorIn.a, colorIn.a);
-    uv = uvIn;
+    ink = inkIn;
+    inkX = inkXIn;
+    inkY = inkYIn;
+    texel = texelIn;
+    texelY = texelYIn;
     gl_Position = vec4(position * pixelToClip - 1.0, 0.0, 1.0);
 }
 )";
 
+// The quotient is within 1e-7 of a multiple of 1 / 65025, none of which lies halfway between two
+// steps of 1 / 255: however it is computed, it is rounded to the same byte.
 constexpr const char* kMeshFragment = R"(
-uniform sampler2D font;
-in vec2 uv;
-in vec4 ink;
+uniform usampler2D font;
+flat in ivec4 ink;
+flat in ivec4 inkX;
+flat in ivec4 inkY;
+flat in ivec4 texel;
+flat in ivec2 texelY;
 layout(location = 0) out vec4 color;
 void main()
 {
-    color = ink * texture(font, uv).r;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 place = (texel.xy + texel.zw * pixel.x + texelY * pixel.y) >> TEXEL_BITS;
+    place = clamp(place, ivec2(0), textureSize(font, 0) - 1);
+    int coverage = int(texelFetch(font, place, 0).r);
+    ivec4 level = (ink + inkX * pixel.x + inkY * pixel.y) >> INK_BITS;
+    color = vec4(level * coverage) / 65025.0;
 }
 )";
 
@@ -393,7 +413,7 @@ ShaderSource ShaderOf(ProgramKind kind)
     case ProgramKind::Glyph:
         break;
     }
-    return QuadShader(4, kGlyphVertex, kGlyphFragment);
+    return QuadShader(3, kGlyphVertex, kGlyphFragment);
 }
 
 } // namespace
@@ -407,7 +427,9 @@ ShaderSource InstancedShader(ProgramKind kind, Form form)
 
 ShaderSource MeshShader()
 {
-    return {kVersion + kMeshVertex, kVersion + kMeshFragment, 0};
+    const std::string bits = Define("INK_BITS", std::to_string(kInkBits)) +
+                             Define("TEXEL_BITS", std::to_string(kTexelBits));
+    return {kVersion + kMeshVertex, kVersion + bits + kMeshFragment, 0};
 }
 
 } // namespace boxreel

@@ -308,16 +308,19 @@ bool ShapeBuilder::AddText(Vec2 topLeft, const std::string& text, const Rgba& in
     bool drawn = false;
     for (const GlyphQuad& glyph : m_glyphs)
     {
-        const Point lower = at + Point{glyph.x0, glyph.y0};
-        const Point upper = at + Point{glyph.x1, glyph.y1};
-        // Pixels whose centre it holds: at odd scales lines stand between two rows.
-        const auto bounds = InPicture({std::ceil(lower.x - 0.5), std::ceil(lower.y - 0.5)},
-                                      {std::ceil(upper.x - 0.5), std::ceil(upper.y - 0.5)});
+        const Point lower = at + Point{double(glyph.x), double(glyph.y)};
+        const Point upper = lower + Point{double(glyph.width), double(glyph.height)};
+        const auto bounds = InPicture(lower, upper);
         if (bounds)
         {
-            const std::array<float, 12> attributes{
-                float(lower.x), float(lower.y), float(upper.x), float(upper.y), glyph.u0, glyph.v0,
-                glyph.u1,       glyph.v1,       ink[0],         ink[1],         ink[2],   ink[3]};
+            const std::array<float, 8> attributes{float(glyph.texelX - lower.x),
+                                                  float(glyph.texelY - lower.y),
+                                                  0.0f,
+                                                  0.0f,
+                                                  ink[0],
+                                                  ink[1],
+                                                  ink[2],
+                                                  ink[3]};
             m_instances->Add(ProgramKind::Glyph, *bounds, attributes);
             drawn = true;
         }

@@ -258,7 +258,7 @@ void Panels::FileButtons(const PanelFacts& facts, PanelChoices& choices)
     ImGui::EndChild();
     if (ImGui::IsItemHovered() && !facts.message.empty())
     {
-        ImGui::SetTooltip("%s", facts.message.c_str());
+        m_widgets.Tip(facts.message);
     }
 }
 
@@ -323,7 +323,7 @@ void Panels::SolverSection(PanelChoices& choices)
     m_widgets.Number("Hertz", solver.hertz, 5, 480);
     if (ImGui::IsItemHovered())
     {
-        ImGui::SetTooltip("Another rate begins the scene anew.");
+        m_widgets.Tip("Another rate begins the scene anew.");
     }
     const float half = m_widgets.Px(152.0);
     m_widgets.Check("Sleep", solver.sleep);
@@ -372,6 +372,7 @@ void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
                 choices.theme = text;
             }
         }
+        m_widgets.Border(ImGui::GetStyle().PopupRounding);
         ImGui::EndCombo();
     }
     m_widgets.Note("Theme");
@@ -389,13 +390,39 @@ void Panels::Plot(const char* name, const History& history)
     ImGui::GetWindowDrawList()->AddRectFilled(
         corner, {corner.x + room, corner.y + m_widgets.Px(44.0)},
         ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4{0.0f, 0.0f, 0.0f, 0.0f});
+    // Dear ImGui's plot answers to the mouse; its lines are slanted, and drawn below.
+    for (const ImGuiCol_ color : {ImGuiCol_FrameBg, ImGuiCol_PlotLines, ImGuiCol_PlotLinesHovered})
+    {
+        ImGui::PushStyleColor(color, 0);
+    }
     ImGui::PlotLines(name, values.data(), count, isWhole ? int(history.Oldest()) : 0, nullptr, 0.0f,
                      1.15f * top,
                      {std::max(m_widgets.Px(16.0), room * float(count) / float(History::kLength)),
                       m_widgets.Px(44.0)});
-    ImGui::PopStyleColor();
+    ImGui::PopStyleColor(3);
     m_widgets.Note(name + 2); // without the two signs that hide it
+    DrawCurve(history, 1.15f * top);
+}
+
+/// The values from 0 to `top`, oldest first, inside the last item.
+void Panels::DrawCurve(const History& history, float top)
+{
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const Vec2 size{high.x - low.x - 2.0f * padding.x, high.y - low.y - 2.0f * padding.y};
+    // The middle of the pixel at the lower left: a level line fills a row of pixels.
+    const Vec2 zero{low.x + padding.x + 0.5f, high.y - padding.y + 0.5f};
+    const std::size_t count = history.Count();
+    const std::size_t oldest = count == History::kLength ? history.Oldest() : 0;
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < count && count > 1; ++i)
+    {
+        const float value = history.Values()[(oldest + i) % History::kLength];
+        points.push_back(
+            {zero.x + size.x * float(i) / float(count - 1), zero.y - size.y * value / top});
+    }
+    m_widgets.Curve(points);
 }
 
 void Panels::StatisticsSection(const PanelFacts& facts)

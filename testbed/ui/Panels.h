@@ -60,6 +60,7 @@ private:
     void ProfileSection(const PanelFacts& facts);
     void KeysSection();
     void Plot(const char* name, const History& history);
+    void DrawCurve(const History& history, float top);
     void Ask(PanelWish wish) { m_answer.wishes.push_back(wish); }
 
     PanelCanvas m_canvas;

@@ -77,16 +77,17 @@ std::string ScenePicker::Build(bool& isOpen, int width, int height, Widgets& wid
         ImGui::SetNextWindowFocus();
     }
     std::string chosen;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, widgets.Px(6.0));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, widgets.Px(1.0));
+    const float rounding = widgets.Px(6.0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
     if (ImGui::Begin("picker", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings))
     {
         chosen = Choose(isOpen, widgets);
+        widgets.Border(rounding);
     }
     ImGui::End();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar();
     m_wasOpen = isOpen;
     return chosen;
 }

@@ -2,12 +2,37 @@
 #include "Widgets.h"
 
 #include <imgui.h>
+#include <render/PanelStroke.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace boxreel
 {
+namespace
+{
+
+Color StyleColor(ImGuiCol_ which)
+{
+    const ImU32 packed = ImGui::GetColorU32(which);
+    const auto channel = [&](int shift) { return std::uint8_t(packed >> shift & 0xffu); };
+    return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT),
+            channel(IM_COL32_A_SHIFT)};
+}
+
+/// In the box at the left end of the last item.
+void DrawTick()
+{
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const float side = ImGui::GetFrameHeight();
+    const auto place = [&](float x, float y) { return Vec2{low.x + x * side, low.y + y * side}; };
+    const std::array tick{place(0.18f, 0.53f), place(0.40f, 0.75f), place(0.83f, 0.32f)};
+    AddStroke(*ImGui::GetWindowDrawList(), tick, false, double(side) * 0.14,
+              StyleColor(ImGuiCol_CheckMark));
+}
+
+} // namespace
 
 void Widgets::BeginFrame()
 {
@@ -76,7 +101,13 @@ bool Widgets::Button(const char* name, float width)
 
 bool Widgets::Check(const char* name, bool& value)
 {
+    ImGui::PushStyleColor(ImGuiCol_CheckMark, 0); // slanted lines; DrawTick draws them
     const bool hasChanged = ImGui::Checkbox(name, &value);
+    ImGui::PopStyleColor();
+    if (value)
+    {
+        DrawTick();
+    }
     Note(name);
     return hasChanged;
 }
@@ -103,6 +134,30 @@ bool Widgets::Number(const char* name, int& value, int lowest, int highest)
     ImGui::PopID();
     value = std::clamp(value, lowest, highest);
     return value != before;
+}
+
+void Widgets::Curve(std::span<const Vec2> points)
+{
+    AddStroke(*ImGui::GetWindowDrawList(), points, false, 1.0, StyleColor(ImGuiCol_PlotLines));
+}
+
+void Widgets::Border(float rounding)
+{
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    const Vec2 high{low.x + size.x, low.y + size.y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    AddBorder(list, {{low.x, low.y}, high}, rounding, Px(1.0), StyleColor(ImGuiCol_Border));
+    list.PopClipRect();
+}
+
+void Widgets::Tip(const std::string& text)
+{
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(text.c_str());
+    Border(ImGui::GetStyle().WindowRounding);
+    ImGui::EndTooltip();
 }
 
 bool Widgets::Line(const char* name, bool isChosen)

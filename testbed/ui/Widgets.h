@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,12 @@ public:
     bool Line(const char* name, bool isChosen);
     /// "name    value".
     void Fact(const char* name, const std::string& value);
+    /// A line through these points [px] in the colour of plots.
+    void Curve(std::span<const Vec2> points);
+    /// Around the window or popup that is being built, whose corners have this radius [px].
+    void Border(float rounding);
+    /// A text beside the mouse.
+    void Tip(const std::string& text);
     /// The last item of Dear ImGui's gets this name.
     void Note(const std::string& name);
 

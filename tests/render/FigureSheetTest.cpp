@@ -143,7 +143,7 @@ TEST(TextWidth, IsThatOfWhatIsDrawnInTheFont)
     const auto advance = [](const std::string& letter) {
         std::vector<GlyphQuad> quads;
         FontAtlas::Get().Layout("|" + letter + "|", quads);
-        return quads.back().x0 - quads.front().x0;
+        return float(quads.back().x - quads.front().x);
     };
     const float bar = advance("");
     for (char32_t code = 0x21; code < 0x10000; code += code == 0xD7FF ? 0x801 : 1)

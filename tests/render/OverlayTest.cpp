@@ -105,6 +105,15 @@ TEST(Hud, CopesWithNothingToShow)
     EXPECT_FALSE(Built(320, 240, {"", {{"", ""}}}).IsEmpty());
 }
 
+TEST(Hud, HasItsCornersOnTheGridOfTheRasteriser)
+{
+    for (const OverlayVertex& vertex : Built(640, 360, Usual()).vertices)
+    {
+        ASSERT_EQ(std::fmod(vertex.position.x * 256.0f, 1.0f), 0.0f);
+        ASSERT_EQ(std::fmod(vertex.position.y * 256.0f, 1.0f), 0.0f);
+    }
+}
+
 TEST(Hud, LeavesNoSettingsFileBehind)
 {
     std::filesystem::remove("imgui.ini");
@@ -181,6 +190,43 @@ TEST(AnOverlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
     EXPECT_TRUE(DrawWith(renderer, {}, camera, &good) == first) << "and nothing has changed";
 }
 
+TEST(AnOverlay, ShowsTheBytesOfTheFontUnderItsPixels)
+{
+    const FontAtlas& atlas = FontAtlas::Get();
+    std::vector<GlyphQuad> quads;
+    atlas.Layout("g", quads);
+    const GlyphQuad& g = quads.at(0);
+    for (const float offset : {0.0f, 0.25f, 0.4f, 0.5f})
+    {
+        Overlay overlay;
+        const auto corner = [&](int x, int y) {
+            overlay.vertices.push_back({{5.0f + offset + float(x), 7.0f + float(y)},
+                                        {float(g.texelX + x) / float(atlas.Width()),
+                                         float(g.texelY + y) / float(atlas.Height())},
+                                        kWhite});
+        };
+        corner(0, 0);
+        corner(g.width, 0);
+        corner(g.width, g.height);
+        corner(0, g.height);
+        overlay.indices = {0, 1, 2, 0, 2, 3};
+        overlay.commands.push_back({0, 6, 0, 0, 64, 64});
+        Theme black;
+        black.background = {0, 0, 0, 255};
+        Renderer renderer = MakeRenderer(64, 64, black);
+        const Frame frame = DrawWith(renderer, {}, PixelCamera(64, 64), &overlay);
+        for (int y = 0; y < g.height; ++y)
+        {
+            for (int x = 0; x < g.width; ++x)
+            {
+                const std::uint8_t texel =
+                    atlas.Coverage()[(g.texelY + y) * atlas.Width() + g.texelX + x];
+                ASSERT_EQ(At(frame, 5 + x, 7 + y)[0], texel) << offset << ": " << x << ", " << y;
+            }
+        }
+    }
+}
+
 TEST(FontAtlas, HasLettersOfWholePixelsSideBySide)
 {
     std::vector<GlyphQuad> quads;
@@ -188,14 +234,48 @@ TEST(FontAtlas, HasLettersOfWholePixelsSideBySide)
     ASSERT_EQ(quads.size(), 5u) << "a blank and a line feed are not drawn";
     for (const GlyphQuad& quad : quads)
     {
-        EXPECT_EQ(quad.x0, std::floor(quad.x0));
-        EXPECT_EQ(quad.y0, std::floor(quad.y0));
-        EXPECT_GT(quad.x1, quad.x0);
-        EXPECT_GT(quad.u1, quad.u0);
+        EXPECT_GT(quad.width, 0);
+        EXPECT_GT(quad.height, 0);
+        EXPECT_GT(quad.texelX, 0);
+        EXPECT_LE(quad.texelX + quad.width, FontAtlas::Get().Width());
+        EXPECT_LE(quad.texelY + quad.height, FontAtlas::Get().Height());
     }
-    EXPECT_LT(quads[0].x0, quads[1].x0);
-    EXPECT_GT(quads[4].y0, quads[0].y0 + 10);
-    EXPECT_LT(quads[4].x0, 4.0f);
+    EXPECT_LT(quads[0].x, quads[1].x);
+    EXPECT_GT(quads[4].y, quads[0].y + 10);
+    EXPECT_LT(quads[4].x, 4);
+}
+
+// Lines of such letters are 19.5 and 22.5 px apart.
+TEST(ALabel, ShowsTheBytesOfItsFontAtEveryScale)
+{
+    for (const double scale : {1.0, 1.3, 1.5})
+    {
+        const FontAtlas& atlas = FontAtlas::Get(scale);
+        DrawList list;
+        list.AddText({10.0f, 100.0f}, "Ag\nfx", kWhite);
+        RendererSettings settings{.width = 120, .height = 120};
+        settings.theme.background = {0, 0, 0, 255};
+        settings.scale = scale;
+        Result<Renderer> renderer = Renderer::Create(settings);
+        ASSERT_TRUE(renderer);
+        const Frame frame = DrawWith(*renderer, list, PixelCamera(120, 120));
+        std::vector<GlyphQuad> quads;
+        atlas.Layout("Ag\nfx", quads);
+        const int ink = settings.theme.Outline(kWhite).g;
+        for (const GlyphQuad& quad : quads)
+        {
+            for (int i = 0; i < quad.width * quad.height; ++i)
+            {
+                const int x = i % quad.width;
+                const int y = i / quad.width;
+                const int texel =
+                    atlas.Coverage()[(quad.texelY + y) * atlas.Width() + quad.texelX + x];
+                ASSERT_EQ(At(frame, 10 + quad.x + x, 20 + quad.y + y)[1],
+                          (2 * texel * ink + 255) / 510)
+                    << scale << ": " << x << ", " << y;
+            }
+        }
+    }
 }
 
 TEST(FontAtlas, FallsBackToABuiltInFont)
