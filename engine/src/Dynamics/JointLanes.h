@@ -77,15 +77,15 @@ struct HeldRow
     /// Sums of what is not negative: long arms lose no digits, as they would in a difference.
     static HeldRow AngleOfPoint(const PairMasses<F>& pair, const Vector<F>& rA, const Vector<F>& rB)
     {
-        const F inverse = InverseOrZero(pair.mA + pair.mB);
-        const F a = pair.iA * inverse;
-        const F b = pair.iB * inverse;
+        const F reduced = InverseOrZero(pair.mA + pair.mB);
+        const F a = pair.iA * reduced;
+        const F b = pair.iB * reduced;
         const F area = Cross(rA, rB);
         const Vector<F> apart = rB - rA;
         const F point = F::Set(1.0f) + a * Dot(rA, rA) + b * Dot(rB, rB) + a * b * area * area;
         const F all = a + b + a * b * Dot(apart, apart);
         const Vector<F> pull = Skew(a * rA + b * rB) + (a * b * area) * apart;
-        return {point * inverse * InverseOrZero(all), (F::Set(-1.0f) / point) * pull};
+        return {point * reduced * InverseOrZero(all), (F::Set(-1.0f) / point) * pull};
     }
 };
 

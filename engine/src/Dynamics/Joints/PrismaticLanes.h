@@ -42,14 +42,14 @@ struct PrismaticLanes
         ///   |K|      / (mA + mB)^3 = a + b + a b (p^2 + q^2)
         HeldRow<F> RowOf(const PairMasses<F>& pair) const
         {
-            const F inverse = InverseOrZero(pair.mA + pair.mB);
-            const F a = pair.iA * inverse;
-            const F b = pair.iB * inverse;
+            const F reduced = InverseOrZero(pair.mA + pair.mB);
+            const F a = pair.iA * reduced;
+            const F b = pair.iB * reduced;
             const F p = acrossA - acrossB;
             const F q = axisA - axisB;
             const F held = a + b + a * b * p * p;
             const F s = InverseOrZero(held); // 0 for two bodies that cannot turn
-            const F mass = inverse * InverseOrZero(F::Set(1.0f) + s * (a * b * q * q));
+            const F mass = reduced * InverseOrZero(F::Set(1.0f) + s * (a * b * q * q));
             const F turn = a * axisA + b * axisB + a * b * p * (acrossA * axisB - acrossB * axisA);
             return {mass, {-s * (a * b * p * q), -s * turn}};
         }
