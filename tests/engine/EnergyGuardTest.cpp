@@ -623,4 +623,36 @@ TEST(EnergyGuard, StopsWhatIsNoNumberAndJudgesTheRest)
     EXPECT_LT(pair.Energy(), 1.001 * start);
 }
 
+TEST(EnergyGuard, SlowsDownLittleForASmallOldDebt)
+{
+    Pair pair;
+    pair.Begin();
+    const double start = pair.Energy();
+    for (b2Body* body : {pair.a, pair.b})
+    {
+        box2d::Data(*body).energyScale = float32(100.0 * start);
+        box2d::Data(*body).energyOwed = 0.02f * box2d::Data(*body).energyScale;
+    }
+    pair.Balance(); // it owes twice what it has
+    EXPECT_LT(pair.Energy(), start);
+    EXPECT_GT(pair.Energy(), 0.89 * start);
+}
+
+TEST(EnergyGuard, KeepsTheCreditOfWhatMovesLittle)
+{
+    Pair pair;
+    for (b2Body* body : {pair.a, pair.b})
+    {
+        box2d::Data(*body).energyScale = 1000.0f;
+        box2d::Data(*body).energyOwed = -500.0f;
+    }
+    for (int32 step = 0; step < 300; ++step)
+    {
+        pair.Begin();
+        pair.Balance();
+    }
+    EXPECT_NEAR(box2d::Data(*pair.a).energyOwed, -500.0f, 1.0f);
+    EXPECT_LT(box2d::Data(*pair.a).energyScale, 610.0f);
+}
+
 } // namespace

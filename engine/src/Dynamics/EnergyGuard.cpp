@@ -23,7 +23,10 @@ constexpr double kTolerance = 0.01;
 /// The most credit, of the scale. A bridge of planks that boxes fall on gives back up to three
 /// times what it moves with; with more, what has been braked for long could burst.
 constexpr double kMostCredit = 3.0;
-/// How fast what was of late is forgotten [1/s], debts and credits with it.
+/// The largest debt that is kept, of the scale; what owes so much is bursting and pays at once.
+/// With five times as much some random worlds win energy, with a tenth small debts stop what moves.
+constexpr double kMaxDebt = 0.1;
+/// How fast the scale decays [1/s], and debts with it.
 constexpr double kFade = 0.1;
 /// What corrections may put into springs although nothing moves [J/kg]: as much as makes 1 m/s.
 /// Something at rest on springs that is pushed out of the ground needs a hundredth of it.
@@ -85,6 +88,21 @@ bool IsIslandDriven(const b2Body& first)
         }
     }
     return false;
+}
+
+/// Kinetic, at the start of the step [J].
+double EnergyAtStart(const b2Body& first)
+{
+    double sum = 0.0;
+    for (const b2Body* body = &first; body; body = Data(*body).islandNext)
+    {
+        const BodyData& data = Data(*body);
+        SolverBody start;
+        start.v = data.linearVelocity;
+        start.w = data.angularVelocity;
+        sum += KineticEnergy(start, double(data.mass), double(data.inertia));
+    }
+    return sum;
 }
 
 /// The largest kinetic energy of late, when the present one counts.
@@ -270,7 +288,9 @@ void EnergyGuard::AddJoints(const World& world, const SolverArrays& arrays)
     }
 }
 
-/// What cannot be paid now is forgotten: later it would stop something that has done nothing.
+/// Takes at once what was won in this step. Of the energy that the island had before, it takes the
+/// share that the debt is of the largest one: a small debt slows the motion down over many steps,
+/// it does not stop it.
 void EnergyGuard::Collect(const World& world, SolverArrays& arrays, Account& account)
 {
     const b2Body& first = *world.islands.At(account.island).first;
@@ -292,8 +312,12 @@ void EnergyGuard::Collect(const World& world, SolverArrays& arrays, Account& acc
     if (account.owed > free)
     {
         IslandMotion motion(first, arrays.bodies.data());
-        motion.Lose(std::min(account.owed - free, motion.Energy()));
-        account.owed = free;
+        const double debt = account.owed - free;
+        const double share = std::min(debt / (kMaxDebt * account.scale), 1.0);
+        const double kept = (1.0 - share) * EnergyAtStart(first);
+        const double lost = std::min(debt, std::max(motion.Energy() - kept, 0.0));
+        motion.Lose(lost);
+        account.owed -= lost;
         account.scale = account.past;
     }
 }
@@ -339,14 +363,16 @@ void EnergyGuard::MoveAgain(const b2Body& first, SolverArrays& arrays, Account& 
     account.owed -= saved;
 }
 
-/// As shares of the scale, with which it fades.
+/// As shares of the scale. Debts fade with it. Credit does not: where joints have opened under
+/// load, it is what closing them gives back, however late; only its largest value falls with the
+/// scale.
 void EnergyGuard::ShareOut(const World& world, const SolverArrays& arrays)
 {
     const auto fade = float32(1.0 / (1.0 + kFade * double(m_timeStep)));
     for (Account& account : m_accounts)
     {
         const double share = account.scale > 0.0 ? account.owed / account.scale : 0.0;
-        account.owed = b2Clamp(share, -kMostCredit, kTolerance);
+        account.owed = b2Clamp(share, -kMostCredit, kMaxDebt);
     }
     for (b2Body* body : world.awakeBodies)
     {
@@ -355,8 +381,10 @@ void EnergyGuard::ShareOut(const World& world, const SolverArrays& arrays)
         if (account != -1)
         {
             const SolverBody& s = arrays.bodies[std::size_t(data.SolverIndex())];
-            data.energyScale = fade * ScaleOf(PastOf(data), data, s);
-            data.energyOwed = float32(m_accounts[std::size_t(account)].owed) * data.energyScale;
+            const float32 scale = ScaleOf(PastOf(data), data, s);
+            const auto share = float32(m_accounts[std::size_t(account)].owed);
+            data.energyScale = fade * scale;
+            data.energyOwed = share * (share > 0.0f ? data.energyScale : scale);
         }
     }
 }

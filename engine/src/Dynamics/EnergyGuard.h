@@ -13,8 +13,9 @@
 /// else only takes. What an island wins it owes. A little of that is truncation, and goes up and
 /// down. More is taken away: corrections of poses when they have wound up springs, all of the way
 /// when velocities that cannot be paid for have; then velocity, at first what there is of it within
-/// the island, which leaves the momentum as it is. What was lost counts as credit for a while, for
-/// a loaded chain of joints that sweeps do not hold rigidly gives back what stopping it took.
+/// the island, which leaves the momentum as it is. What was won long ago is taken back slowly.
+/// What was lost counts as credit: a loaded chain of joints that sweeps do not hold rigidly gives
+/// back what stopping it took, and joints that were pulled open lift their bodies when they close.
 /// Bodies carry their island's account in shares, so that islands may merge and come apart.
 ///
 /// Where everything is as it should be nothing is changed, not a bit. Only islands with joints that
