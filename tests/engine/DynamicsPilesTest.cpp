@@ -116,4 +116,39 @@ TEST(DynamicsPiles, AHeavyBallOnAChainOpensItsHingesLittle)
     EXPECT_LT(widest, 0.08f);
 }
 
+/// Balls of 1 m that fall at 50 m/s, as in a scene of the manual's engine, which holds the lowest
+/// one on the ground and lets balls overlap by 0.512 m after the step in which they met.
+TEST(DynamicsPiles, FastBallsStayAboveGroundAndSpreadTheirOverlap)
+{
+    Scene scene;
+    b2EdgeShape line;
+    line.Set(b2Vec2(-40.0f, 0.0f), b2Vec2(40.0f, 0.0f));
+    scene.Body(b2_staticBody, 0.0f, 0.0f)->CreateFixture(&line, 0.0f);
+    std::vector<b2Body*> balls;
+    for (int32 i = 0; i < 10; ++i)
+    {
+        balls.push_back(scene.Ball(0.0f, 4.0f + 3.0f * float32(i), 1.0f));
+        balls.back()->SetLinearVelocity(b2Vec2(0.0f, -50.0f));
+    }
+    float32 lowest = 1.0f;
+    float32 deepest = 0.0f;
+    for (int32 step = 0; step < 120; ++step)
+    {
+        scene.world.Step(dynamics::kStep, 8, 3);
+        lowest = b2Min(lowest, balls[0]->GetPosition().y);
+        for (const b2Contact* c = scene.world.GetContactList(); c; c = c->GetNext())
+        {
+            const b2Body& a = *c->GetFixtureA()->GetBody();
+            const b2Body& b = *c->GetFixtureB()->GetBody();
+            if (c->IsTouching() && a.GetType() == b.GetType())
+            {
+                const float32 apart = b2Distance(a.GetPosition(), b.GetPosition());
+                deepest = b2Max(deepest, 2.0f - apart);
+            }
+        }
+    }
+    EXPECT_GT(lowest, 1.0f - 3.0f * b2_linearSlop);
+    EXPECT_LT(deepest, 0.512f);
+}
+
 } // namespace

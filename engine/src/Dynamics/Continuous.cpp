@@ -43,6 +43,17 @@ bool IsObstacle(const BodyData& body)
     return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
 }
 
+/// The separation at which b2TimeOfImpact finds an impact, and what it may be off [m].
+constexpr float32 kImpactSeparation = -3.0f * b2_linearSlop;
+constexpr float32 kImpactTolerance = 0.25f * b2_linearSlop;
+
+/// How a point of the body, at `arm` from where its centre is now, has moved since then [m].
+b2Vec2 MoveOf(const BodyData& body, const Pose& since, const b2Vec2& arm)
+{
+    const b2Vec2 way(float32(body.pose.x - since.x), float32(body.pose.y - since.y));
+    return way + b2Cross(float32(body.pose.angle - since.angle), arm);
+}
+
 /// [m], negative in an overlap.
 float32 Deepest(const b2WorldManifold& manifold, int32 points)
 {
@@ -80,6 +91,7 @@ private:
     bool IsValid(const ImpactEvent& event) const;
     bool Resolve(const ImpactEvent& event);
     void AddNeighbours(b2Body& body, float32 time);
+    bool Sinks(const ContactData& c) const;
     static bool GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
     void Advance(BodyData& body, float32 time);
@@ -205,7 +217,34 @@ bool ContinuousCollision::IsCandidate(const ContactData& c) const
         return false;
     }
     // What touched at the start of the step was solved there; only a fast body can get through it.
-    return !c.IsTouching() || IsFast(a) || IsFast(b);
+    return !c.IsTouching() || IsFast(a) || IsFast(b) || Sinks(c);
+}
+
+/// Whether bodies that touched have gone deeper within the step, to where an impact is found: the
+/// sweeps of one step do not hold up what is hit hard from above. In small steps they do.
+bool ContinuousCollision::Sinks(const ContactData& c) const
+{
+    const BodyData& a = Data(*c.bodyA);
+    const BodyData& b = Data(*c.bodyB);
+    if (m_world.subStepCount > 1 || Way(a) + Way(b) < kImpactTolerance)
+    {
+        return false;
+    }
+    const float32 start = b2Max(a.sweepStart, b.sweepStart);
+    const Pose fromA = PoseAt(a, start);
+    const Pose fromB = PoseAt(b, start);
+    b2WorldManifold end;
+    end.Initialize(&c.manifold, a.transform, c.radiusA, b.transform, c.radiusB);
+    for (int32 i = 0; i < c.manifold.pointCount; ++i)
+    {
+        const b2Vec2 apart = MoveOf(b, fromB, end.points[i] - b.worldCenter) -
+                             MoveOf(a, fromA, end.points[i] - a.worldCenter);
+        if (end.separations[i] < kImpactSeparation && b2Dot(apart, end.normal) < -kImpactTolerance)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Of a candidate, as a fraction of the step; 1 when there is none.

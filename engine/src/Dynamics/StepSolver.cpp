@@ -95,6 +95,7 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
 void StepSolver::PrepareContacts()
 {
     m_arrays.colorCount = 0;
+    m_turnedColors = 0;
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
         const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
@@ -103,6 +104,9 @@ void StepSolver::PrepareContacts()
         {
             m_arrays.colors[m_arrays.colorCount++] = color;
             m_arrays.contacts[color].Reserve(count, color == ConstraintGraph::kOverflow);
+            const bool ground = color >= ConstraintGraph::kFirstGround &&
+                                color != ConstraintGraph::kOverflow && m_world.subStepCount == 1;
+            m_turnedColors += ground ? 0 : 1;
         }
     }
     ParallelFor(m_threads, m_arrays.colorCount, 1, [this](int32 begin, int32 end) {
