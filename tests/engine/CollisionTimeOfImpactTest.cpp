@@ -173,6 +173,30 @@ TEST(TimeOfImpact, OfAThinRodSpinningIntoAnEdgeIsFound)
     EXPECT_LT(output.t, 0.5f);
 }
 
+/// One bar on another, with 3 mm between their skins. Along an axis that stands still one end of a
+/// side comes near fast, and the search ran out of steps.
+TEST(TimeOfImpact, OfLongBarsTurningTogetherIsSearchedToTheEnd)
+{
+    constexpr float32 kApart = 0.223f; // from centre to centre [m]
+    for (const float32 half : {2.0f, 5.0f, 20.0f})
+    {
+        b2PolygonShape bar;
+        bar.SetAsBox(half, 0.1f);
+        b2TOIInput input;
+        input.proxyA.Set(&bar, 0);
+        input.proxyB.Set(&bar, 0);
+        input.sweepA.a = input.sweepB.a = 0.3f;
+        input.sweepB.c0.Set(0.0f, kApart);
+        input.sweepB.c = b2Mul(b2Rot(0.3f), input.sweepB.c0);
+        b2TOIOutput output;
+        b2TimeOfImpact(&output, &input);
+        EXPECT_EQ(output.state, b2TOIOutput::e_separated) << half;
+        input.sweepB.c *= 0.92f; // to 5 mm between their cores, the distance of an impact
+        b2TimeOfImpact(&output, &input);
+        EXPECT_EQ(output.state, b2TOIOutput::e_touching) << half;
+    }
+}
+
 TEST(TimeOfImpact, IsTheSameFarFromTheOrigin)
 {
     Random random(34);

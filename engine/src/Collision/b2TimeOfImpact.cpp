@@ -11,6 +11,13 @@
 //   |r|
 // which is concave: it has one root and all before it is safe. Without rotation the bound is exact,
 // and a shape cast cannot miss; with rotation it never steps over a contact either.
+//
+// The axis may turn with a body instead. Seen from a frame with the centre c, the velocity u and
+// the spin f, the same holds with
+//   x' = n.(v - u + w (r turned left) - f (x - c turned left)),
+//   |e| <= (|f^2 d + 2 f (d' turned left)| + (w - f)^2 |r|) h^2 / 2,   d = centre - c
+// A long side that turns has one end that comes near a fixed axis fast; seen from its own body it
+// stands still.
 #include <Box2D/Collision/b2TimeOfImpact.h>
 
 #include "Distance.h"
@@ -87,7 +94,7 @@ public:
     const Vector& Center() const { return m_center; }
     const Vector& Velocity() const { return m_velocity; }
     double Spin() const { return m_spin; }
-    double Curvature() const { return m_spin * m_spin * m_reach; }
+    double Reach() const { return m_reach; }
     double RimSpeed() const { return std::fabs(m_spin) * m_reach; }
 
 private:
@@ -148,6 +155,43 @@ Vector ToWorld(const Motion& a, const b2Vec2& v)
     return {world.x / length, world.y / length};
 }
 
+// What turns the axis; nothing does in one that stands still.
+struct Frame
+{
+    Vector center = {0.0, 0.0};
+    Vector velocity = {0.0, 0.0}; ///< over the whole sweep
+    double spin = 0.0;            ///< over the whole sweep
+};
+
+Vector Minus(const Vector& a, const Vector& b)
+{
+    return {a.x - b.x, a.y - b.y};
+}
+
+// Along n, of r turned left.
+double Turned(const Vector& n, const Vector& r)
+{
+    return n.y * r.x - n.x * r.y;
+}
+
+// The largest second derivative of a vertex's place in the frame, for as much of the sweep as
+// remains. The first part is linear in time, so its length is largest at an end.
+double Curvature(const Motion& motion, const Frame& frame, double remaining)
+{
+    const double f = frame.spin;
+    const double w = motion.Spin() - f;
+    const double own = w * w * motion.Reach();
+    if (f == 0.0)
+    {
+        return own;
+    }
+    const Vector d = Minus(motion.Center(), frame.center);
+    const Vector u = Minus(motion.Velocity(), frame.velocity);
+    const Vector now = {f * f * d.x - 2.0 * f * u.y, f * f * d.y + 2.0 * f * u.x};
+    const Vector end = {now.x + remaining * f * f * u.x, now.y + remaining * f * f * u.y};
+    return own + std::sqrt(b2Max(Dot(now, now), Dot(end, end)));
+}
+
 // One vertex along the axis: where it is and how fast it moves.
 struct Mark
 {
@@ -162,15 +206,19 @@ struct Marks
     Mark marks[b2_maxPolygonVertices];
     int32 count = 0;
 
-    void Fill(const Motion& motion, const b2DistanceProxy& proxy, const Vector& n)
+    void Fill(const Motion& motion, const b2DistanceProxy& proxy, const Vector& n,
+              const Frame& frame)
     {
         count = b2Min(proxy.m_count, b2_maxPolygonVertices);
+        const Vector d = Minus(motion.Center(), frame.center);
         const double x = Dot(n, motion.Center());
-        const double speed = Dot(n, motion.Velocity());
+        const double speed =
+            Dot(n, Minus(motion.Velocity(), frame.velocity)) - frame.spin * Turned(n, d);
+        const double spin = motion.Spin() - frame.spin;
         for (int32 i = 0; i < count; ++i)
         {
             const Vector r = motion.Offset(i);
-            marks[i] = {x + Dot(n, r), speed + motion.Spin() * (n.y * r.x - n.x * r.y)};
+            marks[i] = {x + Dot(n, r), speed + spin * Turned(n, r)};
         }
     }
 
@@ -282,14 +330,16 @@ private:
     {
         const b2Vec2 axis = ClosestAxis(m_cache, closest, m_input.proxyA, m_input.proxyB, bInA);
         const Vector n = ToWorld(m_a, axis);
-        Marks a;
-        Marks b;
-        a.Fill(m_a, m_input.proxyA, n);
-        b.Fill(m_b, m_input.proxyB, n);
-        int32 iterations = 0;
-        const double h =
-            SafeStep(a, b, m_a.Curvature() + m_b.Curvature(), m_target, remaining, iterations);
-        m_counts.AddAdvance(iterations);
+        double h = -1.0;
+        const Motion* side = SpinningSide();
+        if (side != nullptr)
+        {
+            h = Step(n, {side->Center(), side->Velocity(), side->Spin()}, remaining);
+        }
+        if (h < remaining)
+        {
+            h = b2Max(h, Step(n, Frame(), remaining));
+        }
         if (h > 0.0)
         {
             return h;
@@ -298,6 +348,31 @@ private:
         // than this.
         const double gap = static_cast<double>(closest.distance) - m_target;
         return gap < m_fastest * remaining ? gap / m_fastest : remaining;
+    }
+
+    double Step(const Vector& n, const Frame& frame, double remaining) const
+    {
+        Marks a;
+        Marks b;
+        a.Fill(m_a, m_input.proxyA, n, frame);
+        b.Fill(m_b, m_input.proxyB, n, frame);
+        const double curvature =
+            Curvature(m_a, frame, remaining) + Curvature(m_b, frame, remaining);
+        int32 iterations = 0;
+        const double step = SafeStep(a, b, curvature, m_target, remaining, iterations);
+        m_counts.AddAdvance(iterations);
+        return step;
+    }
+
+    // The body that the axis may turn with: the one whose side is closest, if it spins.
+    const Motion* SpinningSide() const
+    {
+        if (m_cache.count != 2)
+        {
+            return nullptr;
+        }
+        const Motion& side = m_cache.indexA[0] != m_cache.indexA[1] ? m_a : m_b;
+        return side.Spin() != 0.0 ? &side : nullptr;
     }
 
     const b2TOIInput& m_input;
