@@ -129,8 +129,10 @@ private:
     void AddTable()
     {
         m_table = AddBody(m_world, b2_staticBody, b2Vec2(0.0f, 0.0f));
+        // The slopes end above the flippers' corners: between the two a ball would come to rest.
+        const b2Vec2 slopeEnd = kPivot + b2Vec2(-0.1f, 0.25f);
         std::vector<b2Vec2> around{
-            {kLane, -1.4f}, {kLane, 0.9f}, {-3.6f, 2.0f}, {-3.6f, 4.2f}, {kLeft, 8.0f}};
+            {kLane, -1.4f}, {kLane, 0.9f}, {-3.6f, 2.0f}, {-slopeEnd.x, slopeEnd.y}, {kLeft, 8.0f}};
         for (int32 i = 0; i <= kBendParts; ++i)
         {
             const b2Rot turned(0.5f * b2_pi * static_cast<float32>(i) / kBendParts);
@@ -144,11 +146,8 @@ private:
         around.emplace_back(kRight, -1.4f);
         AddWall(around);
         // Between the table and the lane, with the slope to the right flipper.
-        AddWall({{kLane, 2.4f},
-                 {kLane, 17.0f},
-                 {kLane - 0.2f, 17.0f},
-                 {kLane - 0.2f, 8.0f},
-                 {3.6f, 4.2f}});
+        AddWall(
+            {{kLane, 2.4f}, {kLane, 17.0f}, {kLane - 0.2f, 17.0f}, {kLane - 0.2f, 8.0f}, slopeEnd});
         for (const b2Vec2& bumper :
              {b2Vec2(-4.2f, 17.0f), b2Vec2(0.4f, 19.5f), b2Vec2(4.2f, 16.5f)})
         {

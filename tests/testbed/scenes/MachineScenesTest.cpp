@@ -360,7 +360,7 @@ TEST(PinballScene, PlaysByItselfAndKeepsTheBallOnTheTable)
     int32 hits = 0;
     int32 shots = 0;
     float32 before = 0.0f;
-    Play(*scene, 30.0f, [&] {
+    Play(*scene, 60.0f, [&] {
         const b2Vec2 place = ball.GetPosition();
         const float32 up = ball.GetLinearVelocity().y;
         ASSERT_TRUE(place.x > -8.7f && place.x < 9.5f && place.y > 0.9f && place.y < 23.7f)
