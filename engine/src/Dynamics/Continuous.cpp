@@ -220,13 +220,16 @@ bool ContinuousCollision::IsCandidate(const ContactData& c) const
     return !c.IsTouching() || IsFast(a) || IsFast(b) || Sinks(c);
 }
 
-/// Whether bodies that touched have gone deeper within the step, to where an impact is found: the
-/// sweeps of one step do not hold up what is hit hard from above. In small steps they do.
+/// Whether a body that touched the ground has gone deeper into it within the step, to where an
+/// impact is found: the iterations of one step do not hold up what is hit hard from above. With
+/// sub-steps they do. Of two dynamic bodies neither is ground: a bullet that stopped at each of the
+/// bodies it pushes would lose its way.
 bool ContinuousCollision::Sinks(const ContactData& c) const
 {
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
-    if (m_world.subStepCount > 1 || Way(a) + Way(b) < kImpactTolerance)
+    if (m_world.subStepCount > 1 || (a.IsDynamic() && b.IsDynamic()) ||
+        Way(a) + Way(b) < kImpactTolerance)
     {
         return false;
     }

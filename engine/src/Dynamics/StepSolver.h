@@ -75,12 +75,14 @@ private:
     SolverArrays& m_arrays;
     ThreadPool* m_threads; // may be null
     SolverContext m_context;
-    int32 m_kick = 0;         // number of the next, in a step of small ones
-    int32 m_turnedColors = 0; // the first so many are swept in both directions
+    int32 m_kick = 0;           // number of the next, in a step of small ones
+    int32 m_yieldingColors = 0; // without the ground, which come first
+    int32 m_turnedColors = 0;   // the first so many change their order with the direction
 };
 
-/// In either direction contacts with the ground come last in one step, for it does not yield: what
-/// a sweep leaves over stays between moving bodies. Small steps correct that in other ways.
+/// Of the order in which velocities are solved last, contacts with the ground are the end in either
+/// direction, for it does not yield: what an iteration leaves over stays between moving bodies.
+/// `m_turnedColors` is smaller than the number of colours only then.
 inline int32 StepSolver::ColorAt(int32 place, Direction direction) const
 {
     const bool forward = direction == Direction::Forward || place >= m_turnedColors;
