@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Strips.h"
 
+#include "ChildProcess.h"
 #include "GoldenScenes.h"
 #include "WorkFolder.h"
 
-#include <bench/ChildProcess.h>
 #include <debugdraw/NiceNumbers.h>
 #include <golden/StateHash.h>
 #include <render/Png.h>

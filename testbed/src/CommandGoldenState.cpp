@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "CommandGoldenState.h"
 
+#include "ChildProcess.h"
 #include "Commands.h"
 #include "Terminal.h"
-
-#include <bench/ChildProcess.h>
 
 namespace boxreel
 {

@@ -117,7 +117,10 @@ Error UnexpectedWord(CLI::App& command)
     const std::vector<std::string> commands = CommandNames(command);
     if (!commands.empty())
     {
-        return Unusable("Unknown command '" + word + "'" + Suggestion(word, commands) + help);
+        const std::string hint = word == "bench" // the script's, once the program's
+                                     ? "; in a checkout `./boxreel bench` runs the benchmarks."
+                                     : Suggestion(word, commands);
+        return Unusable("Unknown command '" + word + "'" + hint + help);
     }
     return Unusable("'" + word + "' is one word too many;" + help);
 }
@@ -405,71 +408,6 @@ Result<Request> CheckDiff(DiffOptions options)
     return Request(std::move(options));
 }
 
-/// `command`: as it was parsed; an option that says what would be done anyhow was given all the
-/// same.
-Result<Request> CheckBench(BenchOptions options, const CLI::App& command)
-{
-    const bool namesThreads = command.count("--threads") > 0;
-    const bool namesRounds = command.count("--rounds") > 0;
-    if (options.record && (options.curve || options.accuracy || options.render || namesThreads))
-    {
-        return Unusable("--record goes with --list, --rounds, --frames, --size, --json, --from, "
-                        "--chart and --force; leave --accuracy, --render, --curve and --threads "
-                        "out.");
-    }
-    if (options.golden && (options.curve || options.accuracy || options.render || options.record ||
-                           namesThreads || !options.from.empty() || !options.charts.empty()))
-    {
-        return Unusable("--golden goes with --list, --rounds, --peers and --json; leave the other "
-                        "benchmarks, --threads, --from and --chart out.");
-    }
-    if (!options.peers.empty() && !options.golden)
-    {
-        return Unusable("--peers names what --golden compares with; leave it out, or add "
-                        "--golden.");
-    }
-    const bool isOfOtherSize = options.frames > 0 || options.size;
-    if (isOfOtherSize && (!options.record || !options.from.empty()))
-    {
-        return Unusable("--frames and --size are those of films that --record makes; leave them "
-                        "out.");
-    }
-    if (options.size && (options.size->width % 2 != 0 || options.size->height % 2 != 0))
-    {
-        return Unusable("--size " + std::to_string(options.size->width) + "x" +
-                        std::to_string(options.size->height) +
-                        ": films are compared in a format whose sides are even; give such.");
-    }
-    if (options.render && (options.curve || options.accuracy || namesThreads))
-    {
-        return Unusable("--render goes with --list, --rounds, --json, --from, --chart and --force; "
-                        "leave --accuracy, --curve and --threads out (Mesa's threads are set by "
-                        "LP_NUM_THREADS).");
-    }
-    if (options.accuracy && (options.curve || namesThreads))
-    {
-        return Unusable("--accuracy goes with --list, --rounds, --json, --from, --chart and "
-                        "--force; leave --curve and --threads out.");
-    }
-    if (options.curve && !options.scenes.empty())
-    {
-        return Unusable("--curve names its scenes itself; leave '" + options.scenes.front() +
-                        "' out, or --curve.");
-    }
-    if (!options.from.empty() && !options.scenes.empty() && !options.accuracy && !options.render &&
-        !options.record)
-    {
-        return Unusable("--from shows all that was run before; leave '" + options.scenes.front() +
-                        "' out, or --from.");
-    }
-    if (!options.from.empty() && (namesRounds || namesThreads))
-    {
-        return Unusable("--from shows what was run before; leave --rounds and --threads out, or "
-                        "--from.");
-    }
-    return Request(std::move(options));
-}
-
 /// `boxreel completion`, `boxreel man`.
 Result<Request> Description(CLI::App& program, const std::string& name, std::optional<Shell> shell)
 {
@@ -541,10 +479,6 @@ Result<Request> Chosen(CLI::App& program, ParsedOptions& parsed)
     {
         return Request(std::move(parsed.ui));
     }
-    if (name == "bench")
-    {
-        return CheckBench(std::move(parsed.bench), *program.get_subcommand("bench"));
-    }
     return Request(parsed.list);
 }
 
@@ -572,7 +506,6 @@ void DeclareProgram(CLI::App& program, ParsedOptions& parsed)
     DeclareCheck(program, parsed);
     DeclareDoctor(program);
     DeclareExport(program, parsed);
-    DeclareBench(program, parsed);
     DeclareCompletion(program, parsed);
     DeclareMan(program);
     for (CLI::App* command : program.get_subcommands({}))

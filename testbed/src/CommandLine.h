@@ -22,7 +22,7 @@ struct TextRequest
 using Request =
     std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions, DiffOptions,
                  GoldenOptions, GoldenReportOptions, GoldenStateOptions, PlayOptions, CheckOptions,
-                 ExportOptions, DoctorOptions, UiOptions, BenchOptions>;
+                 ExportOptions, DoctorOptions, UiOptions>;
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);

@@ -22,28 +22,6 @@ Result<double> ParseScale(const std::string& option, const std::string& text)
     return scale;
 }
 
-/// "1,2,4": thread counts, each once.
-Result<std::vector<int>> ParseThreads(const std::string& option, const std::string& text)
-{
-    std::vector<int> counts;
-    std::istringstream words(text + ",");
-    for (std::string word; std::getline(words, word, ',');)
-    {
-        const Result<std::int64_t> count = ParseWhole(option, word, 1, 64);
-        if (!count)
-        {
-            return count.GetError();
-        }
-        if (std::find(counts.begin(), counts.end(), int(*count)) != counts.end())
-        {
-            return Error{ErrorKind::Unusable,
-                         option + " names " + word + " twice; give each count once."};
-        }
-        counts.push_back(int(*count));
-    }
-    return counts;
-}
-
 } // namespace
 
 CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,
@@ -410,96 +388,6 @@ void DeclareExport(CLI::App& program, ParsedOptions& parsed)
         "Examples:\n"
         "  boxreel export pyramid -o pyramid.json\n"
         "  boxreel export bridge --at 2s -o sagging.json");
-}
-
-void DeclareBench(CLI::App& program, ParsedOptions& parsed)
-{
-    BenchOptions& bench = parsed.bench;
-    CLI::App* command = program.add_subcommand("bench", "Time the engine beside its peers");
-    command->add_option("SCENES", bench.scenes, "Such as large-pyramid; all when none is given")
-        ->type_name("");
-    AddFlag(*command, "--list", bench.list, "Only say which scenes there are");
-    AddFlag(*command, "--curve", bench.curve,
-            "Run, and chart, scenes of 200 to 200,000 static or sleeping bodies,\nthe "
-            "latter with 1 and 4 sub-steps");
-    AddFlag(*command, "--accuracy", bench.accuracy,
-            "Run cases of known truth instead: error against time");
-    AddFlag(*command, "--render", bench.render,
-            "Time drawing instead, beside Cairo: error at edges against time");
-    AddFlag(*command, "--record", bench.record,
-            "Time recording instead, beside ffmpeg and immediate mode");
-    AddFlag(
-        *command, "--golden", bench.golden,
-        "Compare pictures with planted changes instead, beside odiff,\npixelmatch and ImageMagick");
-    AddPath(*command, "--peers", "DIR", bench.peers,
-            "Where `npm install odiff-bin pixelmatch` was run, for --golden\n(BOXREEL_PEERS)", {});
-    AddValue(*command, "--rounds", "N", bench.rounds, WholeBetween(1, 1000),
-             "How often each engine runs, in turn; figures are medians, those of\n--accuracy the "
-             "least (3)");
-    AddValue(*command, "--frames", "N", bench.frames, WholeBetween(2, 100000),
-             "Of the films of --record (600)");
-    AddValue(*command, "--size", "WxH", bench.size, ParseSize,
-             "Of the films of --record (1280x720)");
-    AddValue(*command, "--threads", "N[,N...]", bench.threads, ParseThreads,
-             "Of our engine (1); peers are compared with the first count");
-    AddFlag(*command, "--json", bench.json, "Print all figures as JSON instead of a table");
-    AddPath(*command, "--from", "FILE", bench.from,
-            "Show what an earlier --json printed; run nothing", {".json"});
-    CLI::Option* chart = AddTexts(
-        *command, "--chart",
-        [&bench](const std::vector<std::string>& names) {
-            bench.charts.assign(names.begin(), names.end());
-        },
-        "Draw the ratios, each case, each size, or\nspeed and stages: .png or .svg; repeatable");
-    chart->type_name("FILE")->allow_extra_args(false);
-    Completes(chart, {Completion::Kind::Files, ChartEnds()});
-    AddForce(*command, bench.force);
-    command->footer(
-        "Times are those of a step, CPU that of the whole process a step. The ratios, wall and "
-        "CPU,\n"
-        "say how many times more the peer takes; only runs that did not burst are compared, and\n"
-        "in brackets only where ours does not end like the peers'. A sign (!) stands where p99 is\n"
-        "more than twice the median, and where a speed-up of threads, or the memory, misses its\n"
-        "goal. Peers are those whose packages were there when the tests were built: libbox2d-dev,\n"
-        "libchipmunk-dev. Wall times mean little while other programs run.\n"
-        "--accuracy runs each case with many settings, for minutes, and charts error against CPU\n"
-        "time: the least of the rounds, in which engines and settings come in turn. What takes\n"
-        "long by itself is timed once. Iterations are those of a step; what each sub-step gets of\n"
-        "them is in table and JSON.\n"
-        "--render draws 50, 1500 and 10,000 shapes at 720p and 1080p, wholly, when 5 % or nothing\n"
-        "has changed, and none at all, with one raster thread and as LP_NUM_THREADS has it. The\n"
-        "error is that of pixels at edges against 16 x 16 samples a pixel; a sign (!) marks a "
-        "goal\n"
-        "that is missed. Cairo is compared when libcairo2-dev was there at the build.\n"
-        "--record films a pyramid that comes to rest, a tumbler, the pyramid asleep, and pictures\n"
-        "(and `memory`, when it is named): boxreel record from a cold start to a closed film;\n"
-        "ffmpeg with the same settings, on a file of the same raw frames, which needs 2.2 GB "
-        "below\n"
-        "TMPDIR; and drawing in OpenGL's immediate mode, reading and piping to ffmpeg. It says\n"
-        "what is wrong with a film, where the time of a frame goes, and marks missed goals (!).\n"
-        "--golden draws three scenes, or those named, and again with a change planted: it says "
-        "what\n"
-        "each method finds and misses, its false alarms, and the milliseconds of a comparison, of\n"
-        "decoded pictures (median and most) and of a whole process. Absent peers are named.\n\n"
-        "Examples:\n"
-        "  boxreel bench\n"
-        "  boxreel bench large-pyramid tumbler --rounds 7\n"
-        "  boxreel bench rain --threads 1,2,4\n"
-        "  boxreel bench --json > bench.json\n"
-        "  boxreel bench --from bench.json --chart bench.png --chart bench.svg\n"
-        "  boxreel bench --curve --chart curve.png\n"
-        "  boxreel bench --accuracy --json > accuracy.json\n"
-        "  boxreel bench --accuracy --from accuracy.json --chart error.svg   # one chart a case\n"
-        "  boxreel bench --accuracy A-projectile --chart error.svg   # error-A-projectile.svg\n"
-        "  boxreel bench --render --json > drawing.json\n"
-        "  boxreel bench --render --from drawing.json --chart drawing.svg   # drawing-720p.svg "
-        "...\n"
-        "  boxreel bench --render 1500-720p --rounds 1\n"
-        "  boxreel bench --record --json > recording.json\n"
-        "  boxreel bench --record --from recording.json --chart film.png   # film-speed.png ...\n"
-        "  boxreel bench --record tumbler --rounds 1 --frames 60 --size 640x360\n"
-        "  boxreel bench --golden --peers ~/peers\n"
-        "  boxreel bench --golden bridge --rounds 1 --json > comparing.json");
 }
 
 } // namespace boxreel

@@ -41,7 +41,6 @@ struct ParsedOptions
     UiOptions ui;
     CheckOptions check;
     ExportOptions exported;
-    BenchOptions bench;
     std::optional<Shell> shell; ///< to complete for
 };
 
@@ -56,7 +55,6 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed);
 void DeclareCheck(CLI::App& program, ParsedOptions& parsed);
 void DeclareExport(CLI::App& program, ParsedOptions& parsed);
 void DeclareDoctor(CLI::App& program);
-void DeclareBench(CLI::App& program, ParsedOptions& parsed);
 void DeclareCompletion(CLI::App& program, ParsedOptions& parsed);
 void DeclareMan(CLI::App& program);
 

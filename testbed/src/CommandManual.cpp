@@ -32,13 +32,12 @@ constexpr Entry kVariables[] = {
                         "that it takes."},
     {"NO_COLOR", "Set to anything, no colours are used. They are used on terminals only."},
     {"TERM", "When it is dumb or not set, no colours are used either."},
-    {"BOXREEL_PEERS", "The folder with the programs that `boxreel bench --golden` compares with."},
     {"BOXREEL_GOLDEN_REFERENCES, BOXREEL_GOLDEN_OUTPUT, BOXREEL_GOLDEN_ACCEPT",
      "Of golden tests: the folder of what was approved, the folder of what differs, and what is "
      "approved now (missing, changed, all or this-renderer)."},
     {"XDG_CONFIG_HOME", "Where `boxreel ui` keeps its settings, else ~/.config."},
     {"LP_NUM_THREADS", "How many threads Mesa draws with."},
-    {"TMPDIR", "Where `boxreel bench` and `boxreel doctor` put what they need for a while."},
+    {"TMPDIR", "Where `boxreel doctor` and `boxreel golden report` put what they need for a while."},
     {"DISPLAY, WAYLAND_DISPLAY", "The window of `boxreel ui`; nothing else needs a display."},
 };
 

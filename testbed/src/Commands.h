@@ -167,26 +167,6 @@ struct ExportOptions
     bool force = false;
 };
 
-struct BenchOptions
-{
-    bool list = false;               ///< only say which scenes there are
-    std::vector<std::string> scenes; ///< empty: all that are not only for the curve
-    bool curve = false;              ///< the scenes of the curve, and its chart
-    bool accuracy = false;           ///< cases of accuracy instead of scenes, a chart for each
-    bool render = false;             ///< pictures to draw instead of scenes, a chart for each size
-    bool record = false;             ///< films to make instead of scenes, two charts
-    bool golden = false;             ///< pictures to compare, of scenes
-    std::filesystem::path peers;     ///< where npm put what they are compared by; empty: nowhere
-    std::int64_t frames = 0;         ///< of these films; 0: as each case has it
-    std::optional<PixelSize> size;   ///< of these films; none: as each case has it
-    int rounds = 3;
-    std::vector<int> threads{1};               ///< of our engine
-    bool json = false;                         ///< figures for programs instead of a table
-    std::filesystem::path from;                ///< figures of an earlier run; empty: run
-    std::vector<std::filesystem::path> charts; ///< .png or .svg
-    bool force = false;
-};
-
 /// What would refuse it, asked before anything is simulated; makes nothing.
 Result<void> Prepare(const RecordOptions& options);
 Result<void> Prepare(const ShotOptions& options);
@@ -208,14 +188,5 @@ Result<int> RunDoctor(const DoctorOptions& options);
 Result<int> RunCheck(const CheckOptions& options);
 Result<int> RunExport(const ExportOptions& options);
 Result<int> RunPlay(const PlayOptions& options);
-Result<int> RunBench(const BenchOptions& options);
-/// What RunBench does when accuracy is asked for.
-Result<int> RunBenchAccuracy(const BenchOptions& options);
-/// What RunBench does when drawing is asked for.
-Result<int> RunBenchRender(const BenchOptions& options);
-/// What RunBench does when recording is asked for.
-Result<int> RunBenchRecord(const BenchOptions& options);
-/// What RunBench does when comparing pictures is asked for.
-Result<int> RunBenchGolden(const BenchOptions& options);
 
 } // namespace boxreel

@@ -31,11 +31,6 @@ Formats FigureFormats()
     return {FigureEnds(), "the formats pictures are written in"};
 }
 
-Formats ChartFormats()
-{
-    return {ChartEnds(), "the two formats charts are written in"};
-}
-
 Result<void> CheckEnd(const std::filesystem::path& path, const Formats& formats)
 {
     const std::vector<std::string>& ends = formats.ends;
@@ -97,11 +92,6 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, const Form
 std::vector<std::string> FigureEnds()
 {
     return {".png", ".svg", ".pdf"};
-}
-
-std::vector<std::string> ChartEnds()
-{
-    return {".png", ".svg"};
 }
 
 bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path& film)
@@ -170,33 +160,6 @@ std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path)
 Result<void> CheckFigurePath(const std::filesystem::path& path, bool force)
 {
     return CheckPath(path, force, FigureFormats());
-}
-
-Result<void> CheckChartName(const std::filesystem::path& path)
-{
-    return CheckEnd(path, ChartFormats());
-}
-
-Result<void> CheckChartPath(const std::filesystem::path& path, bool force)
-{
-    return CheckPath(path, force, ChartFormats());
-}
-
-Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,
-                            const std::string& option)
-{
-    for (auto later = paths.begin(); later != paths.end(); ++later)
-    {
-        for (auto earlier = paths.begin(); earlier != later; ++earlier)
-        {
-            if (WholePath(*earlier) == WholePath(*later))
-            {
-                return Error{ErrorKind::Unusable,
-                             option + " names '" + later->string() + "' twice; give it once."};
-            }
-        }
-    }
-    return {};
 }
 
 } // namespace boxreel

@@ -12,9 +12,8 @@
 namespace boxreel
 {
 
-/// What the names of pictures of scenes, and those of charts, may end in.
+/// What the names of pictures of scenes may end in.
 std::vector<std::string> FigureEnds();
-std::vector<std::string> ChartEnds();
 
 /// Whether a picture can be written there: the name ends in .png, its folder exists and takes
 /// a file, and no file is in the way unless `force`. Leaves everything as it was.
@@ -42,16 +41,5 @@ std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path);
 
 /// The same for a picture of a scene, whose name ends in .png, .svg or .pdf.
 Result<void> CheckFigurePath(const std::filesystem::path& path, bool force);
-
-/// Whether a chart's name ends in .png or .svg, whatever it becomes the name of.
-Result<void> CheckChartName(const std::filesystem::path& path);
-
-/// CheckPicturePath for a chart, whose name ends so.
-Result<void> CheckChartPath(const std::filesystem::path& path, bool force);
-
-/// Whether none of these names the same file as an earlier one, whatever the spelling. `option` is
-/// what they were given by, for the error.
-Result<void> CheckNoneTwice(const std::vector<std::filesystem::path>& paths,
-                            const std::string& option);
 
 } // namespace boxreel

@@ -40,7 +40,6 @@ struct Runner
     Result<int> operator()(const ExportOptions& options) const { return RunExport(options); }
     Result<int> operator()(const PlayOptions& options) const { return RunPlay(options); }
     Result<int> operator()(const UiOptions& options) const { return RunUi(options); }
-    Result<int> operator()(const BenchOptions& options) const { return RunBench(options); }
 };
 
 /// Whether an agent of a farm reads along; it does so too when the arguments are not understood.

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-/// Where benchmarks put what they make and compare, below TMPDIR.
+/// Where a command puts what it makes for itself, below TMPDIR.
 namespace boxreel
 {
 
@@ -20,10 +20,10 @@ public:
     {
         std::error_code error;
         const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-        std::string pattern = (parent / "boxreel-bench-XXXXXX").string();
+        std::string pattern = (parent / "boxreel-XXXXXX").string();
         if (error || mkdtemp(pattern.data()) == nullptr)
         {
-            return Error{ErrorKind::Failed, "There is no folder that takes frames and films; name "
+            return Error{ErrorKind::Failed, "There is no folder for temporary files; name "
                                             "one by TMPDIR."};
         }
         return WorkFolder(pattern);

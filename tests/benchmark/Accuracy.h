@@ -29,13 +29,6 @@ struct Outcome
 };
 
 /// What a remark has to be for the case to be as good as it should.
-struct RemarkGoal
-{
-    std::string name; ///< of the remark
-    double bound = 0.0;
-    bool isLeast = false; ///< at least the bound, else at most
-};
-
 /// One run of a case: made, built, stepped and judged once.
 class Experiment
 {
@@ -54,11 +47,9 @@ struct AccuracyCase
     std::string name; ///< the letter of its group first
     std::string what;
     std::string unit;     ///< of the error
-    double goal = 0.0;    ///< the largest error that is good enough, in that unit
     double seconds = 0.0; ///< that are simulated
     double gravity = -10.0;
     std::function<std::unique_ptr<Experiment>()> make;
-    std::vector<RemarkGoal> remarkGoals{};
 };
 
 using AccuracyCases = std::vector<AccuracyCase>;

@@ -205,22 +205,18 @@ private:
 void AppendImpactCases(AccuracyCases& cases)
 {
     cases.push_back(Weightless(MakeCase<CradleExperiment>(
-        "H-cradle", "a ball hits a row of five, the kinetic energy lost", "%", 0.1, 1.0)));
-    cases.push_back(WithLeast(
-        Weightless(MakeCase<WallsExperiment>("X-walls-100",
-                                             "500 bodies at 100 m/s in thin walls, escaped in 5 s",
-                                             "bodies", 0.0, 5.0, 100.0)),
-        "energy_kept_percent", 98.0));
-    cases.push_back(WithLeast(
-        Weightless(MakeCase<WallsExperiment>("X-walls-300",
-                                             "500 bodies at 300 m/s in thin walls, escaped in 5 s",
-                                             "bodies", 0.0, 5.0, 300.0)),
-        "energy_kept_percent", 98.0));
+        "H-cradle", "a ball hits a row of five, the kinetic energy lost", "%", 1.0)));
+    cases.push_back(Weightless(MakeCase<WallsExperiment>(
+        "X-walls-100", "500 bodies at 100 m/s in thin walls, escaped in 5 s", "bodies", 5.0,
+        100.0)));
+    cases.push_back(Weightless(MakeCase<WallsExperiment>(
+        "X-walls-300", "500 bodies at 300 m/s in thin walls, escaped in 5 s", "bodies", 5.0,
+        300.0)));
     cases.push_back(Weightless(MakeCase<BulletsExperiment>(
         "X-bullets", "100 pairs of bullets head on, those that pass through each other", "pairs",
-        0.0, 0.5)));
+        0.5)));
     cases.push_back(Weightless(MakeCase<RodsExperiment>(
-        "X-rods", "200 thin rods fly and spin onto an edge, those that pass through", "rods", 0.0,
+        "X-rods", "200 thin rods fly and spin onto an edge, those that pass through", "rods",
         0.5)));
 }
 

@@ -55,23 +55,11 @@ inline double Worst(double a, double b)
 
 /// A case whose experiment is constructed from the given arguments, anew for each run.
 template <typename Kind, typename... Arguments>
-AccuracyCase MakeCase(const char* name, const char* what, const char* unit, double goal,
-                      double seconds, Arguments... arguments)
+AccuracyCase MakeCase(const char* name, const char* what, const char* unit, double seconds,
+                      Arguments... arguments)
 {
     const auto make = [=] { return std::make_unique<Kind>(arguments...); };
-    return AccuracyCase{name, what, unit, goal, seconds, -kGravity, make, {}};
-}
-
-/// The same, where a remark has to be at most, or at least, so much besides.
-inline AccuracyCase WithMost(AccuracyCase result, const char* remark, double most)
-{
-    result.remarkGoals.push_back({remark, most, false});
-    return result;
-}
-inline AccuracyCase WithLeast(AccuracyCase result, const char* remark, double least)
-{
-    result.remarkGoals.push_back({remark, least, true});
-    return result;
+    return AccuracyCase{name, what, unit, seconds, -kGravity, make};
 }
 
 /// The same without gravity.

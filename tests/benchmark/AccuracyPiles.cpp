@@ -187,20 +187,20 @@ void AppendPileCases(AccuracyCases& cases)
 {
     cases.push_back(MakeCase<HeavyTopExperiment>(
         "E-heavy-top-100", "ten boxes, the top one 100 times as heavy, the deepest overlap", "mm",
-        5.0, 20.0, 100.0));
+        20.0, 100.0));
     cases.push_back(MakeCase<HeavyTopExperiment>(
         "E-heavy-top-1000", "ten boxes, the top one 1000 times as heavy, the deepest overlap", "mm",
-        500.0, 20.0, 1000.0));
+        20.0, 1000.0));
     for (const int count : {16, 20, 30, 50})
     {
         const std::string number = std::to_string(count);
         cases.push_back(MakeCase<StackExperiment>(
             ("J-stack-" + number).c_str(),
             (number + " boxes 1 cm off by turns, the farthest way of one in 20 s").c_str(), "m",
-            0.5, 20.0, count));
+            20.0, count));
     }
     cases.push_back(MakeCase<CardHouseExperiment>(
-        "J-card-house", "five rows of cards, the farthest way of one in 20 s", "m", 0.1, 20.0));
+        "J-card-house", "five rows of cards, the farthest way of one in 20 s", "m", 20.0));
 }
 
 } // namespace bench

@@ -141,13 +141,8 @@ int ListAccuracy()
 {
     for (const AccuracyCase& one : AllAccuracyCases())
     {
-        std::printf("%s\t%s\tunit=%s goal=%g sub-steps=%d", one.name.c_str(), one.what.c_str(),
-                    one.unit.c_str(), one.goal, MostSubSteps());
-        for (const RemarkGoal& goal : one.remarkGoals)
-        {
-            std::printf(" %s%s=%g", goal.name.c_str(), goal.isLeast ? ">" : "<", goal.bound);
-        }
-        std::printf("\n");
+        std::printf("{\"case\":\"%s\",\"what\":\"%s\",\"unit\":\"%s\",\"maxSubSteps\":%d}\n",
+                    one.name.c_str(), one.what.c_str(), one.unit.c_str(), MostSubSteps());
     }
     return 0;
 }

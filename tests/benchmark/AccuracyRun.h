@@ -9,8 +9,8 @@
 namespace bench
 {
 
-/// Prints a line a case: name, what it is, and, as words, the unit of its error, the goal and the
-/// most sub-steps that this engine takes; apart by tabs.
+/// Prints a line of JSON a case: name, what it is, the unit of its error, and the most sub-steps
+/// that this engine takes.
 int ListAccuracy();
 
 /// Runs a case, first with a look after each step, then again, as often as the clock needs,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One engine's program: `list`, or `run SCENE [THREADS]`, which prints one line of JSON, and the
+// One engine's program. `list` prints the scenes, `run SCENE [THREADS]` the figures of one, and the
 // same for accuracy: `accuracy-list`, `accuracy CASE VELOCITY_ITERATIONS POSITION_ITERATIONS HZ
-// SUBSTEPS [STEPS]`, with the last only to time. `boxreel bench` runs the programs of all engines
-// in turn.
+// SUBSTEPS [STEPS]`, with the last only to time. Output is JSON, one object per line. The runner
+// (bench.py) runs the programs of all engines in turn.
 #include "AccuracyRun.h"
 #include "Scenes.h"
 
@@ -292,38 +292,21 @@ int Run(const Scene& scene, int threads)
     return 0;
 }
 
-/// Name, what it is, and what `boxreel bench` has to know of it, apart by tabs.
+const char* Text(bool value)
+{
+    return value ? "true" : "false";
+}
+
+/// What the runner has to know of each scene.
 int List()
 {
     for (const Scene& scene : AllScenes())
     {
-        std::printf("%s\t%s\t", scene.name.c_str(), scene.what.c_str());
-        if (scene.goalTimesFaster > 0.0)
-        {
-            std::printf("faster=%g ", scene.goalTimesFaster);
-        }
-        if (scene.goalSeconds > 0.0)
-        {
-            std::printf("seconds=%g ", scene.goalSeconds);
-        }
-        if (scene.goalSpeedUp > 0.0)
-        {
-            std::printf("speed-up=%g ", scene.goalSpeedUp);
-        }
-        if (scene.goalMemory > 0.0)
-        {
-            std::printf("memory=%g ", scene.goalMemory);
-        }
-        if (!scene.curve.empty())
-        {
-            std::printf("%s=%s count=%d ", scene.onlyForCurve ? "only-curve" : "curve",
-                        scene.curve.c_str(), scene.count);
-        }
-        if (!scene.found.empty())
-        {
-            std::printf("found=%s ", scene.found.c_str());
-        }
-        std::printf("like=%s\n", scene.likeness == Likeness::Speeds ? "speeds" : "heights");
+        std::printf("{\"scene\":\"%s\",\"what\":\"%s\",\"curve\":\"%s\",\"count\":%d,"
+                    "\"onlyForCurve\":%s,\"found\":\"%s\",\"comparesSpeeds\":%s}\n",
+                    scene.name.c_str(), scene.what.c_str(), scene.curve.c_str(), scene.count,
+                    Text(scene.onlyForCurve), scene.found.c_str(),
+                    Text(scene.likeness == Likeness::Speeds));
     }
     return 0;
 }

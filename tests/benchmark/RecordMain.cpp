@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `boxreel bench --record` compares films with: `raw`, the frames of a film as bare pixels;
+// What the runner compares films with: `raw`, the frames of a film as bare pixels;
 // `immediate`, a film made by drawing the classic way and piping the pixels to an encoder; `check`,
 // whether a film shows what the raw frames show. Each prints one line of JSON.
 #include "ImmediateDraw.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One renderer's program: `list`; `error CASE`, how far its edges are from the truth; `time CASE
-// THREADS`, what its frames take. The last two print one line of JSON a method. `boxreel bench
-// --render` runs the programs in turn.
+// THREADS`, what its frames take. Output is JSON: one line a case, or a method. The
+// runner (bench.py) runs the programs in turn.
 #include "Painter.h"
 #include "RenderScene.h"
 
@@ -259,9 +259,10 @@ int List()
 {
     for (const RenderCase& one : AllRenderCases())
     {
-        std::printf("%s\t%d shapes at %d x %d\tcount=%d width=%d height=%d %s\n", one.name.c_str(),
-                    one.count, one.width, one.height, one.count, one.width, one.height,
-                    one.goals.c_str());
+        std::printf("{\"case\":\"%s\",\"what\":\"%d shapes at %d x %d\",\"shapes\":%d,\"width\":%d,"
+                    "\"height\":%d}\n",
+                    one.name.c_str(), one.count, one.width, one.height, one.count, one.width,
+                    one.height);
     }
     return 0;
 }

@@ -18,8 +18,6 @@ struct RenderCase
     int count = 0;    ///< of shapes
     int width = 0;    ///< [px]
     int height = 0;   ///< [px]
-    /// What our figures are held against, as words for `list`; empty: nothing.
-    std::string goals;
 };
 
 const std::vector<RenderCase>& AllRenderCases();

@@ -337,39 +337,31 @@ Scene Make(const char* name, const char* what, std::function<void(Sim&)> build, 
 
 using Scenes = std::vector<Scene>;
 
-Scene& Append(Scenes& scenes, Scene scene, double goalTimesFaster)
+Scene& Append(Scenes& scenes, Scene scene)
 {
     scenes.push_back(std::move(scene));
-    scenes.back().goalTimesFaster = goalTimesFaster;
     return scenes.back();
 }
 
 void AddLargeScenes(Scenes& scenes)
 {
-    constexpr double speedUp = 1.6;
     Scene& pyramid = Append(
-        scenes, Make("large-pyramid", "pyramid of base 100, 5050 boxes", BuildLargePyramid, 300),
-        7.0);
+        scenes, Make("large-pyramid", "pyramid of base 100, 5050 boxes", BuildLargePyramid, 300));
     pyramid.bounds = {-110.0, -0.2, 110.0, 110.0};
-    pyramid.goalSpeedUp = speedUp;
-    pyramid.goalMemory = 15.0 * 1024.0;
-    Append(scenes, Make("pyramids", "100 pyramids of base 10", BuildPyramids, 300), 7.0).bounds = {
+    Append(scenes, Make("pyramids", "100 pyramids of base 10", BuildPyramids, 300)).bounds = {
         -81.0, -0.2, 81.0, 130.0};
     Scene& tumbler =
-        Append(scenes, Make("tumbler", "2000 boxes in a turning drum", BuildTumbler, 600), 9.0);
+        Append(scenes, Make("tumbler", "2000 boxes in a turning drum", BuildTumbler, 600));
     tumbler.bounds = {-15.0, -5.0, 15.0, 25.0};
-    tumbler.goalSpeedUp = speedUp;
     Append(scenes,
-           Make("joint-grid", "10,000 circles on 19,794 revolute joints", BuildJointGrid, 300), 2.5)
+           Make("joint-grid", "10,000 circles on 19,794 revolute joints", BuildJointGrid, 300))
         .bounds = {-200.0, -300.0, 300.0, 200.0};
-    Scene& rain =
-        Append(scenes, Make("rain", "5000 circles into a container", BuildRain, 600), 8.0);
+    Scene& rain = Append(scenes, Make("rain", "5000 circles into a container", BuildRain, 600));
     rain.bounds = {-20.0, -0.1, 20.0, 200.0};
-    rain.goalSpeedUp = speedUp;
-    Append(scenes, Make("ragdolls", "300 ragdolls of 10 bodies", BuildRagdolls, 600), 12.0)
-        .bounds = {-20.1, -0.2, 20.1, 300.0};
+    Append(scenes, Make("ragdolls", "300 ragdolls of 10 bodies", BuildRagdolls, 600)).bounds = {
+        -20.1, -0.2, 20.1, 300.0};
     Scene& bullets =
-        Append(scenes, Make("bullets", "500 bullets at 100 m/s in a box", BuildBullets, 600), 20.0);
+        Append(scenes, Make("bullets", "500 bullets at 100 m/s in a box", BuildBullets, 600));
     bullets.settings.gravity = 0.0;
     bullets.bounds = {-20.0, -20.0, 20.0, 20.0};
     bullets.likeness = Likeness::Speeds;
@@ -388,10 +380,9 @@ void AddCurves(Scenes& scenes)
     constexpr int counts[] = {200, 2000, 20000, 200000};
     for (const int count : counts)
     {
-        Scene& scene = Append(scenes,
-                              Make(
-                                  "", "", [count](Sim& sim) { BuildStatic(sim, count); }, 300),
-                              count == 20000 ? 20.0 : 0.0);
+        Scene& scene =
+            Append(scenes, Make(
+                               "", "", [count](Sim& sim) { BuildStatic(sim, count); }, 300));
         scene.name = "static-" + std::to_string(count);
         scene.what = Words(count) + " static boxes beside 200 that move";
         scene.warmup = 60;
@@ -403,10 +394,9 @@ void AddCurves(Scenes& scenes)
     {
         for (const int count : counts)
         {
-            Scene& scene = Append(scenes,
-                                  Make(
-                                      "", "", [count](Sim& sim) { BuildAsleep(sim, count); }, 300),
-                                  0.0);
+            Scene& scene =
+                Append(scenes, Make(
+                                   "", "", [count](Sim& sim) { BuildAsleep(sim, count); }, 300));
             scene.name = (small ? "asleep4-" : "asleep-") + std::to_string(count);
             scene.what = Words(count) + " boxes asleep beside 200 that move" +
                          (small ? ", 4 sub-steps where there are any" : "");
@@ -423,38 +413,30 @@ void AddCurves(Scenes& scenes)
 
 void AddSmallScenes(Scenes& scenes)
 {
-    Scene& asleep =
-        Append(scenes, Make("asleep", "the 100 pyramids, asleep", BuildPyramids, 2000), 400.0);
+    Scene& asleep = Append(scenes, Make("asleep", "the 100 pyramids, asleep", BuildPyramids, 2000));
     asleep.settings.sleep = true;
     asleep.untilAsleep = true;
     asleep.sleepers = 5500;
     asleep.block = asleep.steps; // a look at the clock takes longer than a step
-    Scene& empty = Append(scenes,
-                          Make(
-                              "empty", "an empty world", [](Sim&) {}, 200000),
-                          0.0);
+    Scene& empty = Append(scenes, Make(
+                                      "empty", "an empty world", [](Sim&) {}, 200000));
     empty.block = 1000;
-    empty.goalSeconds = 0.1e-6;
     empty.afterwards = DropOne;
     empty.found = "bodies";
-    Scene& oneBox =
-        Append(scenes, Make("one-box", "one box on the ground", BuildOneBox, 100000), 0.0);
+    Scene& oneBox = Append(scenes, Make("one-box", "one box on the ground", BuildOneBox, 100000));
     oneBox.warmup = 120;
     oneBox.block = 500;
-    oneBox.goalSeconds = 0.75e-6;
-    Scene& rays = Append(
-        scenes, Make("ray-casts", "a ray of 50 m in 20,000 boxes", BuildTargets, 100000), 0.0);
+    Scene& rays =
+        Append(scenes, Make("ray-casts", "a ray of 50 m in 20,000 boxes", BuildTargets, 100000));
     rays.warmup = 1;
     rays.block = 500;
     rays.action = CastOneRay;
     rays.found = "hits";
-    rays.goalSeconds = 1.0e-6;
-    Scene& bodies = Append(
-        scenes, Make("create-destroy", "a body made and destroyed", BuildOneBox, 100000), 0.0);
+    Scene& bodies =
+        Append(scenes, Make("create-destroy", "a body made and destroyed", BuildOneBox, 100000));
     bodies.block = 500;
     bodies.action = CreateAndDestroy;
     bodies.found = "bodies";
-    bodies.goalSeconds = 2.0e-6;
 }
 
 } // namespace

@@ -59,10 +59,6 @@ struct Scene
     int sleepers = 0; ///< bodies that must be asleep all the time that is measured
     Likeness likeness = Likeness::Heights;
 
-    double goalTimesFaster = 0.0; ///< than Box2D 2.4; 0: no such goal
-    double goalSeconds = 0.0;     ///< of a call; 0: no such goal
-    double goalSpeedUp = 0.0;     ///< of two threads over one; 0: no such goal
-    double goalMemory = 0.0;      ///< growth of the process at most [kB]; 0: no such goal
     /// Scenes of one curve differ only in `count`, what the cost of a step must not grow with.
     std::string curve;
     int count = 0;

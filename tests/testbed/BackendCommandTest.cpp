@@ -122,8 +122,7 @@ TEST_F(BackendCommand, NothingToDrawWithIsSaidBeforeAnythingIsSimulated)
     const std::vector<std::string> commands[] = {
         {"shot", "pyramid", "--step", "1000000000", "-o", "a.png"},
         {"record", "pyramid", "--frames", "10000000", "-o", "a.mkv"},
-        {"golden", "accept", "--references", "r"},
-        {"bench", "--render", "50-720p"}};
+        {"golden", "accept", "--references", "r"}};
     for (const std::vector<std::string>& command : commands)
     {
         const Outcome outcome = Run(command);

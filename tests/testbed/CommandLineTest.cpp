@@ -350,7 +350,7 @@ TEST(CommandLine, HelpNamesEveryCommand)
 {
     const std::string help = Parsed<TextRequest>("--help").text;
     for (const char* command :
-         {"list", "record", "shot", "diff", "golden", "bench", "--version", "Examples:"})
+         {"list", "record", "shot", "diff", "golden", "--version", "Examples:"})
     {
         EXPECT_THAT(help, HasSubstr(command));
     }
@@ -399,8 +399,6 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
         {"shot", shot},
         {"diff", {"-o,--output", "--preset", "--force"}},
         {"golden", {"verify", "accept"}},
-        {"bench",
-         {"--list", "--curve", "--rounds", "--threads", "--json", "--from", "--chart", "--force"}},
         {"golden verify", {"--references", "--output", "--backend"}},
         {"golden accept", {"--references", "--output", "--backend"}},
     };
@@ -414,60 +412,6 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
         }
         EXPECT_EQ(Parsed<TextRequest>("help " + command).text, help);
     }
-}
-
-TEST(CommandLine, BenchTakesSeveralChartsAndThreadCountsAndLeavesScenesToThemselves)
-{
-    const BenchOptions options = Parsed<BenchOptions>(
-        "bench --chart a.png rain --threads 1,2 --chart b.svg tumbler --rounds 7 --force");
-    EXPECT_EQ(options.charts, (std::vector<std::filesystem::path>{"a.png", "b.svg"}));
-    EXPECT_EQ(options.scenes, (std::vector<std::string>{"rain", "tumbler"}));
-    EXPECT_EQ(options.threads, (std::vector<int>{1, 2}));
-    EXPECT_EQ(options.rounds, 7);
-    EXPECT_TRUE(options.force);
-    EXPECT_EQ(Parsed<BenchOptions>("bench").threads, std::vector<int>{1});
-    EXPECT_THAT(Refusal("bench --threads 1,0"), HasSubstr("--threads"));
-    EXPECT_THAT(Refusal("bench --threads 2,2"), HasSubstr("twice"));
-    EXPECT_THAT(Refusal("bench --threads 1,,2"), HasSubstr("--threads"));
-    EXPECT_THAT(Refusal("bench --curve rain"), HasSubstr("'rain'"));
-    EXPECT_THAT(Refusal("bench --from a.json rain"), HasSubstr("'rain'"));
-    EXPECT_THAT(Refusal("bench --from a.json --rounds 5"), HasSubstr("leave --rounds"));
-    EXPECT_THAT(Refusal("bench --from a.json --threads 2"), HasSubstr("--threads out"));
-    EXPECT_THAT(Refusal("bench --chart"), HasSubstr("--chart needs a value"));
-    EXPECT_TRUE(Parsed<BenchOptions>("bench --render 50-720p --rounds 2").render);
-    EXPECT_THAT(Refusal("bench --render --curve"), HasSubstr("--render goes with"));
-    EXPECT_THAT(Refusal("bench --render --accuracy"), HasSubstr("--render goes with"));
-    EXPECT_THAT(Refusal("bench --render --threads 2"), HasSubstr("LP_NUM_THREADS"));
-    EXPECT_EQ(Parsed<BenchOptions>("bench --accuracy --rounds 5").rounds, 5);
-    // What would be done anyhow has been asked for all the same.
-    EXPECT_THAT(Refusal("bench --accuracy --threads 1"), HasSubstr("--threads out"));
-    EXPECT_THAT(Refusal("bench --render --threads 1"), HasSubstr("--threads out"));
-    EXPECT_THAT(Refusal("bench --record --threads 1"), HasSubstr("--threads out"));
-    EXPECT_THAT(Refusal("bench --from a.json --threads 1"), HasSubstr("--threads out"));
-    EXPECT_THAT(Refusal("bench --from a.json --rounds 3"), HasSubstr("leave --rounds"));
-}
-
-TEST(CommandLine, BenchRecordsFilmsOfACertainLengthAndSize)
-{
-    const BenchOptions options = Parsed<BenchOptions>(
-        "bench --record tumbler --frames 10 --size 64x36 --rounds 2 --json --chart a.png");
-    EXPECT_TRUE(options.record);
-    EXPECT_EQ(options.scenes, std::vector<std::string>{"tumbler"});
-    EXPECT_EQ(options.frames, 10);
-    EXPECT_EQ(options.size, (PixelSize{64, 36}));
-    EXPECT_EQ(Parsed<BenchOptions>("bench --record").frames, 0);
-    EXPECT_FALSE(Parsed<BenchOptions>("bench --record").size);
-    EXPECT_EQ(Parsed<BenchOptions>("bench --record tumbler --from a.json").from, "a.json");
-    for (const char* other : {"--render", "--accuracy", "--curve", "--threads 2"})
-    {
-        EXPECT_THAT(Refusal(std::string("bench --record ") + other),
-                    HasSubstr("--record goes with"));
-    }
-    EXPECT_THAT(Refusal("bench --record --frames 1"), HasSubstr("--frames"));
-    EXPECT_THAT(Refusal("bench --record --size 64x35"), HasSubstr("sides are even"));
-    EXPECT_THAT(Refusal("bench --frames 10"), HasSubstr("--record makes"));
-    EXPECT_THAT(Refusal("bench --render --size 64x36"), HasSubstr("--record makes"));
-    EXPECT_THAT(Refusal("bench --record --from a.json --frames 10"), HasSubstr("--record makes"));
 }
 
 TEST(CommandLine, APanelThatWouldBeCutOffIsRefused)

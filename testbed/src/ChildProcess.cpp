@@ -9,7 +9,6 @@
 #include <cstring>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,12 +16,6 @@ namespace boxreel
 {
 namespace
 {
-
-enum class Heard
-{
-    Output,          ///< its standard error is ours
-    OutputAndErrors, ///< both
-};
 
 Error CannotRun(const std::filesystem::path& program, const std::string& why)
 {
@@ -40,12 +33,12 @@ struct Words
 };
 
 /// Waits for more to read; false when the time is over.
-bool HasMore(int file, const std::optional<ChildBounds>& bounds, Clock::time_point start)
+bool HasMore(int file, const ChildBounds& bounds, Clock::time_point start)
 {
-    while (bounds)
+    for (;;)
     {
         const double left =
-            bounds->wall - std::chrono::duration<double>(Clock::now() - start).count();
+            bounds.wall - std::chrono::duration<double>(Clock::now() - start).count();
         pollfd wanted{file, POLLIN, 0};
         const int ready =
             left > 0.0 ? poll(&wanted, 1, int(std::ceil(1000.0 * std::min(left, 1.0e6)))) : 0;
@@ -58,10 +51,9 @@ bool HasMore(int file, const std::optional<ChildBounds>& bounds, Clock::time_poi
             return false;
         }
     }
-    return true;
 }
 
-Words ReadAll(int file, const std::optional<ChildBounds>& bounds, Clock::time_point start)
+Words ReadAll(int file, const ChildBounds& bounds, Clock::time_point start)
 {
     Words words;
     std::string& text = words.text;
@@ -70,12 +62,12 @@ Words ReadAll(int file, const std::optional<ChildBounds>& bounds, Clock::time_po
     {
         if (!HasMore(file, bounds, start))
         {
-            words.excess = "it did not end within " + std::to_string(int(bounds->wall)) + " s";
+            words.excess = "it did not end within " + std::to_string(int(bounds.wall)) + " s";
             return words;
         }
-        if (bounds && text.size() > bounds->output)
+        if (text.size() > bounds.output)
         {
-            words.excess = "it wrote more than " + std::to_string(bounds->output >> 20) + " MB";
+            words.excess = "it wrote more than " + std::to_string(bounds.output >> 20) + " MB";
             return words;
         }
         const ssize_t count = read(file, buffer, sizeof buffer);
@@ -91,16 +83,12 @@ Words ReadAll(int file, const std::optional<ChildBounds>& bounds, Clock::time_po
 }
 
 /// The program with its words in a pipe; returns 0 or the reason why not.
-int Spawn(const std::filesystem::path& program, std::vector<char*>& words, Heard heard,
+int Spawn(const std::filesystem::path& program, std::vector<char*>& words,
           const int (&ends)[2], pid_t& child)
 {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    if (heard == Heard::OutputAndErrors)
-    {
-        posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-    }
     posix_spawn_file_actions_addclose(&actions, ends[0]);
     posix_spawn_file_actions_addclose(&actions, ends[1]);
     const int failure =
@@ -109,33 +97,21 @@ int Spawn(const std::filesystem::path& program, std::vector<char*>& words, Heard
     return failure;
 }
 
-double SecondsOf(const timeval& time)
-{
-    return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
-}
-
-/// How it ended; empty: well, with 0 or `otherCode`.
-std::string Ending(int status, int otherCode)
+/// How it ended; empty: well, with 0.
+std::string Ending(int status)
 {
     if (WIFSIGNALED(status))
     {
         return "signal " + std::to_string(WTERMSIG(status)) + " ended it";
     }
     const int code = WEXITSTATUS(status);
-    return code == 0 || code == otherCode ? "" : "it ended with code " + std::to_string(code);
+    return code == 0 ? "" : "it ended with code " + std::to_string(code);
 }
 
-/// The last line that is not empty, as the end of a sentence.
-std::string LastWords(std::string output)
-{
-    output.erase(output.find_last_not_of(" \t\r\n") + 1);
-    const std::string line = output.substr(output.rfind('\n') + 1);
-    return line.empty() ? "" : ", saying \"" + line + "\"";
-}
+} // namespace
 
-Result<ChildRun> Run(const std::filesystem::path& program,
-                     const std::vector<std::string>& arguments, Heard heard, int otherCode,
-                     const std::optional<ChildBounds>& bounds)
+Result<std::string> OutputOf(const std::filesystem::path& program,
+                             const std::vector<std::string>& arguments, const ChildBounds& bounds)
 {
     std::vector<char*> words{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments)
@@ -148,10 +124,9 @@ Result<ChildRun> Run(const std::filesystem::path& program,
     {
         return CannotRun(program, std::strerror(errno));
     }
-    ChildRun run;
     const Clock::time_point start = Clock::now();
     pid_t child = 0;
-    const int failure = Spawn(program, words, heard, ends, child);
+    const int failure = Spawn(program, words, ends, child);
     close(ends[1]);
     Words said = failure == 0 ? ReadAll(ends[0], bounds, start) : Words{};
     close(ends[0]);
@@ -159,46 +134,19 @@ Result<ChildRun> Run(const std::filesystem::path& program,
     {
         return CannotRun(program, std::strerror(failure));
     }
-    run.output = std::move(said.text);
     if (!said.excess.empty())
     {
         kill(child, SIGKILL);
     }
     int status = 0;
-    rusage usage{};
-    while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR)
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
     {}
     if (!said.excess.empty())
     {
         return CannotRun(program, said.excess);
     }
-    run.wall = std::chrono::duration<double>(Clock::now() - start).count();
-    run.cpu = SecondsOf(usage.ru_utime) + SecondsOf(usage.ru_stime);
-    run.memory = 1024.0 * double(usage.ru_maxrss);
-    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-    const std::string ending = Ending(status, otherCode);
-    if (!ending.empty())
-    {
-        return CannotRun(program, ending + (heard == Heard::OutputAndErrors ? LastWords(run.output)
-                                                                            : std::string()));
-    }
-    return run;
-}
-
-} // namespace
-
-Result<std::string> OutputOf(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments,
-                             const std::optional<ChildBounds>& bounds)
-{
-    Result<ChildRun> run = Run(program, arguments, Heard::Output, 0, bounds);
-    return run ? Result<std::string>(std::move(run->output)) : Result<std::string>(run.GetError());
-}
-
-Result<ChildRun> RunMeasured(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments, int otherCode)
-{
-    return Run(program, arguments, Heard::OutputAndErrors, otherCode, {});
+    const std::string ending = Ending(status);
+    return ending.empty() ? Result<std::string>(std::move(said.text)) : CannotRun(program, ending);
 }
 
 } // namespace boxreel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "PlantedChanges.h"
 
-#include "SceneSession.h"
+#include <SceneSession.h>
 
 #include <algorithm>
 #include <cstring>
@@ -10,10 +10,12 @@
 #include <random>
 #include <utility>
 
-namespace boxreel
+namespace bench
 {
 namespace
 {
+
+using namespace boxreel;
 
 constexpr int kWidth = 1280;         // [px]
 constexpr int kHeight = 720;         // [px]
@@ -245,6 +247,22 @@ private:
 
 } // namespace
 
+const std::vector<PlantedKind>& PlantedKinds()
+{
+    static const std::vector<PlantedKind> kinds{
+        {"body", "a body moved by 1 cm", "different"},
+        {"line", "a joint's line is missing", "different"},
+        {"fill", "a fill off by 4 of 255", "different"},
+        {"label", "a label misspelt", "different"},
+        {"outline", "an outline one pixel thicker", "different"},
+        {"order", "two bodies drawn the other way round", "different"},
+        {"equal", "the same drawn again", "equal"},
+        {"stray", "a single stray pixel", "equal"},
+        {"shift", "all edges 0.1 px elsewhere", "equal"},
+        {"noise", "every channel up to 1 off, for the time", "either"}};
+    return kinds;
+}
+
 Result<Renderer> CreatePlantingRenderer()
 {
     return Renderer::Create({.width = kWidth, .height = kHeight});
@@ -278,4 +296,4 @@ Result<std::vector<PlantedPicture>> PlantChanges(const std::string& scene, Rende
     return all;
 }
 
-} // namespace boxreel
+} // namespace bench
