@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What the runner compares films with: `raw`, the frames of a film as bare pixels;
-// `immediate`, a film made by drawing the classic way and piping the pixels to an encoder; `check`,
-// whether a film shows what the raw frames show. Each prints one line of JSON.
+// What films are compared with. `list` prints the cases; `films` the films of one, and the words
+// that make them; `raw` draws the frames of a film as bare
+// pixels; `encode` becomes ffmpeg, which encodes them; `immediate` films by drawing the classic way
+// and piping the pixels to ffmpeg; `check` tells whether a film shows what the raw frames show.
+// Output is JSON, one object per line.
 #include "ImmediateDraw.h"
+#include "RecordCases.h"
 
 #include <SceneSession.h>
 #include <Values.h>
@@ -205,18 +208,34 @@ Result<void> MakeRaw(const Take& take, const std::string& path)
     return {};
 }
 
+/// For the calls that start programs; points into `words`.
+std::vector<char*> ArgumentsOf(std::vector<std::string>& words)
+{
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+    {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    return arguments;
+}
+
+Error CannotRun(const std::string& program, int failure)
+{
+    return Failed("Running '" + program + "' failed: " + std::strerror(failure) + ".");
+}
+
 /// An encoder that reads pixels from its standard input.
-Result<pid_t> StartEncoder(char** words, int input)
+Result<pid_t> StartEncoder(std::vector<std::string> words, int input)
 {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
     pid_t child = 0;
-    const int failure = posix_spawnp(&child, words[0], &actions, nullptr, words, environ);
+    const int failure = posix_spawnp(&child, words[0].c_str(), &actions, nullptr,
+                                     ArgumentsOf(words).data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    return failure == 0 ? Result<pid_t>(child)
-                        : Result<pid_t>(Failed("Running '" + std::string(words[0]) +
-                                               "' failed: " + std::strerror(failure) + "."));
+    return failure == 0 ? Result<pid_t>(child) : Result<pid_t>(CannotRun(words[0], failure));
 }
 
 Result<void> DrawImmediately(const Take& take, int pipe)
@@ -247,7 +266,7 @@ Result<void> DrawImmediately(const Take& take, int pipe)
 }
 
 /// The encoder is started before anything is loaded, for a process counts what its parent had.
-Result<void> FilmImmediately(const Take& take, char** encoder)
+Result<void> FilmImmediately(const Take& take, const std::string& film)
 {
     signal(SIGPIPE, SIG_IGN); // an encoder that ends early is told about by its code
     int ends[2];
@@ -256,7 +275,8 @@ Result<void> FilmImmediately(const Take& take, char** encoder)
         return SystemError("There is no pipe to the encoder");
     }
     Descriptor reading(ends[0]), writing(ends[1]);
-    const Result<pid_t> child = StartEncoder(encoder, reading.Number());
+    const Result<pid_t> child =
+        StartEncoder(EncoderWords(take.width, take.height, "pipe:0", true, film), reading.Number());
     if (!child)
     {
         return child.GetError();
@@ -273,7 +293,7 @@ Result<void> FilmImmediately(const Take& take, char** encoder)
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     {
-        return Failed("'" + std::string(encoder[0]) + "' did not end well.");
+        return Failed("The encoder of the frames did not end well.");
     }
     rusage own{}, others{};
     getrusage(RUSAGE_SELF, &own);
@@ -347,7 +367,16 @@ void Compare(const Frame& film, const std::vector<std::uint8_t>& raw, Difference
 /// Every so many frames are compared, and the first and last.
 constexpr std::int64_t kCompareEvery = 20;
 
-Result<void> Check(const std::string& film, const std::string& rawPath)
+/// What a film shows.
+struct Seen
+{
+    std::int64_t frames = 0;
+    int width = 0;  ///< [px]
+    int height = 0; ///< [px]
+    Difference drawn, ground;
+};
+
+Result<Seen> Look(const std::string& film, const std::string& rawPath)
 {
     Result<VideoReader> reader = VideoReader::Open(film);
     if (!reader)
@@ -358,9 +387,8 @@ Result<void> Check(const std::string& film, const std::string& rawPath)
     const VideoInfo info = reader->Info();
     const std::size_t bytes = std::size_t(info.width) * std::size_t(info.height) * 4;
     std::vector<std::uint8_t> pixels(bytes);
-    Difference drawn, ground;
-    std::int64_t frames = 0;
-    for (Frame frame;; ++frames)
+    Seen seen{0, info.width, info.height, {}, {}};
+    for (Frame frame;; ++seen.frames)
     {
         const Result<bool> next = reader->Next(frame);
         if (!next)
@@ -369,20 +397,128 @@ Result<void> Check(const std::string& film, const std::string& rawPath)
         }
         if (!*next)
         {
-            break;
+            return seen;
         }
         // Beyond the raw frames there is nothing to compare with.
-        if (frames % kCompareEvery == 0 &&
-            pread(raw.Number(), pixels.data(), bytes, off_t(bytes) * frames) == ssize_t(bytes))
+        if (seen.frames % kCompareEvery == 0 &&
+            pread(raw.Number(), pixels.data(), bytes, off_t(bytes) * seen.frames) == ssize_t(bytes))
         {
-            Compare(frame, pixels, drawn, ground);
+            Compare(frame, pixels, seen.drawn, seen.ground);
         }
     }
-    std::printf("{\"frames\":%lld,\"width\":%d,\"height\":%d,\"drawnError\":%.3f,"
-                "\"groundError\":%.3f}\n",
-                static_cast<long long>(frames), info.width, info.height, drawn.Mean(),
-                ground.Mean());
+}
+
+// Differences that a film may have, of 255. Encoded at crf 20 the squares of these drawings are off
+// by 0.5 where something is drawn, by 2 with jagged lines, which in small pictures are off by up to
+// 9; in grey by 7, with red and blue exchanged by 13.
+constexpr double kMaxOnGround = 1.0;
+constexpr double kMaxDrawn = 4.0;
+constexpr double kMaxDrawnImmediately = 9.0;
+
+/// "sound", or what is wrong with the film that is to have the frames and the size of the take.
+std::string Judge(const Seen& seen, const Take& take, bool isImmediate)
+{
+    if (seen.frames != take.frames)
+    {
+        return std::to_string(seen.frames) + " frames";
+    }
+    if (seen.width != take.width || seen.height != take.height)
+    {
+        return std::to_string(seen.width) + "x" + std::to_string(seen.height);
+    }
+    const bool isGround = seen.ground.Mean() <= kMaxOnGround;
+    if (isGround && seen.drawn.Mean() <= (isImmediate ? kMaxDrawnImmediately : kMaxDrawn))
+    {
+        return "sound";
+    }
+    char text[64];
+    std::snprintf(text, sizeof text, "colours off by %.1f of 255",
+                  isGround ? seen.drawn.Mean() : seen.ground.Mean());
+    return text;
+}
+
+/// `raw`: a file that is not there holds no frames to compare with.
+Result<void> Check(const Take& take, const std::string& film, const std::string& raw,
+                   bool isImmediate)
+{
+    const Result<Seen> seen = Look(film, raw);
+    if (!seen)
+    {
+        return seen.GetError();
+    }
+    std::printf("{\"verdict\":\"%s\",\"drawnError\":%.3f,\"groundError\":%.3f}\n",
+                Judge(*seen, take, isImmediate).c_str(), seen->drawn.Mean(), seen->ground.Mean());
     return {};
+}
+
+void List()
+{
+    for (const RecordCase& one : AllRecordCases())
+    {
+        std::printf("{\"case\":\"%s\",\"what\":\"%s\",\"onlyNamed\":%s}\n", one.name, one.what,
+                    one.onlyNamed ? "true" : "false");
+    }
+}
+
+/// As JSON. What is quoted are names of scenes and paths.
+std::string Quoted(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+    {
+        text += text.empty() ? "\"" : ",\"";
+        for (const char letter : word)
+        {
+            text += letter == '"' || letter == '\\' ? std::string("\\") + letter
+                                                    : std::string(1, letter);
+        }
+        text += '"';
+    }
+    return "[" + text + "]";
+}
+
+/// A line for what is filmed, one for each film.
+Result<void> PrintFilms(const std::string& helper, char** words)
+{
+    const Result<std::int64_t> frames = ParseWhole("FRAMES", words[1], 0, 100'000);
+    const Result<std::int64_t> width = ParseWhole("WIDTH", words[2], 0, 8192);
+    const Result<std::int64_t> height = ParseWhole("HEIGHT", words[3], 0, 8192);
+    for (const Result<std::int64_t>* number : {&frames, &width, &height})
+    {
+        if (!*number)
+        {
+            return number->GetError();
+        }
+    }
+    for (const RecordCase& one : AllRecordCases())
+    {
+        if (std::string(one.name) == words[0])
+        {
+            const RecordCase info = Resized(one, *frames, int(*width), int(*height));
+            std::printf("{\"frames\":%lld,\"width\":%d,\"height\":%d,\"from\":%g,\"take\":%s}\n",
+                        static_cast<long long>(info.frames), info.width, info.height, info.from,
+                        Quoted(TakeWords(info, info.frames)).c_str());
+            for (const Film& film : FilmsOf(info, words[4], helper, words[5]))
+            {
+                std::printf("{\"role\":\"%s\",\"method\":\"%s\",\"frames\":%lld,\"words\":%s,"
+                            "\"check\":%s}\n",
+                            film.role, film.method, static_cast<long long>(film.frames),
+                            Quoted(film.words).c_str(),
+                            Quoted(CheckWords(info, film, helper, words[5])).c_str());
+            }
+            return {};
+        }
+    }
+    return Error{ErrorKind::Unusable, "No case of recording is called '" + std::string(words[0]) +
+                                          "'; `list` shows them."};
+}
+
+/// Becomes ffmpeg, so that whoever started us measures nothing else.
+Result<void> Encode(const Take& take, const std::string& raw, const std::string& film)
+{
+    std::vector<std::string> words = EncoderWords(take.width, take.height, raw, false, film);
+    execvp(words[0].c_str(), ArgumentsOf(words).data());
+    return CannotRun(words[0], errno);
 }
 
 Result<Take> ParseTake(char** words)
@@ -405,24 +541,34 @@ Result<Take> ParseTake(char** words)
 Result<void> Run(int count, char** words)
 {
     const std::string command = count > 1 ? words[1] : "";
-    if (command == "check" && count == 4)
+    if (command == "list" && count == 2)
     {
-        return Check(words[2], words[3]);
+        List();
+        return {};
     }
-    const bool isRaw = command == "raw" && count == 8;
-    if (!isRaw && !(command == "immediate" && count > 7))
+    if (command == "films" && count == 8)
+    {
+        return PrintFilms(words[0], words + 2);
+    }
+    const bool isCheck = (command == "check" || command == "check-immediate") && count == 9;
+    const bool isMade = (command == "raw" || command == "immediate") && count == 8;
+    if (!isCheck && !isMade && !(command == "encode" && count == 9))
     {
         return Error{ErrorKind::Unusable,
                      "Usage: " + std::string(words[0]) +
-                         " raw SCENE FRAMES WIDTH HEIGHT FROM FILE | immediate SCENE FRAMES WIDTH "
-                         "HEIGHT FROM ENCODER ... | check FILM FILE"};
+                         " list | films CASE FRAMES WIDTH HEIGHT BOXREEL FOLDER | raw TAKE FILE | "
+                         "immediate TAKE FILM | encode TAKE RAW FILM | "
+                         "check[-immediate] TAKE FILM RAW, TAKE is SCENE FRAMES WIDTH HEIGHT FROM"};
     }
     const Result<Take> take = ParseTake(words + 2);
     if (!take)
     {
         return take.GetError();
     }
-    return isRaw ? MakeRaw(*take, words[7]) : FilmImmediately(*take, words + 7);
+    return isCheck               ? Check(*take, words[7], words[8], command != "check")
+           : command == "encode" ? Encode(*take, words[7], words[8])
+           : command == "raw"    ? MakeRaw(*take, words[7])
+                                 : FilmImmediately(*take, words[7]);
 }
 
 } // namespace

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: MIT
+"""What all benchmarks share: errors, child processes, goals, files, and numbers as text."""
+from __future__ import annotations
+
+import json
+import math
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any, Iterable, NamedTuple, Sequence
+
+UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
+Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
+Figures = tuple[dict[str, float], str]  # times by their names, and what must be the same
+
+
+class Problem(Exception):
+    """A sentence for the user, with culprit and remedy, and the exit code that goes with it."""
+
+    def __init__(self, sentence: str, code: int = UNUSABLE) -> None:
+        super().__init__(sentence)
+        self.code = code
+
+
+def note(sentence: str) -> None:
+    """Prints a line about the progress."""
+    print(f"bench: {sentence}", file=sys.stderr, flush=True)
+
+
+# --------------------------------------------------------------------------------------- programs
+
+class Ended(NamedTuple):
+    """What a program printed and needed, including the processes that it waited for."""
+    output: str
+    wall: float  # [s]
+    cpu: float  # [s]
+    memory: float  # max resident memory of one process [bytes]
+    code: int
+
+
+def run(words: Sequence[Any], *codes: int) -> Ended:
+    """Runs a program to its end. A Problem if it ends with another code than 0 or `codes`."""
+    with tempfile.TemporaryFile() as errors:
+        start = time.perf_counter()
+        try:
+            child = subprocess.Popen([str(word) for word in words], stdin=subprocess.DEVNULL,
+                                     stdout=subprocess.PIPE, stderr=errors)
+        except OSError as error:
+            raise Problem(f"cannot run '{words[0]}': {error.strerror}", FAILED) from error
+        try:
+            with child.stdout:
+                output = child.stdout.read().decode(errors="replace")
+            _, status, usage = os.wait4(child.pid, 0)
+        except BaseException:  # also a signal to stop: no child is left behind
+            child.kill()
+            child.wait()
+            raise
+        wall = time.perf_counter() - start
+        code = child.returncode = os.waitstatus_to_exitcode(status)
+        if code not in (0, *codes):
+            errors.seek(0)
+            said = (errors.read().decode(errors="replace").strip() or f"it ended with {code}").splitlines()[-1]
+            raise Problem(f"running '{words[0]}' failed: {said}", code if code in (UNUSABLE, ABSENT) else FAILED)
+    return Ended(output, wall, usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss, code)
+
+
+def objects(output: str) -> list[dict[str, Any]]:
+    """The JSON objects among the lines that a program printed; libraries may print others."""
+    try:
+        found = [json.loads(line) for line in output.splitlines() if line.startswith("{")]
+    except ValueError:
+        found = []
+    if not found:
+        raise Problem(f"a benchmark program printed no figures: '{output.strip()[-200:]}'", FAILED)
+    return found
+
+
+def program(build: Path, name: str) -> Path:
+    """A benchmark program of a build folder."""
+    path = build / "tests" / "benchmark" / name
+    if not os.access(path, os.X_OK):
+        raise Problem(f"'{path}' is missing; build the target boxreel_benchmarks", ABSENT)
+    return path
+
+
+def with_peers(build: Path, ours: str, peers: dict[str, str]) -> list[Path]:
+    """Our program, and those of the peers that were there at the build; `peers` has their packages."""
+    found = [program(build, ours)]
+    for name, package in peers.items():
+        try:
+            found.append(program(build, name))
+        except Problem:
+            note(f"{name} was not built and is not compared; install {package} and build again")
+    return found
+
+
+# ---------------------------------------------------------------------------------- figures, goals
+
+def is_number(value: Any) -> bool:
+    """True if it is a finite number."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def median_of(values: Sequence[Any]) -> Any:
+    """The median; of objects that of each member, of what is no number the first."""
+    if isinstance(values[0], dict):
+        return {key: median_of([value[key] for value in values]) for key in values[0]}
+    numbers = [value for value in values if is_number(value)]
+    return statistics.median(numbers) if numbers else values[0]
+
+
+GOALS: dict[str, dict[str, dict[str, str]]] = json.loads(Path(__file__).with_name("goals.json").read_text("utf-8"))
+
+
+def is_met(goal: str, value: float | None) -> bool:
+    """Whether a figure meets a goal such as "<= 5"; what is None or no number meets none."""
+    bound = float(goal[3:])
+    return is_number(value) and (value >= bound if goal.startswith(">=") else value <= bound)
+
+
+def goal_table(benchmark: str, results: list[Result]) -> str:
+    """A line for each goal of each case whose figure is in its `reached`; None there: of a broken run."""
+    rows = [[result["case"], figure, digits(result["reached"][figure]), goal,
+             "met" if is_met(goal, result["reached"][figure]) else "MISSED"]
+            for result in results for figure, goal in GOALS[benchmark].get(result["case"], {}).items()
+            if figure in result["reached"]]
+    return "\n" + table("<<><<", [["goals", "", "reached", "goal", ""], *rows]) if rows else ""
+
+
+# ------------------------------------------------------------------------------------------ files
+
+def check_values(value: Any, key: str = "it") -> None:
+    """Raises a ValueError for text that would not stay on its line, and numbers that nobody measures."""
+    if isinstance(value, (dict, list)):
+        for name, inner in value.items() if isinstance(value, dict) else ((key, inner) for inner in value):
+            check_values(name, "a name")
+            check_values(inner, name)
+    elif isinstance(value, str) and not value.isprintable():
+        raise ValueError(f"'{key}' has control characters")
+    elif isinstance(value, float) and not (math.isfinite(value) and abs(value) <= 1e100):
+        raise ValueError(f"'{key}' is {value:g}")
+
+
+def read_results(path: str, benchmark: str) -> list[Result]:
+    """The results in a file that --json wrote."""
+    try:
+        data = json.loads(Path(path).read_text(encoding="utf-8"))
+        check_values(data)
+        if data["benchmark"] != benchmark or not data["results"]:
+            raise ValueError(f"it holds no results of '{benchmark}'")
+        return data["results"]
+    except OSError as error:
+        raise Problem(f"cannot read '{path}': {error.strerror}; name another file") from error
+    except (KeyError, TypeError, ValueError, RecursionError) as error:
+        raise unusable(path, benchmark, error) from error
+
+
+def unusable(path: str, benchmark: str, error: Exception) -> Problem:
+    """Of a file that does not hold what was expected."""
+    return Problem(f"'{path}' is not what `./boxreel bench {benchmark} --json FILE` writes ({error}); make it again")
+
+
+def check_outputs(paths: Sequence[Path], force: bool) -> None:
+    """Before minutes of work: whether these files can be written."""
+    for path in paths:
+        if paths.count(path) > 1:
+            raise Problem(f"'{path}' would be written twice; give each file once")
+        if not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
+            raise Problem(f"'{path.parent}' is no folder that can be written; create it first")
+        if path.is_dir() or (path.exists() and not force):
+            raise Problem(f"'{path}' exists; --force overwrites files")
+
+
+def write_whole(path: Path, data: bytes) -> None:
+    """Writes a file completely or not at all."""
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        part.write_bytes(data)
+        part.replace(path)
+    except OSError as error:
+        raise Problem(f"cannot write '{path}': {error.strerror}; name another file", FAILED) from error
+    finally:
+        part.unlink(missing_ok=True)
+
+
+# ------------------------------------------------------------------------------------------- text
+
+def digits(value: float | None) -> str:
+    """Three significant digits, small ones with fewer: 0.038, 4.88, 31.4, 12,300."""
+    if not is_number(value):
+        return "–"
+    size = abs(value)
+    if size >= 999.5:
+        return f"{float(f'{value:.3g}'):,.0f}"
+    return f"{value:.{0 if size >= 99.95 else 1 if size >= 9.995 else 2 if size >= 0.0995 else 3}f}"
+
+
+def time_text(seconds: float | None) -> str:
+    """7.26 ms, 350 µs."""
+    if not is_number(seconds):
+        return "–"
+    unit, scale = next(((u, s) for u, s in (("s", 1.0), ("ms", 1e-3)) if seconds >= 0.9995 * s), ("µs", 1e-6))
+    return f"{digits(seconds / scale)} {unit}"
+
+
+def times_text(ratio: float | None) -> str:
+    """4.88×, or nothing."""
+    return f"{digits(ratio)}×" if ratio else ""
+
+
+def table(align: str, rows: Iterable[Sequence[str]]) -> str:
+    """Columns as wide as their widest cell, `<` or `>` each; a row may end early."""
+    rows = list(rows)
+    widths = [max((len(row[i]) for row in rows if i < len(row)), default=0) for i in range(len(align))]
+    return "".join("  ".join(f"{cell:{way}{width}}" for cell, way, width in zip(row, align, widths)).rstrip() + "\n"
+                   for row in rows)
