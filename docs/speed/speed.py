@@ -1,17 +1,18 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""speed.py measure|write|check [PROGRAM]
+"""speed.py measure [NAME ...] | write | check
 
-Keeps the tables of README.md, docs/speed.md and docs/golden.md and the chart at what docs/speed/*.json say. PROGRAM is the boxreel
-of the checkout unless it is named.
+Keeps the tables and charts of the pages at what docs/speed/*.json say.
 
-  measure  run the benchmarks into docs/speed/*.json, then write; minutes, on a machine that does nothing else
-  write    make tables and chart from the JSON
-  check    exit code 1, and a sentence for each table, or with PROGRAM the chart, that is not what the JSON say
+  measure  run the benchmarks (all but accuracy, or those named) into docs/speed/*.json, then write; ten minutes on a
+           machine that does nothing else, accuracy half an hour
+  write    make tables and charts from the JSON
+  check    exit code 1, and a sentence for each table and chart that is not what the JSON say
 
-Peers are those that the benchmarks find; BOXREEL_PEERS is the folder with odiff and pixelmatch (`boxreel bench
---help`). Tables stand between the lines `<!-- table: NAME -->` and `<!-- /table -->`.
+NAME is engine, drawing, recording, comparing or accuracy. BOXREEL_PEERS is the folder with odiff and pixelmatch
+(`./boxreel bench golden --help`). Tables stand between the lines `<!-- table: NAME -->` and `<!-- /table -->`.
 """
+import importlib.metadata
 import json
 import os
 import pathlib
@@ -19,44 +20,33 @@ import re
 import statistics
 import subprocess
 import sys
-import tempfile
 import time
 
-CHECKOUT = pathlib.Path(__file__).resolve().parent.parent.parent
-PAGES = ["README.md", "docs/speed.md", "docs/golden.md"]
-# What is measured, a file each; in several rounds everybody comes in turn. Rounds are so few that all of it takes
-# eight to ten minutes on two quiet cores, of which one round of the engines is two and a half or more.
+CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(CHECKOUT / "tests" / "benchmark"))
+from runner import accuracy, charts, comparing, drawing, engine, recording  # noqa: E402
+from runner.common import time_text, times_text  # noqa: E402
+
+PAGES = ["README.md", "docs/speed.md", "docs/golden.md", "docs/accuracy.md"]
+# What is measured, a file each. Rounds are so few that all but accuracy takes eight to ten minutes on two quiet cores,
+# of which one round of the engines is two and a half or more.
 BENCHMARKS = {
-    "engine": ["--rounds", "2"],
-    "drawing": ["--render", "1500-720p"],
-    "recording": ["--record", "pyramid", "tumbler", "asleep", "pictures", "--rounds", "1"],  # seconds each
-    "comparing": ["--golden", "--rounds", "3"],  # medians of thirty pairs
+    "engine": (engine.Engine(), ["--rounds", "2"]),
+    "drawing": (drawing.Drawing(), ["1500-720p"]),
+    "recording": (recording.Recording(), ["pyramid", "tumbler", "asleep", "pictures", "--rounds", "1"]),  # seconds each
+    "comparing": (comparing.Comparing(), ["--rounds", "3"]),  # medians of thirty pairs
+    "accuracy": (accuracy.Accuracy(), []),
 }
+CHARTED = ["C-double-pendulum", "D-chain-1000", "I-pair", "J-stack-30"]  # of the cases of accuracy
 # Of the README: scenes, and rows of the toolkit.
 SHORT_SCENES = ["large-pyramid", "tumbler", "rain", "ragdolls", "bullets"]
 SHORT_TASKS = ["frame", "film", "frames compared"]
 TABLE = re.compile(r"(<!-- table: (\S+) -->\n).*?(<!-- /table -->)", re.DOTALL)
 
 
-def time_text(seconds):
-    """7.26 ms, 350 µs: three digits, as the chart writes them."""
-    for unit, scale in (("s", 1.0), ("ms", 1e-3)):
-        if seconds >= 0.9995 * scale:
-            return digits(seconds / scale) + " " + unit
-    return digits(seconds / 1e-6) + " µs"
-
-
-def digits(value):
-    if value >= 999.5:
-        return f"{float(f'{value:.3g}'):,.0f}"
-    return f"{value:.{0 if value >= 99.95 else 1 if value >= 9.995 else 2 if value >= 0.0995 else 3}f}"
-
-
-def times_text(ratio):
-    return digits(ratio) + "×"
-
-
 def rows_text(heads, rows):
+    """A table in Markdown."""
     lines = [heads, ["---"] * len(heads)] + rows
     return "".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |\n" for line in lines)
 
@@ -64,85 +54,76 @@ def rows_text(heads, rows):
 # ---------------------------------------------------------------------------------------------- the engine
 
 
-def peer_of(scene, name):
-    return next((engine for engine in scene["engines"] if engine["engine"] == name), {})
+def engine_cell(result, name):
+    """What a peer takes, with the ratio where it is compared."""
+    peer = next((one for one in result["methods"] if one["method"] == name), {"verdict": "–"})
+    if engine.judge_alone({"finite": False, "escaped": 0, "awake": 0, **peer}) in ("not finite", peer.get("failure")):
+        return peer["verdict"]
+    ratio, sound = peer["ratios"].get("CPU"), result["methods"][0]["verdict"] == "sound"
+    verdict = peer["verdict"] if peer["verdict"] != "sound" else "not compared"
+    return f"{time_text(peer['cpu'])} ({times_text(ratio) if ratio and sound else verdict})"
 
 
-def is_sound(engine):
-    return "failure" not in engine and "cpuSeconds" in engine and engine["finite"]
-
-
-def engine_cell(peer):
-    if not is_sound(peer):
-        return peer.get("verdict") or "–"
-    if peer.get("cpuRatio", 0.0) > 0.0:
-        return f"{time_text(peer['cpuSeconds'])} ({times_text(peer['cpuRatio'])})"
-    verdict = peer["verdict"]
-    return f"{time_text(peer['cpuSeconds'])} ({'not compared' if verdict == 'sound' else verdict})"
-
-
-def engine_names(scenes):
-    """Ours first."""
-    return list(dict.fromkeys(engine["engine"] for scene in scenes for engine in scene["engines"]))
+def methods_of(results):
+    """Their names, ours first."""
+    return list(dict.fromkeys(one["method"] for result in results for one in result["methods"]))
 
 
 def engine_table(figures):
-    scenes = figures["engine"]["scenes"]
-    names = engine_names(scenes)
-    rows, notes = [], []
-    for scene in scenes:
-        ours = scene["engines"][0]
-        rows.append([scene["what"], time_text(ours["cpuSeconds"]) if is_sound(ours) else ours["verdict"]]
-                    + [engine_cell(peer_of(scene, name)) for name in names[1:]])
+    """Every scene, beside the peers."""
+    names, rows, notes = methods_of(figures["engine"]), [], []
+    for result in figures["engine"]:
+        ours = result["methods"][0]
+        rows.append([result["what"], time_text(ours["cpu"]) if "cpu" in ours else ours["verdict"],
+                     *(engine_cell(result, name) for name in names[1:])])
         if ours["verdict"] != "sound":
-            notes.append(f"Not compared: {scene['what']}; of boxreel's run: {ours['verdict']}.")
-    return rows_text(["scene"] + names, rows) + "".join("\n" + note + "\n" for note in notes)
+            notes.append(f"Not compared: {result['what']}; of boxreel's run: {ours['verdict']}.")
+    return rows_text(["scene", *names], rows) + "".join("\n" + note + "\n" for note in notes)
 
 
 # ---------------------------------------------------------------------------------------------- the toolkit
 
 
-def case_of(figures, name):
-    return next((case for case in figures["cases"] if case["case"] == name), {"methods": []})
+def case_of(results, name):
+    """The result of a case, if there is one."""
+    return next((one for one in results if one["case"] == name), {"methods": []})
 
 
-def drawing_rows(figures):
-    methods = [m for m in case_of(figures, "1500-720p")["methods"]
-               if "failure" not in m and not m["wrong"] and m["rasterThreads"] == "0"]
-    ours = next((m for m in methods if m["ours"]), None)
-    cairo = next((m for m in methods if re.fullmatch(r"Cairo [\d.]+", m["method"])), None)
-    if ours and cairo:
-        # Cairo knows nothing of the frame before: it draws all of it.
-        whole = cairo["frames"]["full"]["cpuSeconds"]
-        for key, task, work in (("frame", "a frame of 1500 shapes, 1280 x 720", "full"),
-                                ("frame changed", "the same where 5 % of it changes, in one place", "together")):
-            yield key, task, ours["frames"][work]["cpuSeconds"], cairo["method"], whole
+def drawing_rows(results):
+    """Our frames beside Cairo's, which knows nothing of the frame before: it draws all of it."""
+    sound = [one for one in case_of(results, "1500-720p")["methods"] if not one["wrong"] and one["threads"] == "0"]
+    ours = next((one for one in sound if one["ours"]), None)
+    cairo = next((one for one in sound if re.fullmatch(r"Cairo [\d.]+", one["method"])), None)
+    for key, task, work in (("frame", "a frame of 1500 shapes, 1280 x 720", "full"),
+                            ("frame changed", "the same where 5 % of it changes, in one place", "together")):
+        if ours and cairo:
+            yield key, task, ours["works"][work]["cpu"], cairo["method"], cairo["works"]["full"]["cpu"]
 
 
-def recording_rows(figures):
+def recording_rows(results):
+    """Films that are sound."""
     for case, key, task in (("pyramid", "film", "{} frames of the pyramid to MP4"),
                             ("tumbler", "film of tumbler", "{} frames of the tumbler to MP4"),
                             ("asleep", "film asleep", "{} frames of the pyramid at rest to MP4"),
                             ("pictures", "pictures", "{} frames of the tumbler to PNG files")):
-        methods = {m["role"]: m for m in case_of(figures, case)["methods"] if m.get("verdict") == "sound"}
-        for role, words in (("encodeOnly", "{}, which only encodes"), ("immediate", "{}")):
-            if "boxreel" in methods and role in methods:
-                peer = methods[role]
-                yield (key if role == "encodeOnly" else "", task.format(methods["boxreel"]["frames"]),
-                       methods["boxreel"]["wallSeconds"], words.format(peer["method"].replace(", raw file", "")), peer["wallSeconds"])
+        films = {one["role"]: one for one in case_of(results, case)["methods"] if one["verdict"] == "sound"}
+        for role in recording.PEERS:
+            if "boxreel" in films and role in films:
+                ours, peer = films["boxreel"], films[role]
+                yield (key if role == "encodeOnly" else "", task.format(ours["frames"]), ours["wall"], peer["method"],
+                       peer["wall"])
 
 
-def comparing_rows(figures):
-    def median(method, clock):
-        times = [p[clock] for p in method.get("pictures", []) if p[clock] is not None]
-        return statistics.median(times) if times else None
-
-    ours = next((m for m in figures["methods"] if m["ours"]), {})
-    for clock, key, task in (("decodedSeconds", "frames compared", "two frames of 1280 x 720 compared"),
-                             ("processSeconds", "files compared", "two PNG files of 1280 x 720 compared, a process each")):
-        for method in figures["methods"]:
-            if not method["ours"] and "," not in method["method"] and median(method, clock) and median(ours, clock):
-                yield key, task, median(ours, clock), method["method"], median(method, clock)
+def comparing_rows(results):
+    """Medians over all pictures, of the peers with their default settings."""
+    methods = comparing.together(results)
+    ours = next((one for one in methods if one["ours"]), {})
+    for clock, key, task in (("decoded", "frames compared", "two frames of 1280 x 720 compared"),
+                             ("process", "files compared", "two PNG files of 1280 x 720 compared, a process each")):
+        for one in methods:
+            both = [comparing.times(method, clock) for method in (ours, one)]
+            if not one["ours"] and "," not in one["method"] and all(both):
+                yield key, task, statistics.median(both[0]), one["method"], statistics.median(both[1])
 
 
 # Of the changes that are planted, with a name that is as short as a column.
@@ -151,7 +132,8 @@ CHANGES = {"body": "body 1 cm", "line": "line missing", "fill": "fill off by 4",
 
 
 def finding_text(method, change, truth):
-    calls = [p["different"] for p in method["pictures"] if p["change"] == change]
+    """How often a change is called different; bold is wrong."""
+    calls = [one["different"] for one in method["pictures"] if one["change"] == change]
     different = sum(calls)
     if truth == "equal":
         return "equal" if different == 0 else "**different**" if different == len(calls) else f"**{different} different**"
@@ -159,47 +141,55 @@ def finding_text(method, change, truth):
 
 
 def comparing_table(figures):
-    comparing = figures["comparing"]
-    truths = {c["change"]: c["truth"] for c in comparing["changes"]}
+    """What each method finds."""
+    results = figures["comparing"]
+    truths = {one["change"]: one["truth"] for one in results[0]["changes"]}
     rows = [["is to be called"] + [truths[change] for change in CHANGES] + [""]]
-    for method in comparing["methods"]:
+    for method in comparing.together(results):
         found = [finding_text(method, change, truths[change]) for change in CHANGES]
-        process = statistics.median(p["processSeconds"] for p in method["pictures"])
-        rows.append([method["method"], *found, time_text(process)])
-    return rows_text(["", *CHANGES.values(), "a process"], rows) + "\n" + machine_text(figures)
+        rows.append([method["method"], *found, time_text(statistics.median(comparing.times(method, "process")))])
+    return rows_text(["", *CHANGES.values(), "a process"], rows) + "\n" + machine_text(figures, "comparing")
 
 
 def toolkit_rows(figures):
-    return [*drawing_rows(figures["drawing"]), *recording_rows(figures["recording"]),
-            *comparing_rows(figures["comparing"])]
+    """All tasks of the toolkit."""
+    return [*drawing_rows(figures["drawing"]), *recording_rows(figures["recording"]), *comparing_rows(figures["comparing"])]
 
 
 def toolkit_table(figures):
+    """Pictures, films and comparisons beside their peers."""
     rows = [[task, time_text(ours), f"{peer}: {time_text(theirs)}", times_text(theirs / ours)]
             for _, task, ours, peer, theirs in toolkit_rows(figures)]
-    version = engine_names(figures["engine"]["scenes"])[0]
-    absent = "".join(f"\n{sentence}\n" for sentence in figures["comparing"]["absent"])
-    return rows_text(["task", version, "peer", "times faster"], rows) + absent
+    absent = "".join(f"\n{sentence}.\n" for sentence in figures["comparing"][0]["absent"])
+    return rows_text(["task", methods_of(figures["engine"])[0], "peer", "times faster"], rows) + absent
 
 
 def short_table(figures):
+    """That of the README."""
     rows = []
     for name in SHORT_SCENES:
-        scene = next((s for s in figures["engine"]["scenes"] if s["scene"] == name), None)
-        peers = [e for e in scene["engines"] if e["engine"].startswith("Box2D") and is_sound(e)] if scene else []
-        if peers and peers[0].get("cpuRatio", 0.0) > 0.0:
-            rows.append(["a step: " + scene["what"], time_text(scene["engines"][0]["cpuSeconds"]),
-                         f"{peers[0]['engine']}: {time_text(peers[0]['cpuSeconds'])}", times_text(peers[0]["cpuRatio"])])
+        result = case_of(figures["engine"], name)
+        peer = next((one for one in result["methods"] if engine.is_goal_peer(one["method"])), {})
+        if peer.get("ratios", {}).get("CPU") and result["methods"][0]["verdict"] == "sound":
+            rows.append(["a step: " + result["what"], time_text(result["methods"][0]["cpu"]),
+                         f"{peer['method']}: {time_text(peer['cpu'])}", times_text(peer["ratios"]["CPU"])])
     seen = set()
     for key, task, ours, peer, theirs in toolkit_rows(figures):
         if key in SHORT_TASKS and key not in seen:
             seen.add(key)
             rows.append([task, time_text(ours), f"{peer}: {time_text(theirs)}", times_text(theirs / ours)])
-    return rows_text(["task", "boxreel", "peer", "times faster"], rows) + "\n" + machine_text(figures)
+    return rows_text(["task", "boxreel", "peer", "times faster"], rows) + "\n" + machine_text(figures, "engine")
 
 
-def machine_text(figures):
-    machine = figures["machine"]
+def accuracy_table(figures):
+    """The summary of all cases."""
+    tables = [accuracy.summary(figures["accuracy"], steps) for steps in (2, 4)]
+    return "```text\n" + "\n".join(tables) + "```\n\n" + machine_text(figures, "accuracy")
+
+
+def machine_text(figures, name):
+    """When and where a benchmark was measured, and whether anything else ran."""
+    machine = figures["machine"][name]
     if machine["load"] >= 0.5:
         others = f"**preliminary: other programs ran** (a load of {machine['load']:.1f} before the first benchmark)"
     elif "others" in machine:
@@ -209,12 +199,14 @@ def machine_text(figures):
     return f"Measured on {machine['date']} on {machine['processor']}, {machine['processors']} processors; {others}.\n"
 
 
-TABLES = {"comparing": comparing_table, "engine": engine_table, "toolkit": toolkit_table, "short": short_table, "machine": machine_text}
+TABLES = {"accuracy": accuracy_table, "comparing": comparing_table, "engine": engine_table, "toolkit": toolkit_table,
+          "short": short_table, "machine": lambda figures: machine_text(figures, "engine")}
 
 # ---------------------------------------------------------------------------------------------- what is done
 
 
 def machine():
+    """The machine as it is before a measurement."""
     model = re.search(r"^model name\s*:\s*(.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     return {"date": time.strftime("%Y-%m-%d"), "load": os.getloadavg()[0], "processors": os.cpu_count(),
             "processor": model[1].strip() if model else os.uname().machine}
@@ -233,53 +225,65 @@ def own_seconds():
 
 
 def write_json(checkout, name, content):
+    """A file of docs/speed."""
     path = checkout / "docs/speed" / (name + ".json")
     path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
-def measure(checkout, program):
+def kept(name, data):
+    """Of accuracy what tables and charts show: a whole sweep is a megabyte."""
+    for result in data["results"] if name == "accuracy" else []:
+        if result["case"] not in CHARTED:
+            shown = [accuracy.usual(result, method, steps) for method in accuracy.engines_of(result) for steps in (2, 4)]
+            result["runs"] = [one for one in result["runs"] if any(one is other for other in shown)]
+    return data
+
+
+def measure(checkout, names):
+    """Runs benchmarks into their files."""
     about = machine()
     begun_all, busy, own = time.monotonic(), busy_seconds(), own_seconds()
-    for name, options in BENCHMARKS.items():
+    for name in names:
+        benchmark, options = BENCHMARKS[name]
         begun = time.monotonic()
-        done = subprocess.run([program, "bench", *options, "--json"], stdout=subprocess.PIPE, check=False)
+        words = [checkout / "boxreel", "bench", benchmark.name, *options, "--json", "-"]
+        done = subprocess.run(words, stdout=subprocess.PIPE, check=False)
         if done.returncode != 0:
-            sys.exit(f"`boxreel bench {' '.join(options)}` ended with {done.returncode}; see above what it lacks.")
-        write_json(checkout, name, json.loads(done.stdout))
+            sys.exit(f"`{' '.join(map(str, words[1:]))}` ended with {done.returncode}; see above what it lacks.")
+        write_json(checkout, name, kept(name, json.loads(done.stdout)))
         print(f"{name}: {time.monotonic() - begun:.0f} s", file=sys.stderr)
     span = (time.monotonic() - begun_all) * about["processors"]
     about["others"] = round(max(0.0, busy_seconds() - busy - (own_seconds() - own)) / span, 4)
-    write_json(checkout, "machine", about)
+    machines = json.loads((checkout / "docs/speed/machine.json").read_text(encoding="utf-8"))
+    write_json(checkout, "machine", {**machines, **dict.fromkeys(names, about)})
 
 
 def read(checkout):
+    """All figures, judged again."""
     folder = checkout / "docs/speed"
-    return {name: json.loads((folder / (name + ".json")).read_text(encoding="utf-8")) for name in [*BENCHMARKS, "machine"]}
+    files = {name: json.loads((folder / (name + ".json")).read_text(encoding="utf-8")) for name in [*BENCHMARKS, "machine"]}
+    for name, (benchmark, _) in BENCHMARKS.items():
+        files[name] = files[name]["results"]
+        for result in files[name]:
+            benchmark.judge(result)
+    return files
 
 
 def filled(text, figures):
+    """A page with the tables of these figures."""
     return TABLE.sub(lambda found: f"{found[1]}\n{TABLES[found[2]](figures)}\n{found[3]}", text)
 
 
-def draw(checkout, program, chart):
-    subprocess.run([program, "bench", "--from", checkout / "docs/speed/engine.json", "--chart", chart, "--force"],
-                   check=True, stdout=subprocess.DEVNULL)
+def drawn(figures):
+    """The charts of the pages, by the paths of their files."""
+    made = {"docs/speed/engine": BENCHMARKS["engine"][0].drawn(figures["engine"])[""]}
+    cases = [result for result in figures["accuracy"] if result["case"] in CHARTED]
+    made |= {f"docs/figures/accuracy-{name}": chart for name, chart in BENCHMARKS["accuracy"][0].drawn(cases).items()}
+    return {f"{stem}-{theme}.svg": charts.draw(chart, theme, "svg") for stem, chart in made.items() for theme in charts.THEMES}
 
 
-def shows_the_same(program, one, other):
-    """Whether two SVGs show the same. Versions of Cairo write the same picture in different elements and units."""
-    if one.read_bytes() == other.read_bytes():
-        return True
-    with tempfile.TemporaryDirectory() as folder:
-        pictures = [pathlib.Path(folder) / "one.png", pathlib.Path(folder) / "other.png"]
-        for drawing, picture in zip((one, other), pictures):
-            box = re.search(r'viewBox="0 0 (\d+) (\d+)"', drawing.read_text(encoding="utf-8"))
-            subprocess.run(["rsvg-convert", "-w", box[1], "-h", box[2], "-o", picture, drawing], check=True)
-        run = subprocess.run([program, "diff", *pictures, "--preset", "exact"], stdout=subprocess.DEVNULL)
-    return run.returncode == 0
-
-
-def findings(checkout, program=None):
+def findings(checkout):
+    """A sentence for each thing that is not what the figures say; charts of another matplotlib are not compared."""
     figures = read(checkout)
     remedy = "; run docs/speed/speed.py write."
     named = set()
@@ -290,36 +294,39 @@ def findings(checkout, program=None):
             if found[0] != filled(found[0], figures):
                 yield f"The table '{found[2]}' of {page} is not what docs/speed/*.json say" + remedy
     page = (checkout / "docs/speed.md").read_text(encoding="utf-8")
-    for name, options in BENCHMARKS.items():
-        command = f"./boxreel bench {' '.join(options)} --json > {name}.json"
-        if command not in page:
+    for name, (benchmark, options) in BENCHMARKS.items():
+        command = f"./boxreel bench {' '.join([benchmark.name, *options])} --json {name}.json"
+        if name != "accuracy" and command not in page:
             yield f"docs/speed.md does not show what measures: {command}"
     for name in TABLES.keys() - named:
         yield f"No page has the table '{name}'; put its two comments back."
-    if program:
-        with tempfile.TemporaryDirectory() as folder:
-            chart = pathlib.Path(folder) / "engine.svg"
-            draw(checkout, program, chart)
-            if not shows_the_same(program, checkout / "docs/speed/engine.svg", chart):
-                yield "docs/speed/engine.svg is not what docs/speed/engine.json says" + remedy
+    try:
+        version = f"Matplotlib v{importlib.metadata.version('matplotlib')}".encode()
+    except importlib.metadata.PackageNotFoundError:
+        return
+    for path, data in drawn(figures).items():
+        stored = (checkout / path).read_bytes()
+        if stored != data and version in stored:
+            yield f"{path} is not what docs/speed/*.json say" + remedy
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[1] not in ("measure", "write", "check"):
+    """Runs the command; its exit code."""
+    action, *names = sys.argv[1:] or [""]
+    if action not in ("measure", "write", "check") or (names and action != "measure") or not set(names) <= BENCHMARKS.keys():
         sys.exit(__doc__.strip())
-    program = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) == 3 else None
-    if sys.argv[1] == "check":
-        found = list(findings(CHECKOUT, program))
+    if action == "check":
+        found = list(findings(CHECKOUT))
         print("\n".join(found), file=sys.stderr, end="\n" if found else "")
         return 1 if found else 0
-    program = program or CHECKOUT / "boxreel"
-    if sys.argv[1] == "measure":
-        measure(CHECKOUT, program)
+    if action == "measure":
+        measure(CHECKOUT, names or [name for name in BENCHMARKS if name != "accuracy"])
     figures = read(CHECKOUT)
     for page in PAGES:
         path = CHECKOUT / page
         path.write_text(filled(path.read_text(encoding="utf-8"), figures), encoding="utf-8")
-    draw(CHECKOUT, program, CHECKOUT / "docs/speed/engine.svg")
+    for path, data in drawn(figures).items():
+        (CHECKOUT / path).write_bytes(data)
     return 0
 
 

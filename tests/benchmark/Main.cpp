@@ -302,8 +302,8 @@ int List()
 {
     for (const Scene& scene : AllScenes())
     {
-        std::printf("{\"scene\":\"%s\",\"what\":\"%s\",\"curve\":\"%s\",\"count\":%d,"
-                    "\"onlyForCurve\":%s,\"found\":\"%s\",\"comparesSpeeds\":%s}\n",
+        std::printf("{\"case\":\"%s\",\"what\":\"%s\",\"curve\":\"%s\",\"count\":%d,"
+                    "\"onlyNamed\":%s,\"found\":\"%s\",\"comparesSpeeds\":%s}\n",
                     scene.name.c_str(), scene.what.c_str(), scene.curve.c_str(), scene.count,
                     Text(scene.onlyForCurve), scene.found.c_str(),
                     Text(scene.likeness == Likeness::Speeds));

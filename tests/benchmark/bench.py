@@ -10,22 +10,21 @@ import argparse
 import difflib
 import json
 import os
+import re
 import signal
 import statistics
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, Iterator, NoReturn
 
 sys.dont_write_bytecode = True
 from runner import accuracy, charts, comparing, drawing, engine, recording  # noqa: E402
-from runner.common import (FAILED, Problem, Result, check_outputs, note, read_results, table,  # noqa: E402
-                           time_text, times_text, unusable, write_whole)
+from runner.common import (FAILED, Benchmark, Problem, Result, check_outputs, is_number, note, read_results,  # noqa: E402
+                           table, time_text, times_text, unusable, write_whole)
 
-CHECKOUT = Path(__file__).resolve().parents[2]
-# A benchmark is a module: WHAT, cases, measure, judge, text, drawn, rivals.
-BENCHMARKS = {"engine": engine, "curve": engine, "accuracy": accuracy, "render": drawing, "record": recording,
-              "golden": comparing}
+BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
+    engine.Engine(), engine.Curve(), accuracy.Accuracy(), drawing.Drawing(), recording.Recording(), comparing.Comparing())}
 
 
 class Parser(argparse.ArgumentParser):
@@ -35,46 +34,32 @@ class Parser(argparse.ArgumentParser):
         raise Problem(f"{message}; `{self.prog} --help` shows what there is")
 
 
-def count(text: str) -> int:
-    """A whole number from 1 on."""
-    if not text.isdecimal() or not 1 <= int(text) <= 100_000:
-        raise argparse.ArgumentTypeError(f"'{text}' is no whole number from 1 to 100000")
-    return int(text)
-
-
-def counts(text: str) -> list[int]:
-    """Thread counts, each once."""
-    numbers = [count(word) for word in text.split(",")]
-    if len(set(numbers)) < len(numbers) or max(numbers) > 64:
-        raise argparse.ArgumentTypeError(f"'{text}' names a count twice, or one above 64")
-    return numbers
-
-
-def even_size(text: str) -> tuple[int, int]:
-    """WxH; films are compared in a format whose sides are even."""
-    sides = [count(word) for word in text.split("x")]
-    if len(sides) != 2 or any(side % 2 for side in sides):
-        raise argparse.ArgumentTypeError(f"'{text}' is no size with even sides such as 640x360")
-    return sides[0], sides[1]
+def matching(pattern: str, what: str, most: int) -> Any:
+    """A reader of whole numbers from 1 to `most` between other signs."""
+    def read(text: str) -> list[int]:
+        numbers = [int(word) for word in re.findall(r"\d+", text)]
+        if not re.fullmatch(pattern, text) or not all(1 <= number <= most for number in numbers):
+            raise argparse.ArgumentTypeError(f"'{text}' is no {what}, with numbers from 1 to {most}")
+        return numbers
+    return read
 
 
 def parse(words: list[str]) -> argparse.Namespace:
     """The options. What goes with --from is only what shows results."""
     parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `./boxreel bench NAME --help` tells more.")
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
-    for name, module in BENCHMARKS.items():
-        what = module.WHAT if name != "curve" else "time steps with 200 to 200,000 static or sleeping bodies"
-        command = commands.add_parser(name, help=what, description=what[0].upper() + what[1:] + ".", allow_abbrev=False)
+    for name, one in BENCHMARKS.items():
+        command = commands.add_parser(name, help=one.what, description=f"{one.what[0].upper()}{one.what[1:]}.", allow_abbrev=False)
         add = command.add_argument
-        if name != "curve":
-            add("cases", nargs="*", metavar="CASE", help="cases to run, such as those of --list (default: all)")
+        add("cases", nargs="*", metavar="CASE", help="cases to run, such as those of --list (default: all)")
         add("--list", action="store_true", help="print the cases")
-        add("--rounds", type=count, metavar="N", help="times that each method runs, in turn (default: 3)")
-        if module is engine:
-            add("--threads", type=counts, metavar="N[,N...]", help="thread counts of boxreel (default: 1)")
+        add("--rounds", type=matching(r"\d{1,4}", "whole number", 1000), metavar="N", help="times that each method runs, in turn (3)")
+        if name in ("engine", "curve"):
+            add("--threads", type=matching(r"\d{1,2}(,\d{1,2})*", "list such as 1,2", 64), metavar="N[,N...]", help="of boxreel (1)")
         if name == "record":
-            add("--frames", type=count, metavar="N", help="frames of the films (default: those of the case)")
-            add("--size", type=even_size, metavar="WxH", help="size of the films (default: that of the case)")
+            add("--frames", type=matching(r"\d{1,6}", "whole number", 100_000), metavar="N", help="of the films (those of the case)")
+            add("--size", type=matching(r"\d{0,3}[02468]x\d{0,3}[02468]", "even size such as 640x360", 8192), metavar="WxH",
+                help="of the films (that of the case)")
         if name == "golden":
             add("--peers", metavar="DIR", help="folder where `npm install odiff-bin pixelmatch` was run (BOXREEL_PEERS)")
         source = command.add_mutually_exclusive_group()
@@ -93,43 +78,38 @@ def parse(words: list[str]) -> argparse.Namespace:
     for chart in options.chart:
         if chart.suffix not in (".png", ".svg"):
             raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
-    options.rounds, options.threads = options.rounds or 3, getattr(options, "threads", None) or [1]
+    for name, default in (("rounds", [3]), ("frames", [0])):
+        setattr(options, name, (getattr(options, name, None) or default)[0])
+    options.threads = list(dict.fromkeys(getattr(options, "threads", None) or [1]))
     return options
 
 
 def choose(cases: list[Result], options: argparse.Namespace) -> list[Result]:
     """The cases that were named, else those that are run by default."""
-    names, known = getattr(options, "cases", []), {one["case"]: one for one in cases}
-    if options.benchmark == "curve":
-        return [one for one in cases if one["curve"]]
-    for name in names:
-        if name not in known and (options.source or options.benchmark != "golden"):  # that takes any scene
+    known = {one["case"]: one for one in cases}
+    for name in options.cases:
+        if name not in known and (options.source or options.benchmark != "golden"):  # which takes any scene
             near = "".join(f"; did you mean '{word}'?" for word in difflib.get_close_matches(name, known, 1))
             raise Problem(f"unknown case '{name}'; `./boxreel bench {options.benchmark} --list` shows all{near}")
-        if names.count(name) > 1:
+        if options.cases.count(name) > 1:
             raise Problem(f"'{name}' is named twice; give it once")
-    return [known.get(name, {"case": name, "what": "this scene"}) for name in names] or [
-        one for one in cases if not one.get("onlyForCurve") and not one.get("onlyNamed")]
+    return [known.get(name, {"case": name, "what": "this scene"}) for name in options.cases] or [
+        one for one in cases if options.source or not one.get("onlyNamed")]
 
 
-def chart_path(path: Path, name: str, theme: str) -> Path:
-    """error.svg becomes error-A-projectile-dark.svg."""
-    return path.with_name("-".join(word for word in (path.stem, name, theme) if word) + path.suffix)
+def measured(benchmark: Benchmark, build: Path, case: Result, options: argparse.Namespace) -> Result:
+    """The figures of a case, with a folder that is removed afterwards."""
+    with tempfile.TemporaryDirectory(prefix="boxreel-bench-") as work:
+        return benchmark.measure(build, case, options, Path(work))
 
 
-def themes(options: argparse.Namespace) -> dict[str, str]:
-    """What the names of charts have besides, and the theme."""
-    return {"light": "light", "dark": "dark"} if options.theme == "both" else {"": options.theme}
-
-
-def measured(module: Any, build: Path, cases: list[Result], options: argparse.Namespace) -> list[Result]:
+def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> list[Result]:
     """The results of all cases, or of those before a signal to stop."""
     results: list[Result] = []
     try:
         for case in cases:
             note(f"{case['case']}: {case['what']}")
-            with tempfile.TemporaryDirectory(prefix="boxreel-bench-") as work:
-                results.append(module.measure(build, case, options, Path(work)))
+            results.append(measured(benchmark, build, case, options))
     except KeyboardInterrupt:
         if not results:
             raise
@@ -137,78 +117,91 @@ def measured(module: Any, build: Path, cases: list[Result], options: argparse.Na
     return results
 
 
-def against(module: Any, build: Path, cases: list[Result], options: argparse.Namespace) -> tuple[str, list[Result]]:
+def leaves(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """What a result holds, by the names on the way; settings tell runs and methods apart."""
+    if isinstance(value, dict):
+        name = " ".join(str(value[key]) for key in ("role", "change", *accuracy.SETTINGS) if key in value)
+        for key, inner in value.items():
+            yield from leaves(inner, f"{path} {name} {key}")
+    elif isinstance(value, list):
+        for number, inner in enumerate(value):
+            yield from leaves(inner, f"{path} {number}" if len(value) > 1 and isinstance(inner, dict) else path)
+    else:
+        yield " ".join(path.split()), value
+
+
+TIMES, SAME = ("cpu", "wall", "process"), ("bits", "error", "rms", "bytes", "different")
+
+
+def against(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> tuple[str, list[Result]]:
     """Both builds alternately: the median of the rounds' ratios, and their spread."""
-    rows = [["case", "", "this build", "other build", "other/this", "spread", "results"]]
-    results = []
+    rounds, options.rounds = options.rounds, 1
+    rows, results = [["case", "", "this build", "other build", "other/this", "spread", "results"]], []
     for case in cases:
         note(f"{case['case']}: {case['what']}")
-        rounds: dict[Path, list[Any]] = {build: [], options.against: []}
-        for number in range(options.rounds):
-            for folder in sorted(rounds, key=lambda folder: folder == build, reverse=number % 2 == 0):
-                with tempfile.TemporaryDirectory(prefix="boxreel-bench-") as work:
-                    rounds[folder].append(module.rivals(folder, case, options, Path(work)))
-        ours, others = rounds.values()
-        same = len({bits for _, bits in [*ours, *others]}) == 1
-        for name in ours[0][0].keys() & others[0][0].keys():
-            pairs = [(one[name], other[name]) for (one, _), (other, _) in zip(ours, others)]
+        runs: dict[Path, list[Result]] = {build: [], options.against: []}
+        for number in range(rounds):
+            for folder in list(runs)[::1 if number % 2 == 0 else -1]:
+                result = measured(benchmark, folder, case, options)
+                runs[folder].append(dict(leaves({key: result[key] for key in ("methods", "runs") if key in result})))
+        ours, others = runs.values()
+        same = all(one[name] == ours[0][name] for one in ours + others for name in one if name.split()[-1] in SAME)
+        for name in (name for name, value in ours[0].items() if name.split()[-1] in TIMES and is_number(value) and value):
+            pairs = [(one[name], other[name]) for one, other in zip(ours, others)]
             ratios = sorted(other / one for one, other in pairs)
             results.append({"case": case["case"], "figure": name, "seconds": pairs, "ratio": statistics.median(ratios),
-                            "ratios": ratios, "sameResults": same})
+                            "lowest": ratios[0], "highest": ratios[-1], "sameResults": same})
             rows.append([case["case"], name, *(time_text(statistics.median(times)) for times in zip(*pairs)),
                          times_text(statistics.median(ratios)), f"{times_text(ratios[0])} to {times_text(ratios[-1])}",
                          "same" if same else "DIFFERENT"])
-    return table("<<>>>><", [rows[0], *sorted(rows[1:])]), results
+    return table("<<>>>><", rows), results
 
 
-def show(module: Any, results: list[Result], options: argparse.Namespace) -> None:
-    """Prints, writes and draws results."""
-    name = options.benchmark if options.benchmark != "curve" else "engine"
+def show(benchmark: Benchmark, results: list[Result], options: argparse.Namespace) -> None:
+    """Judges results, prints, writes and draws them."""
+    suffixes = {"-light": "light", "-dark": "dark"} if options.theme == "both" else {"": options.theme}
     try:
         for result in results:
-            module.judge(result)
-        shown = module.text(results)
-        drawn = (engine.drawn_curve if options.benchmark == "curve" else module.drawn)(results) if options.chart else {}
-        pictures = {chart_path(path, part, suffix): charts.draw(chart, theme, path.suffix[1:]) for path in options.chart
-                    for part, chart in drawn.items() for suffix, theme in themes(options).items()}
+            benchmark.judge(result)
+        shown, drawn = benchmark.text(results), benchmark.drawn(results) if options.chart else {}
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, ArithmeticError, StopIteration) as error:
         if not options.source:
             raise
-        raise unusable(options.source, name, error) from error
-    write_json(name, results, options)
-    print(shown if options.json != "-" else "", end="")
+        raise unusable(options.source, benchmark.name, error) from error
+    output(benchmark.name, results, shown, options)
+    pictures = {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (chart, theme)
+                for path in options.chart for part, chart in drawn.items() for suffix, theme in suffixes.items()}
     check_outputs(list(pictures), options.force)
-    for path, data in pictures.items():
-        write_whole(path, data)
+    for path, (chart, theme) in pictures.items():
+        write_whole(path, charts.draw(chart, theme, path.suffix[1:]))
 
 
-def write_json(name: str, results: list[Result], options: argparse.Namespace) -> None:
-    """All figures, times in seconds."""
+def output(name: str, results: list[Result], shown: str, options: argparse.Namespace) -> None:
+    """Prints the tables, or writes all figures: times in seconds, memory of the engine in kB, of films in bytes."""
     data = json.dumps({"benchmark": name, "results": results}, indent=1, ensure_ascii=False) + "\n"
-    if options.json == "-":
-        print(data, end="")
-    elif options.json:
+    print(data if options.json == "-" else shown, end="")
+    if options.json not in (None, "-"):
         write_whole(Path(options.json), data.encode())
 
 
 def main(words: list[str]) -> int:
     """Runs the command; its exit code."""
     options = parse(words)
-    module, build = BENCHMARKS[options.benchmark], Path(os.environ.get("BOXREEL_BUILD_DIR") or CHECKOUT / "build/release")
-    outputs = [Path(options.json)] if options.json not in (None, "-") else []
-    check_outputs(outputs + [chart_path(path, "", suffix) for path in options.chart for suffix in themes(options)], options.force)
+    benchmark = BENCHMARKS[options.benchmark]
+    build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
+    check_outputs([Path(path) for path in (options.json, *options.chart) if path not in (None, "-")], options.force)
     if options.chart:
         charts.check()
-    results = read_results(options.source, "engine" if options.benchmark == "curve" else options.benchmark) if options.source else []
-    cases = choose(results or module.cases(build), options)
+    results = read_results(options.source, benchmark.name) if options.source else []
+    known = results or benchmark.cases(build)
+    cases = choose(known, options)
     if options.list:
-        print(table("<<", [[one["case"], one["what"]] for one in results or module.cases(build)]), end="")
+        print(table("<<", [[one["case"], one["what"]] for one in known]), end="")
     elif options.against:
-        shown, ratios = against(module, build, cases, options)
-        write_json("against", ratios, options)
-        print(shown if options.json != "-" else "", end="")
+        shown, ratios = against(benchmark, build, cases, options)
+        output("against", ratios, shown, options)
     else:
-        show(module, cases if results else measured(module, build, cases, options), options)
+        show(benchmark, cases if results else measure_all(benchmark, build, cases, options), options)
     return 0
 
 

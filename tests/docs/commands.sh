@@ -71,14 +71,20 @@ awk -v blocks="$blocks" '
 # ------------------------------------------------------------------------------ what a reader has
 
 cp -R "$checkout/README.md" "$checkout/docs" "$folder/"
+mkdir "$folder/tests"
+ln -s "$checkout/tests/benchmark" "$folder/tests/benchmark"
 if grep -q golden "$blocks"/*; then
     mkdir "$folder/golden"
     cp -R "$checkout/golden/references" "$folder/golden/"
 fi
+python=/usr/bin/python3 # as the script does: another one that comes first may lack matplotlib
+[ -x "$python" ] || python=python3
+BOXREEL_BUILD_DIR=$(dirname "$program")
 cat >"$work/bin/boxreel" <<SCRIPT
 #!/bin/bash
 case "\${1-}" in
     test) exit 0 ;;
+    bench) shift && exec "$python" "$checkout/tests/benchmark/bench.py" "\$@" ;;
     ui) exec "$checkout/tests/docs/closed-window.sh" "$program" "\$@" ;;
     *) exec "$program" "\$@" ;;
 esac
@@ -86,7 +92,7 @@ SCRIPT
 chmod +x "$work/bin/boxreel"
 ln -s "$work/bin/boxreel" "$folder/boxreel"
 ln -s "$prefix" "$work/home/boxreel"
-export PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
+export BOXREEL_BUILD_DIR PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
 unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT
 
 # ------------------------------------------------------------------------------ what happens

@@ -8,21 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import Figures, GOALS, Problem, Result, is_met, is_number, note, objects, program, run, table, time_text, times_text, with_peers
+from .common import GOALS, Benchmark, Problem, Result, is_met, is_number, note, objects, run, table, time_text, times_text
 from .engine import PEERS, is_goal_peer
 
-WHAT = "run cases of known truth: error against time"
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
-EACH = ("velocityIterationsOfASubStep", "positionIterationsOfASubStep")  # what each sub-step gets of a step's
 SWEEP = (((4, 2), (8, 3), (20, 10), (50, 20)), (60, 120, 240, 480), (1, 2, 4, 8, 16))
 LONG = 0.3  # [s]; what takes longer by itself is timed once, for a sweep takes minutes
-FAMILIES = {"subSteps": ("-", "1 to 16 sub-steps", " sub-steps"), "hz": ("--", "60 to 480 Hz", " Hz"),
-            "velocityIterations": (":", "4/2 to 50/20 iterations", "")}  # what varies along a curve
-
-
-def cases(build: Path) -> list[Result]:
-    """All cases."""
-    return objects(run([program(build, "boxreel_bench"), "accuracy-list"]).output)
+VARIED = {"subSteps": ("-", "1 to 16 sub-steps", " sub-steps"), "hz": ("--", "60 to 480 Hz", " Hz"),
+          "velocityIterations": (":", "4/2 to 50/20 iterations", "")}  # strokes, and what is written at points
 
 
 def first_run(path: Path, case: str, settings: tuple[int, ...]) -> Result:
@@ -32,25 +25,6 @@ def first_run(path: Path, case: str, settings: tuple[int, ...]) -> Result:
     except Problem as problem:
         note(f"{path.name}: {problem}")
         return {"engine": path.name, **dict(zip(SETTINGS, settings)), "failure": "failed"}
-
-
-def measure(build: Path, case: Result, options: Any, work: Path) -> Result:
-    """All settings of all engines in turn, `rounds` times, engine by engine within a round.
-
-    The least CPU time counts: what makes a run longer is the machine's, which has slow spells longer than a run.
-    """
-    sweeps = []
-    for path in with_peers(build, "boxreel_bench", PEERS):
-        most = objects(run([path, "accuracy-list"]).output)[0]["maxSubSteps"]
-        sweeps.append([(path, (*iterations, hz, steps)) for iterations, hz, steps in itertools.product(*SWEEP)
-                       if steps <= most])
-    turns = [entry for turn in itertools.zip_longest(*sweeps) for entry in turn if entry]
-    runs = {entry: first_run(entry[0], case["case"], entry[1]) for entry in turns}
-    for (path, settings), one in list(runs.items()) * (options.rounds - 1):
-        if "failure" not in one and 0.0 < one["cpu"] * one["steps"] < LONG:
-            again = run([path, "accuracy", case["case"], *settings, one["steps"]])
-            one["cpu"] = min(one["cpu"], objects(again.output)[-1]["cpu"])
-    return {**case, "runs": [runs[entry] for sweep in sweeps for entry in sweep]}
 
 
 def of_frame(one: Result) -> float:
@@ -63,16 +37,17 @@ def ending(one: Result) -> str:
     return one.get("failure") or one["ending"] or ("" if one["held"] and is_number(one["error"]) else "not finite")
 
 
-def missed(result: Result, one: Result) -> list[str]:
-    """The goals that a run misses, such as "error" or "gap_mm"; none are met by a run that ended otherwise."""
-    return [figure for figure, goal in GOALS["accuracy"].get(result["case"], {}).items() if ending(one) or not is_met(
-        goal, one["error"] if figure == "error" else one["remarks"].get(figure))]
+def goals_of(result: Result) -> dict[str, str]:
+    """Of a case: for its error, and for remarks by their names."""
+    return GOALS["accuracy"].get(result["case"], {})
 
 
-def remarks(result: Result, one: Result) -> str:
-    """The further goals that a run misses, as "gap_mm 0.3 (<= 0.1)"."""
-    return ", ".join(f"{figure} {one['remarks'].get(figure)} ({GOALS['accuracy'][result['case']][figure]})"
-                     for figure in missed(result, one) if figure != "error" and not ending(one))
+def verdict(result: Result, one: Result) -> str:
+    """"goal met", "" where the error is too large, how else it ended, or the remarks that miss their goals."""
+    missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals_of(result).items()
+              if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
+    return ending(one) or ", ".join(missed) or ("goal met" if is_met(
+        goals_of(result).get("error", "<= inf"), one["error"]) else "")
 
 
 def usual(result: Result, engine: str, steps: int = 4) -> Result | None:
@@ -87,99 +62,104 @@ def engines_of(result: Result) -> list[str]:
     return list(dict.fromkeys(one["engine"] for one in result["runs"]))
 
 
-def judge(result: Result) -> None:
-    """Verdicts are those of single runs."""
-    for one in result["runs"]:
-        one["verdict"] = ending(one) or remarks(result, one) or ("" if missed(result, one) else "goal met")
+def summary(results: list[Result], steps: int) -> str:
+    """A row a case: what every engine reaches with its usual settings, ours with so many sub-steps."""
+    first, *others = engines_of(results[0])
+    rows = [[f"{steps} sub-steps", "goal", "", first, "", *(cell for name in others for cell in (name, "", ""))]]
+    for result in results:
+        ours, cells, slower = usual(result, first, steps), [], False
+        for engine in (first, *others):
+            one = usual(result, engine, steps)
+            timed = one and ours and "failure" not in one and "failure" not in ours
+            ratio = one["cpu"] / ours["cpu"] if timed else 1.0
+            slower = slower or (is_goal_peer(engine) and ratio < 1.0)
+            cells += [(ending(one) or f"{one['error']:.3g}") if one else "not run", time_text(one["cpu"]) if timed else ""]
+            cells += [times_text(ratio) if timed else ""] if engine != first else []
+        said = verdict(result, ours) if ours else "not run"
+        rows.append([result["case"], goals_of(result).get("error", "")[3:], result["unit"], *cells,
+                     "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
+    return table("<>>>>" + ">>>" * len(others) + "<", rows)
 
 
-def summary(results: list[Result]) -> str:
-    """A row a case: what every engine reaches with its usual settings, ours with 2 and 4 sub-steps."""
-    engines = engines_of(results[0])
-    parts = ["At 60 Hz with 8/3 iterations: the error, the CPU time of a step, and how many times that of\n"
-             "boxreel it is; slower: than Box2D.\n"]
-    for steps in (2, 4):
-        rows = [[f"{steps} sub-steps", "goal", "", engines[0], "", *(cell for name in engines[1:] for cell in (name, "", ""))]]
+class Accuracy(Benchmark):
+    """Cases with a sweep of settings each."""
+    name, what, program, peers = "accuracy", "run cases of known truth: error against time", "boxreel_bench", PEERS
+    list_words = ["accuracy-list"]
+
+    def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
+        """All settings of all engines in turn, `rounds` times; the least CPU time counts.
+
+        What makes a run longer is the machine's, which has slow spells that are longer than a run.
+        """
+        sweeps = []
+        for path in self.programs(build, options):
+            most = objects(run([path, *self.list_words]).output)[0]["maxSubSteps"]
+            sweeps.append([(path, (*iterations, hz, steps)) for iterations, hz, steps in itertools.product(*SWEEP)
+                           if steps <= most])
+        turns = [entry for turn in itertools.zip_longest(*sweeps) for entry in turn if entry]
+        runs = {entry: first_run(entry[0], case["case"], entry[1]) for entry in turns}
+        for (path, settings), one in list(runs.items()) * (options.rounds - 1):
+            if "failure" not in one and 0.0 < one["cpu"] * one["steps"] < LONG:
+                again = run([path, "accuracy", case["case"], *settings, one["steps"]])
+                one["cpu"] = min(one["cpu"], objects(again.output)[-1]["cpu"])
+        return {**case, "runs": [runs[entry] for sweep in sweeps for entry in sweep]}
+
+    def text(self, results: list[Result]) -> str:
+        """A row a run, and the summary."""
+        rows = [["case", "engine", "Hz", "iterations", "sub-steps", "each gets", "error", "", "CPU/step", "per 1/60 s", ""]]
         for result in results:
-            ours = usual(result, engines[0], steps)
-            cells, slower = [result["case"], GOALS["accuracy"].get(result["case"], {}).get("error", "")[3:], result["unit"]], False
-            for engine in engines:
-                one = usual(result, engine, steps)
-                timed = one and ours and "failure" not in one and "failure" not in ours
-                ratio = one["cpu"] / ours["cpu"] if timed else 1.0
-                slower = slower or (is_goal_peer(engine) and ratio < 1.0)
-                cells += [(ending(one) or f"{one['error']:.3g}") if one else "not run", time_text(one["cpu"]) if timed else "",
-                          *([times_text(ratio) if timed else ""] if engine != engines[0] else [])]
-            met = ours and not missed(result, ours)
-            rows.append([*cells, ("goal met, slower" if slower else "goal met") if met else
-                         f"goal not met {remarks(result, ours) if ours else ''}"])
-        parts.append(table("<>>>>" + ">>>" * (len(engines) - 1) + "<", rows))
-    return "\n".join(parts)
+            for one in result["runs"]:
+                each = [one.get(f"{kind}IterationsOfASubStep") for kind in ("velocity", "position")]
+                rows.append([
+                    result["case"], one["engine"], str(one["hz"]), f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}",
+                    str(one["subSteps"]), "/".join(str(number) for number in each if number),
+                    *(["–", "", "", ""] if "failure" in one or not is_number(one["error"]) else [
+                        f"{one['error']:.4g}", result["unit"], time_text(one["cpu"]), time_text(of_frame(one))]),
+                    verdict(result, one)])
+        return "\n".join([
+            table("<<>>>>><>><", rows), "At 60 Hz with 8/3 iterations: the error, the CPU time of a step, and how many times "
+            "that of\nboxreel it is; slower: than Box2D.\n", summary(results, 2), summary(results, 4)])
 
+    def drawn(self, results: list[Result]) -> dict[str, charts.Lines]:
+        """A chart for each case that held anywhere."""
+        made = {}
+        for result in results:
+            goal = float(goals_of(result).get("error", "<= 0")[3:])
+            floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
+            curves = [curve for color, engine in enumerate(engines_of(result))
+                      for curve in self.curves_of(result, engine, color, floor)]
+            if all(ending(one) for one in result["runs"]):
+                note(f"no run of '{result['case']}' held, so there is nothing to draw")
+                continue
+            made[result["case"]] = charts.Lines(
+                result["case"], result["what"], curves, "CPU time for 1/60 s [µs]", f"error [{result['unit']}]", [
+                    "Usual: 8 velocity and 3 position iterations, 60 Hz, and 4 sub-steps where there are any. One setting "
+                    "varies along a curve.", "Iterations are those of a step, split over its sub-steps, at least one each; "
+                    "Chipmunk has 10 for 8/3. At 480 Hz the time is that of eight steps."],
+                {stroke: words for stroke, words, _ in VARIED.values()},
+                {"o": "usual settings", "speck": "all other settings", "x": "falls, bursts or misses a further goal"},
+                (floor, "0" if goal <= 0.0 else f"≤ {floor:g}"))
+        return made
 
-def text(results: list[Result]) -> str:
-    """A row a run, and the summary."""
-    rows = [["case", "engine", "Hz", "iterations", "sub-steps", "each gets", "error", "", "CPU/step", "per 1/60 s", ""]]
-    for result in results:
-        for one in result["runs"]:
-            each = "/".join(str(one[key]) for key in EACH if one.get(key))
-            cells = [result["case"], one["engine"], str(one["hz"]), f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}",
-                     str(one["subSteps"]), each]
-            rows.append([*cells, *(["–", "", "", ""] if "failure" in one or not is_number(one["error"]) else [
-                f"{one['error']:.4g}", result["unit"], time_text(one["cpu"]), time_text(of_frame(one))]), one["verdict"]])
-    return table("<<>>>>><>><", rows) + "\n" + summary(results)
+    @staticmethod
+    def curves_of(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
+        """A curve for each setting that varies, and all other settings as specks."""
+        base, curves = usual(result, engine), []
+        own = {id(one): one for one in result["runs"] if one["engine"] == engine and "failure" not in one}
+        left = dict(own)
 
+        def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
+            mark = "x" if verdict(result, one) not in ("goal met", "") else "o" if one is base else "." if label else "speck"
+            return charts.Point(of_frame(one) * 1e6, max(one["error"], floor) if is_number(one["error"]) else None, label,
+                                mark, optional)
 
-def curves_of(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
-    """A curve for each setting that varies, and all others as specks."""
-    base, left, curves = usual(result, engine), {}, []
-
-    def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
-        failed = ending(one) or remarks(result, one)
-        return charts.Point(of_frame(one) * 1e6, max(one["error"], floor) if is_number(one["error"]) else None, label,
-                            "x" if failed else "o" if one is base else ".", optional)
-
-    left = {id(one): one for one in result["runs"] if one["engine"] == engine and "failure" not in one}
-    own = list(left.values())
-    for key, (stroke, _, unit) in FAMILIES.items():
-        line = sorted((one for one in own if base and all(
-            one[other] == base[other] for other in FAMILIES if other != key)), key=lambda one: one[key])
-        points = []
-        for one in line if len(line) > 1 else []:
-            words = f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}" if not unit else str(one[key]) + unit * (one is line[-1])
-            named = one is not base or key == "subSteps"
-            points.append(point(one, words if named else "", optional=not unit or one is not line[-1]))
-            left.pop(id(one), None)
-        curves += [charts.Curve(engine, color, stroke, points)] if points else []
-    return curves + ([charts.Curve(engine, color, "", [point(one) for one in left.values()])] if left else [])
-
-
-def drawn(results: list[Result]) -> dict[str, charts.Lines]:
-    """A chart for each case that held anywhere."""
-    made = {}
-    for result in results:
-        if all(ending(one) for one in result["runs"]):
-            note(f"no run of '{result['case']}' held, so there is nothing to draw")
-            continue
-        goal = float(GOALS["accuracy"].get(result["case"], {}).get("error", "<= 0")[3:])
-        floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
-        made[result["case"]] = charts.Lines(
-            result["case"], result["what"], [curve for color, engine in enumerate(engines_of(result))
-                                             for curve in curves_of(result, engine, color, floor)],
-            "CPU time for 1/60 s [µs]", f"error [{result['unit']}]", [
-                "Usual: 8 velocity and 3 position iterations, 60 Hz, and 4 sub-steps where there are any. One setting varies "
-                "along a curve. Iterations are those of a step,", "split over its sub-steps, at least one each; Chipmunk has "
-                "10 for 8/3. At 480 Hz the time is that of eight steps."],
-            {stroke: words for stroke, words, _ in FAMILIES.values()},
-            {"o": "usual settings", "speck": "all other settings", "x": "falls, bursts or misses a further goal"},
-            (floor, "0" if goal <= 0.0 else f"≤ {floor:g}"))
-    if not made:
-        raise Problem("no run of these cases held, so there is nothing to draw")
-    return made
-
-
-def rivals(build: Path, case: Result, options: Any, work: Path) -> Figures:
-    """For --against: the CPU time of a step with the usual settings, and the errors."""
-    runs = [first_run(program(build, "boxreel_bench"), case["case"], (8, 3, 60, steps)) for steps in (1, 2, 4)]
-    return ({f"CPU time of a step, {one['subSteps']} sub-steps": one["cpu"] for one in runs if "failure" not in one},
-            " ".join(str(one.get("error")) for one in runs))
+        for key, (stroke, _, unit) in VARIED.items():
+            line = sorted((one for one in own.values() if base and all(
+                one[other] == base[other] for other in VARIED if other != key)), key=lambda one: one[key])
+            points = []
+            for one in line if len(line) > 1 else []:
+                words = str(one[key]) + unit * (one is line[-1]) if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
+                points.append(point(one, "" if one is base and key != "subSteps" else words, not unit or one is not line[-1]))
+                left.pop(id(one), None)
+            curves += [charts.Curve(engine, color, stroke, points)] if points else []
+        return curves + ([charts.Curve(engine, color, "", [point(one) for one in left.values()])] if left else [])

@@ -15,7 +15,6 @@ from typing import Any, Iterable, NamedTuple, Sequence
 
 UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
 Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
-Figures = tuple[dict[str, float], str]  # times by their names, and what must be the same
 
 
 class Problem(Exception):
@@ -26,20 +25,55 @@ class Problem(Exception):
         self.code = code
 
 
-def note(sentence: str) -> None:
-    """Prints a line about the progress."""
-    print(f"bench: {sentence}", file=sys.stderr, flush=True)
-
-
-# --------------------------------------------------------------------------------------- programs
-
 class Ended(NamedTuple):
     """What a program printed and needed, including the processes that it waited for."""
     output: str
+    errors: str
     wall: float  # [s]
     cpu: float  # [s]
     memory: float  # max resident memory of one process [bytes]
     code: int
+
+
+class Benchmark:
+    """A kind of measurement; subclasses have the sub-command's name, what it does, and how."""
+    name = what = program = ""
+    list_words = ["list"]
+    peers: dict[str, str] = {}  # programs, and the packages that they were built with
+
+    def cases(self, build: Path) -> list[Result]:
+        """All cases; those with `onlyNamed` are run when they are named."""
+        return objects(run([program(build, self.program), *self.list_words]).output)
+
+    def programs(self, build: Path, options: Any) -> list[Path]:
+        """Our program, and unless we run alone those of the peers that were there at the build."""
+        found = [program(build, self.program)]
+        for name, package in self.peers.items() if not options.against else []:
+            try:
+                found.append(program(build, name))
+            except Problem:
+                note(f"{name} was not built and is not compared; install {package} and build again")
+        return found
+
+    def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
+        """The figures of all methods; `work` is a folder that is removed afterwards."""
+        raise NotImplementedError
+
+    def judge(self, result: Result) -> None:
+        """Adds verdicts, and in `reached` what goals are for, None where a run is broken."""
+
+    def text(self, results: list[Result]) -> str:
+        """The tables."""
+        raise NotImplementedError
+
+    def drawn(self, results: list[Result]) -> dict[str, Any]:
+        """The charts, by what is added to the names of their files."""
+        raise NotImplementedError
+
+
+def note(sentence: str) -> None:
+    """Prints a line about the progress."""
+    print(f"bench: {sentence}", file=sys.stderr, flush=True)
 
 
 def run(words: Sequence[Any], *codes: int) -> Ended:
@@ -61,14 +95,15 @@ def run(words: Sequence[Any], *codes: int) -> Ended:
             raise
         wall = time.perf_counter() - start
         code = child.returncode = os.waitstatus_to_exitcode(status)
-        if code not in (0, *codes):
-            errors.seek(0)
-            said = (errors.read().decode(errors="replace").strip() or f"it ended with {code}").splitlines()[-1]
-            raise Problem(f"running '{words[0]}' failed: {said}", code if code in (UNUSABLE, ABSENT) else FAILED)
-    return Ended(output, wall, usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss, code)
+        errors.seek(0)
+        said = errors.read().decode(errors="replace")
+    if code not in (0, *codes):
+        last = (said.strip() or f"it ended with {code}").splitlines()[-1]
+        raise Problem(f"running '{words[0]}' failed: {last}", code if code in (UNUSABLE, ABSENT) else FAILED)
+    return Ended(output, said, wall, usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss, code)
 
 
-def objects(output: str) -> list[dict[str, Any]]:
+def objects(output: str) -> list[Result]:
     """The JSON objects among the lines that a program printed; libraries may print others."""
     try:
         found = [json.loads(line) for line in output.splitlines() if line.startswith("{")]
@@ -86,19 +121,6 @@ def program(build: Path, name: str) -> Path:
         raise Problem(f"'{path}' is missing; build the target boxreel_benchmarks", ABSENT)
     return path
 
-
-def with_peers(build: Path, ours: str, peers: dict[str, str]) -> list[Path]:
-    """Our program, and those of the peers that were there at the build; `peers` has their packages."""
-    found = [program(build, ours)]
-    for name, package in peers.items():
-        try:
-            found.append(program(build, name))
-        except Problem:
-            note(f"{name} was not built and is not compared; install {package} and build again")
-    return found
-
-
-# ---------------------------------------------------------------------------------- figures, goals
 
 def is_number(value: Any) -> bool:
     """True if it is a finite number."""
@@ -123,15 +145,13 @@ def is_met(goal: str, value: float | None) -> bool:
 
 
 def goal_table(benchmark: str, results: list[Result]) -> str:
-    """A line for each goal of each case whose figure is in its `reached`; None there: of a broken run."""
+    """A line for each goal whose figure is in the `reached` of its case."""
     rows = [[result["case"], figure, digits(result["reached"][figure]), goal,
              "met" if is_met(goal, result["reached"][figure]) else "MISSED"]
             for result in results for figure, goal in GOALS[benchmark].get(result["case"], {}).items()
             if figure in result["reached"]]
     return "\n" + table("<<><<", [["goals", "", "reached", "goal", ""], *rows]) if rows else ""
 
-
-# ------------------------------------------------------------------------------------------ files
 
 def check_values(value: Any, key: str = "it") -> None:
     """Raises a ValueError for text that would not stay on its line, and numbers that nobody measures."""
@@ -141,8 +161,8 @@ def check_values(value: Any, key: str = "it") -> None:
             check_values(inner, name)
     elif isinstance(value, str) and not value.isprintable():
         raise ValueError(f"'{key}' has control characters")
-    elif isinstance(value, float) and not (math.isfinite(value) and abs(value) <= 1e100):
-        raise ValueError(f"'{key}' is {value:g}")
+    elif isinstance(value, (int, float)) and not -1e100 <= value <= 1e100:
+        raise ValueError(f"'{key}' is no number from -1e100 to 1e100")
 
 
 def read_results(path: str, benchmark: str) -> list[Result]:
@@ -187,15 +207,13 @@ def write_whole(path: Path, data: bytes) -> None:
         part.unlink(missing_ok=True)
 
 
-# ------------------------------------------------------------------------------------------- text
-
 def digits(value: float | None) -> str:
     """Three significant digits, small ones with fewer: 0.038, 4.88, 31.4, 12,300."""
     if not is_number(value):
         return "–"
-    size = abs(value)
-    if size >= 999.5:
+    if abs(value) >= 999.5:
         return f"{float(f'{value:.3g}'):,.0f}"
+    size = abs(value)
     return f"{value:.{0 if size >= 99.95 else 1 if size >= 9.995 else 2 if size >= 0.0995 else 3}f}"
 
 

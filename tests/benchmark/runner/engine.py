@@ -6,15 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import (Figures, Problem, Result, digits, goal_table, is_number, median_of, note, objects, program, run, table,
-                     time_text, times_text, with_peers)
+from .common import (Benchmark, Problem, Result, goal_table, is_number, median_of, note, objects, run, table,
+                     time_text, times_text)
 
-WHAT = "time the engine beside Box2D 2.4 and Chipmunk"
-PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
 TIMES = ("mean", "median", "p99", "cpu")  # of a step or of what the scene does instead [s]
-NOTE = ("CPU time of a step of 1/60 s, or of what the scene does instead. 8 velocity and 3 position iterations; "
-        "Chipmunk 10.")
-
+PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
 # How far our figures may lie outside those of the peers, as a share and at least: scenes are chaotic, and engines keep
 # different gaps. Over runs whose bodies begin up to 1 mm elsewhere the standard deviation of the mean height during
 # the second half is 1 to 1.4 % in the tumbler, 0.7 to 1 % with the ragdolls, 0.2 % in the rain, for Box2D 2.4 as for
@@ -25,12 +21,12 @@ CONTACTS_IN_FLIGHT = 10.0  # few of what flies about touch at a time
 # How much deeper our bodies may overlap than those of Box2D 2.4, which keeps the same skins and slop. The most that a
 # sound run of ours has more is 22 %, in the pyramid of base 100, which drifts sideways by 0.4 m in Box2D.
 DEEPER, DEEPER_LEAST = 0.25, 0.001  # share, [m]
+CURVES = {"static": ("static", "-"), "asleep": ("asleep", "--"), "asleep4": ("asleep, 4 sub-steps", ":")}
 
 
-def cases(build: Path) -> list[Result]:
-    """All scenes; those `onlyForCurve` are run when they are named, or for the curve."""
-    found = objects(run([program(build, "boxreel_bench"), "list"]).output)
-    return [{"case": one.pop("scene"), **one} for one in found]
+def is_goal_peer(engine: str) -> bool:
+    """True if goals are against this engine."""
+    return engine.startswith("Box2D 2.4")
 
 
 def run_once(path: Path, scene: str, threads: int) -> Result:
@@ -43,31 +39,11 @@ def run_once(path: Path, scene: str, threads: int) -> Result:
         return {"method": path.name, "threads": threads, "failure": "failed"}
 
 
-def measure(build: Path, case: Result, options: Any, work: Path) -> Result:
-    """Every engine and thread count `rounds` times in turn; figures are the medians of the rounds."""
-    ours, *peers = with_peers(build, "boxreel_bench", PEERS)
-    entries = [(ours, threads) for threads in options.threads] + [(peer, 1) for peer in peers]
-    rounds = [[run_once(path, case["case"], threads) for path, threads in entries] for _ in range(options.rounds)]
-    methods = []
-    for index, runs in enumerate(zip(*rounds)):
-        failed = [one for one in runs if "failure" in one]
-        figures = dict(failed[0]) if failed else median_of(runs) | {
-            "finite": all(one["finite"] for one in runs),
-            "bits": runs[0]["bits"] if len({one["bits"] for one in runs}) == 1 else "vary"}
-        methods.append({**figures, "ours": index < len(options.threads)})
-    return {**case, "methods": methods}
-
-
 def judge_alone(figures: Result) -> str:
     """What is wrong with a run by itself, or "sound"."""
     if "failure" in figures or not figures["finite"]:
         return figures.get("failure", "not finite")
     return next((f"{figures[what]:.0f} {what}" for what in ("escaped", "awake") if figures[what] > 0), "sound")
-
-
-def is_goal_peer(engine: str) -> bool:
-    """True if goals are against this engine."""
-    return engine.startswith("Box2D 2.4")
 
 
 def judge_beside(result: Result, ours: Result, peers: list[Result]) -> str:
@@ -88,102 +64,96 @@ def judge_beside(result: Result, ours: Result, peers: list[Result]) -> str:
     return next((wrong for wrong, holds in checks.items() if not holds), "sound")
 
 
-def judge(result: Result) -> None:
-    """Adds verdicts, ratios, and what goals are for."""
-    methods, first = result["methods"], result["methods"][0]
-    for one in methods:
-        one["verdict"] = judge_alone(one)
-    peers = [one for one in methods if not one["ours"] and one["verdict"] == "sound"]
-    mine = [one for one in methods if one["ours"]]
-    for one in (one for one in mine if one["verdict"] == "sound"):
-        same = one["bits"] == first.get("bits") != "vary"
-        one["verdict"] = "other bits" if not same else judge_beside(result, one, peers) if peers else "sound"
-    reached = result["reached"] = {"CPU time [µs]": first["cpu"] * 1e6, "memory [MB]": first["memory"] / 1024.0} \
-        if judge_alone(first) == "sound" else {}
-    single = next((one for one in mine if one["threads"] == 1), {"failure": "not run"})
-    for one in methods:
-        ratios = {}
-        if judge_alone(one) == judge_alone(first) == "sound" and not one["ours"]:
-            ratios = {"wallRatio": one["mean"] / first["mean"], "cpuRatio": one["cpu"] / first["cpu"]}
-        if one["ours"] and one["threads"] > 1 and judge_alone(one) == judge_alone(single) == "sound":
-            ratios["speedUp"] = single["mean"] / one["mean"]
-            reached |= {"speed-up of 2 threads": ratios["speedUp"]} if one["threads"] == 2 else {}
-        one["ratios"] = ratios
-        if is_goal_peer(one["method"]):
-            reached["times faster than Box2D 2.4"] = ratios.get("cpuRatio") if first["verdict"] == "sound" else None
+class Engine(Benchmark):
+    """Scenes by their CPU time."""
+    name, what, program, peers = "engine", "time the engine beside Box2D 2.4 and Chipmunk", "boxreel_bench", PEERS
+
+    def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
+        """Every engine and thread count `rounds` times in turn; figures are the medians of the rounds."""
+        ours, *peers = self.programs(build, options)
+        entries = [(ours, threads) for threads in options.threads] + [(peer, 1) for peer in peers]
+        rounds = [[run_once(path, case["case"], threads) for path, threads in entries] for _ in range(options.rounds)]
+        methods = []
+        for index, runs in enumerate(zip(*rounds)):
+            failed = [one for one in runs if "failure" in one]
+            figures = dict(failed[0]) if failed else median_of(runs) | {
+                "finite": all(one["finite"] for one in runs),
+                "bits": runs[0]["bits"] if len({one["bits"] for one in runs}) == 1 else "vary"}
+            methods.append({**figures, "ours": index < len(options.threads)})
+        return {**case, "methods": methods}
+
+    def judge(self, result: Result) -> None:
+        """Ours is held against the sound runs of the peers; ratios are of runs that did not burst."""
+        methods, first = result["methods"], result["methods"][0]
+        alone = {id(one): judge_alone(one) == "sound" for one in methods}
+        peers = [one for one in methods if not one["ours"] and alone[id(one)]]
+        single = next((one for one in methods if one["ours"] and one["threads"] == 1), first)
+        reached = result["reached"] = {"CPU time [µs]": first["cpu"] * 1e6, "memory [MB]": first["memory"] / 1024.0} \
+            if alone[id(first)] else {}
+        for one in methods:
+            one["verdict"], one["ratios"] = judge_alone(one), {}
+            if one["ours"] and alone[id(one)]:
+                same = one["bits"] == first.get("bits") != "vary"
+                one["verdict"] = "other bits" if not same else judge_beside(result, one, peers) if peers else "sound"
+            if not one["ours"] and alone[id(one)] and alone[id(first)]:
+                one["ratios"] = {"wall": one["mean"] / first["mean"], "CPU": one["cpu"] / first["cpu"]}
+            if one["ours"] and one["threads"] > 1 and alone[id(one)] and alone[id(single)] and single["threads"] == 1:
+                one["ratios"] = {"speed-up": single["mean"] / one["mean"]}
+                reached |= {"speed-up of 2 threads": one["ratios"]["speed-up"]} if one["threads"] == 2 else {}
+            if is_goal_peer(one["method"]):
+                reached["times faster than Box2D 2.4"] = one["ratios"].get("CPU") if first["verdict"] == "sound" else None
+
+    def text(self, results: list[Result]) -> str:
+        """A row an engine; a ratio is in brackets where our run does not end like the peers'."""
+        rows = [["scene", "engine", "threads", *TIMES, "p99/median", "speed-up", "wall/ours", "CPU/ours", "contacts",
+                 "memory", "found", "verdict"]]
+        for result in results:
+            first = result["methods"][0]
+            for one in result["methods"]:
+                cells = [result["case"] if one is first else "", one["method"], f"{one['threads']:.0f}"]
+                if "failure" in one:
+                    rows.append([*cells, one["verdict"]])
+                    continue
+                spread, ratios = one["p99"] / one["median"], [times_text(one["ratios"].get(key)) for key in ("wall", "CPU")]
+                rows.append([
+                    *cells, *(time_text(one[key]) for key in TIMES), f"{spread:.2f}{'!' if spread > 2.0 else ' '}",
+                    times_text(one["ratios"].get("speed-up")),
+                    *(f"({ratio})" if ratio and first["verdict"] != "sound" else ratio for ratio in ratios),
+                    f"{one['contacts']:.0f}" if is_number(one["contacts"]) else "–", f"{one['memory'] / 1024.0:.1f} MB",
+                    f"{one['found']:.0f} {result['found']}, {one['foundSum']:.6g}" if result["found"] else "", one["verdict"]])
+        return table("<<>>>>>>>>>>>><", rows) + goal_table("engine", results)
+
+    def drawn(self, results: list[Result]) -> dict[str, charts.Bars]:
+        """The chart of ratios."""
+        return {"": charts.ratio_bars(
+            results, "cpu", "How many times faster is boxreel?",
+            f"{results[0]['methods'][0]['method']}: CPU time of the peer over CPU time of boxreel, same scenes", time_text, [
+                "CPU time of a step of 1/60 s, or of what the scene does instead. 8 velocity and 3 position iterations; "
+                "Chipmunk 10.", "No bar where a run burst, or where boxreel's does not end like the peers': its time says "
+                "nothing then."])}
 
 
-def row(result: Result, one: Result) -> list[str]:
-    """A row of the table; a ratio is in brackets where our run does not end like the peers'."""
-    first, cells = result["methods"][0], [one["method"], str(one["threads"])]
-    cells = [result["case"] if one is first else "", *cells]
-    if "failure" in one:
-        return [*cells, one["verdict"]]
-    spread = one["p99"] / one["median"]
-    ratios = [times_text(one["ratios"].get(name)) for name in ("speedUp", "wallRatio", "cpuRatio")]
-    return [*cells, *(time_text(one[name]) for name in TIMES), f"{spread:.2f}{'!' if spread > 2.0 else ' '}", ratios[0],
-            *(f"({ratio})" if ratio and first["verdict"] != "sound" else ratio for ratio in ratios[1:]),
-            f"{one['contacts']:.0f}" if is_number(one["contacts"]) else "–", f"{one['memory'] / 1024.0:.1f} MB",
-            one["verdict"]]
+class Curve(Engine):
+    """Scenes that differ only in the number of bodies that do nothing."""
+    name, what = "curve", "time steps with 200 to 200,000 static or sleeping bodies"
 
+    def cases(self, build: Path) -> list[Result]:
+        """Those of a curve."""
+        return [{**one, "onlyNamed": False} for one in super().cases(build) if one["curve"]]
 
-def growths(results: list[Result]) -> list[list[str]]:
-    """What the largest scene of each curve takes over the smallest, a row an engine."""
-    rows = []
-    for curve in dict.fromkeys(result["curve"] for result in results if result["curve"]):
-        ends = sorted((result for result in results if result["curve"] == curve), key=lambda result: result["count"])
-        for small, large in zip(ends[0]["methods"], ends[-1]["methods"] if len(ends) > 1 else []):
-            if small["threads"] == 1 and judge_alone(small) == judge_alone(large) == "sound":
-                rows.append([curve, small["method"], f"{ends[-1]['case']} takes {times_text(large['cpu'] / small['cpu'])}"
-                                                     f" the CPU time of {ends[0]['case']}"])
-    return rows
-
-
-def text(results: list[Result]) -> str:
-    """The table, what calls found, how curves grow, and goals."""
-    heads = ["scene", "engine", "threads", *TIMES, "p99/median", "speed-up", "wall/ours", "CPU/ours", "contacts",
-             "memory", "verdict"]
-    found = [[result["case"], one["method"], f"found {one['found']:.0f} {result['found']}, sum {one['foundSum']:.6g}"]
-             for result in results if result["found"] for one in result["methods"] if "failure" not in one]
-    more = [table("<<<", lines) for lines in (found, growths(results)) if lines]
-    rows = [row(result, one) for result in results for one in result["methods"]]
-    return "\n".join([table("<<>>>>>>>>>>><", [heads, *rows]), *more]) + goal_table("engine", results)
-
-
-def drawn(results: list[Result]) -> dict[str, charts.Bars]:
-    """The chart of ratios."""
-    return {"": charts.ratio_bars(
-        results, "cpu", "How many times faster is boxreel?",
-        f"{results[0]['methods'][0]['method']}: CPU time of the peer over CPU time of boxreel, same scenes", time_text, [
-            NOTE, "No bar where a run burst, or where boxreel's does not end like the peers': its time says nothing then."])}
-
-
-CURVES = {"static": ("static", "-"), "asleep": ("asleep", "--"), "asleep4": ("asleep, 4 sub-steps", ":")}
-
-
-def drawn_curve(results: list[Result]) -> dict[str, charts.Lines]:
-    """The chart of the time of a step over the number of bodies that do nothing."""
-    points: dict[tuple[str, str], list[charts.Point]] = {}
-    for result in sorted((result for result in results if result["curve"] in CURVES), key=lambda one: one["count"]):
-        for one in result["methods"]:
-            if judge_alone(one) == "sound" and one["threads"] == 1:
+    def drawn(self, results: list[Result]) -> dict[str, charts.Lines]:
+        """The chart of the time of a step over the number of bodies."""
+        points: dict[tuple[str, str], list[charts.Point]] = {}
+        for result in sorted((result for result in results if result["curve"] in CURVES), key=lambda one: one["count"]):
+            for one in (one for one in result["methods"] if judge_alone(one) == "sound" and one["threads"] == 1):
                 point = charts.Point(result["count"], one["cpu"] * 1e6)
                 points.setdefault((one["method"], result["curve"]), []).append(point)
-    if not points:
-        raise Problem("these figures hold no scene of the curve; `./boxreel bench curve` runs those")
-    engines = list(dict.fromkeys(engine for engine, _ in points))
-    curves = []
-    for (engine, kind), line in points.items():
-        line[-1] = line[-1]._replace(label=times_text(line[-1].y / line[0].y), optional=False)
-        curves.append(charts.Curve(engine, engines.index(engine), CURVES[kind][1], line))
-    return {"": charts.Lines(
-        "What bodies cost that do nothing", "CPU time of a step with 200 moving boxes beside static boxes, or boxes asleep",
-        curves, "static boxes, or boxes asleep", "CPU time of a step [µs]", [
-            "At the end of each line: the time at its last point over the time at its first. Engines without sub-steps take "
-            "one step."], strokes={stroke: words for words, stroke in CURVES.values()})}
-
-
-def rivals(build: Path, case: Result, options: Any, work: Path) -> Figures:
-    """For --against: what one run of a build takes, and the bits at its end."""
-    figures = run_once(program(build, "boxreel_bench"), case["case"], options.threads[0])
-    return ({"CPU time of a step": figures["cpu"]}, figures["bits"]) if "failure" not in figures else ({}, "failed")
+        engines = list(dict.fromkeys(engine for engine, _ in points))
+        for line in points.values():
+            line[-1] = line[-1]._replace(label=times_text(line[-1].y / line[0].y), optional=False)
+        return {"": charts.Lines(
+            "What bodies cost that do nothing", "CPU time of a step with 200 moving boxes beside static boxes, or boxes asleep",
+            [charts.Curve(engine, engines.index(engine), CURVES[kind][1], line) for (engine, kind), line in points.items()],
+            "static boxes, or boxes asleep", "CPU time of a step [µs]", [
+                "At the end of each line: the time at its last point over the time at its first. Engines without sub-steps "
+                "take one step."], {stroke: words for words, stroke in CURVES.values()})}
