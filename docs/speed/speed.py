@@ -59,7 +59,7 @@ def engine_cell(result, name):
     peer = next((one for one in result["methods"] if one["method"] == name), {"verdict": "–"})
     if engine.judge_alone({"finite": False, "escaped": 0, "awake": 0, **peer}) in ("not finite", peer.get("failure")):
         return peer["verdict"]
-    ratio, sound = peer["ratios"].get("CPU"), result["methods"][0]["verdict"] == "sound"
+    ratio, sound = peer.get("cpuTimes"), result["methods"][0]["verdict"] == "sound"
     verdict = peer["verdict"] if peer["verdict"] != "sound" else "not compared"
     return f"{time_text(peer['cpu'])} ({times_text(ratio) if ratio and sound else verdict})"
 
@@ -170,9 +170,9 @@ def short_table(figures):
     for name in SHORT_SCENES:
         result = case_of(figures["engine"], name)
         peer = next((one for one in result["methods"] if engine.is_goal_peer(one["method"])), {})
-        if peer.get("ratios", {}).get("CPU") and result["methods"][0]["verdict"] == "sound":
+        if peer.get("cpuTimes") and result["methods"][0]["verdict"] == "sound":
             rows.append(["a step: " + result["what"], time_text(result["methods"][0]["cpu"]),
-                         f"{peer['method']}: {time_text(peer['cpu'])}", times_text(peer["ratios"]["CPU"])])
+                         f"{peer['method']}: {time_text(peer['cpu'])}", times_text(peer["cpuTimes"])])
     seen = set()
     for key, task, ours, peer, theirs in toolkit_rows(figures):
         if key in SHORT_TASKS and key not in seen:

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Runs the benchmark programs of a build: prints tables, writes figures as JSON and draws charts.
 
@@ -16,12 +16,12 @@ import statistics
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any, Iterator, NoReturn
+from typing import Any, NoReturn
 
 sys.dont_write_bytecode = True
 from runner import accuracy, charts, comparing, drawing, engine, recording  # noqa: E402
-from runner.common import (FAILED, Benchmark, Problem, Result, check_outputs, is_number, note, read_results,  # noqa: E402
-                           table, time_text, times_text, unusable, write_whole)
+from runner.common import (FAILED, TEXTS, Benchmark, Problem, Result, cell, check_outputs, note, read_results,  # noqa: E402
+                           table, time_text, times_text, unusable, value_at, write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
     engine.Engine(), engine.Curve(), accuracy.Accuracy(), drawing.Drawing(), recording.Recording(), comparing.Comparing())}
@@ -34,13 +34,14 @@ class Parser(argparse.ArgumentParser):
         raise Problem(f"{message}; `{self.prog} --help` shows what there is")
 
 
-def matching(pattern: str, what: str, most: int) -> Any:
-    """A reader of whole numbers from 1 to `most` between other signs."""
+def numbers(pattern: str, example: str, most: int) -> Any:
+    """A reader of whole numbers from 1 to `most`, between what else the pattern has."""
     def read(text: str) -> list[int]:
-        numbers = [int(word) for word in re.findall(r"\d+", text)]
-        if not re.fullmatch(pattern, text) or not all(1 <= number <= most for number in numbers):
-            raise argparse.ArgumentTypeError(f"'{text}' is no {what}, with numbers from 1 to {most}")
-        return numbers
+        found = [int(word) for word in re.findall(r"\d+", text)]
+        if not re.fullmatch(pattern, text) or not all(1 <= number <= most for number in found) or (
+                "," in text and len(set(found)) < len(found)):
+            raise argparse.ArgumentTypeError(f"'{text}' is not like {example}, with numbers from 1 to {most}")
+        return found
     return read
 
 
@@ -48,17 +49,19 @@ def parse(words: list[str]) -> argparse.Namespace:
     """The options. What goes with --from is only what shows results."""
     parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `./boxreel bench NAME --help` tells more.")
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
-    for name, one in BENCHMARKS.items():
-        command = commands.add_parser(name, help=one.what, description=f"{one.what[0].upper()}{one.what[1:]}.", allow_abbrev=False)
+    for name in BENCHMARKS:
+        what = TEXTS[name]["what"]
+        command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.", allow_abbrev=False)
+        command.set_defaults(threads=[1], frames=None, size=None, peers=None)
         add = command.add_argument
-        add("cases", nargs="*", metavar="CASE", help="cases to run, such as those of --list (default: all)")
+        add("cases", nargs="*", metavar="CASE", help="cases to run, such as those of --list (all)")
         add("--list", action="store_true", help="print the cases")
-        add("--rounds", type=matching(r"\d{1,4}", "whole number", 1000), metavar="N", help="times that each method runs, in turn (3)")
+        add("--rounds", type=numbers(r"\d{1,4}", "3", 1000), metavar="N", help="times that each method runs, in turn (3)")
         if name in ("engine", "curve"):
-            add("--threads", type=matching(r"\d{1,2}(,\d{1,2})*", "list such as 1,2", 64), metavar="N[,N...]", help="of boxreel (1)")
+            add("--threads", type=numbers(r"\d{1,2}(,\d{1,2})*", "1,2", 64), metavar="N[,N...]", help="of boxreel (1)")
         if name == "record":
-            add("--frames", type=matching(r"\d{1,6}", "whole number", 100_000), metavar="N", help="of the films (those of the case)")
-            add("--size", type=matching(r"\d{0,3}[02468]x\d{0,3}[02468]", "even size such as 640x360", 8192), metavar="WxH",
+            add("--frames", type=numbers(r"\d{1,6}", "600", 100_000), metavar="N", help="of the films (those of the case)")
+            add("--size", type=numbers(r"\d{0,3}[02468]x\d{0,3}[02468]", "640x360, with even sides", 8192), metavar="WxH",
                 help="of the films (that of the case)")
         if name == "golden":
             add("--peers", metavar="DIR", help="folder where `npm install odiff-bin pixelmatch` was run (BOXREEL_PEERS)")
@@ -70,17 +73,14 @@ def parse(words: list[str]) -> argparse.Namespace:
         add("--theme", choices=["light", "dark", "both"], default="light", help="of charts; `both` adds -light and -dark to names")
         add("--force", action="store_true", help="overwrite existing files")
     options = parser.parse_args(words)
-    given = [name for name in ("rounds", "threads", "frames", "size", "peers") if getattr(options, name, None)]
+    given = [name for name in ("rounds", "frames", "size", "peers") if getattr(options, name)] + ["threads"] * (options.threads != [1])
     if options.source and given:
         raise Problem(f"--from runs nothing; leave --{given[0]} out, or --from")
     if options.against and options.chart:
         raise Problem("--against prints ratios and draws none; leave --chart out, or --against")
-    for chart in options.chart:
-        if chart.suffix not in (".png", ".svg"):
-            raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
-    for name, default in (("rounds", [3]), ("frames", [0])):
-        setattr(options, name, (getattr(options, name, None) or default)[0])
-    options.threads = list(dict.fromkeys(getattr(options, "threads", None) or [1]))
+    for chart in (chart for chart in options.chart if chart.suffix not in (".png", ".svg")):
+        raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
+    options.rounds, options.frames = (options.rounds or [3])[0], (options.frames or [0])[0]
     return options
 
 
@@ -100,7 +100,8 @@ def choose(cases: list[Result], options: argparse.Namespace) -> list[Result]:
 def measured(benchmark: Benchmark, build: Path, case: Result, options: argparse.Namespace) -> Result:
     """The figures of a case, with a folder that is removed afterwards."""
     with tempfile.TemporaryDirectory(prefix="boxreel-bench-") as work:
-        return benchmark.measure(build, case, options, Path(work))
+        result = benchmark.measure(build, case, options, Path(work))
+    return result
 
 
 def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> list[Result]:
@@ -117,44 +118,31 @@ def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options:
     return results
 
 
-def leaves(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
-    """What a result holds, by the names on the way; settings tell runs and methods apart."""
-    if isinstance(value, dict):
-        name = " ".join(str(value[key]) for key in ("role", "change", *accuracy.SETTINGS) if key in value)
-        for key, inner in value.items():
-            yield from leaves(inner, f"{path} {name} {key}")
-    elif isinstance(value, list):
-        for number, inner in enumerate(value):
-            yield from leaves(inner, f"{path} {number}" if len(value) > 1 and isinstance(inner, dict) else path)
-    else:
-        yield " ".join(path.split()), value
-
-
-TIMES, SAME = ("cpu", "wall", "process"), ("bits", "error", "rms", "bytes", "different")
-
-
 def against(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> tuple[str, list[Result]]:
-    """Both builds alternately: the median of the rounds' ratios, and their spread."""
+    """Both builds alternately: the median of the rounds' ratios, their spread, and whether both compute the same."""
     rounds, options.rounds = options.rounds, 1
-    rows, results = [["case", "", "this build", "other build", "other/this", "spread", "results"]], []
+    texts = TEXTS[benchmark.name] if "columns" in TEXTS[benchmark.name] else TEXTS["engine"]
+    rows, results = [["case", "", "", "this build", "other build", "other/this", "spread", "results"]], []
     for case in cases:
         note(f"{case['case']}: {case['what']}")
-        runs: dict[Path, list[Result]] = {build: [], options.against: []}
+        runs: list[list[list[Result]]] = [[], []]
         for number in range(rounds):
-            for folder in list(runs)[::1 if number % 2 == 0 else -1]:
-                result = measured(benchmark, folder, case, options)
-                runs[folder].append(dict(leaves({key: result[key] for key in ("methods", "runs") if key in result})))
-        ours, others = runs.values()
-        same = all(one[name] == ours[0][name] for one in ours + others for name in one if name.split()[-1] in SAME)
-        for name in (name for name, value in ours[0].items() if name.split()[-1] in TIMES and is_number(value) and value):
-            pairs = [(one[name], other[name]) for one, other in zip(ours, others)]
-            ratios = sorted(other / one for one, other in pairs)
-            results.append({"case": case["case"], "figure": name, "seconds": pairs, "ratio": statistics.median(ratios),
-                            "lowest": ratios[0], "highest": ratios[-1], "sameResults": same})
-            rows.append([case["case"], name, *(time_text(statistics.median(times)) for times in zip(*pairs)),
-                         times_text(statistics.median(ratios)), f"{times_text(ratios[0])} to {times_text(ratios[-1])}",
-                         "same" if same else "DIFFERENT"])
-    return table("<<>>>><", rows), results
+            for which in (0, 1) if number % 2 == 0 else (1, 0):
+                result = measured(benchmark, (build, options.against)[which], case, options)
+                benchmark.judge(result)
+                runs[which].append(result.get("methods") or result["runs"])
+        for index, one in enumerate(runs[0][0]):
+            name = " ".join(cell(one, path, kind) for _, path, kind in texts["columns"] if kind == "name")
+            same = all(value_at(run[index], key) == value_at(one, key) for run in runs[0] + runs[1] for key in texts["same"])
+            for head, path, _ in (column for column in texts["columns"] if column[2] == "time" and value_at(one, column[1])):
+                pairs = [(value_at(ours[index], path), value_at(other[index], path)) for ours, other in zip(*runs)]
+                ratios = sorted(other / ours for ours, other in pairs)
+                results.append({"case": case["case"], "method": name, "figure": head, "seconds": pairs, "sameResults": same,
+                                "ratio": statistics.median(ratios), "lowest": ratios[0], "highest": ratios[-1]})
+                rows.append([case["case"], name, head, *(time_text(statistics.median(times)) for times in zip(*pairs)),
+                             times_text(statistics.median(ratios)), f"{times_text(ratios[0])} to {times_text(ratios[-1])}",
+                             "same" if same else "DIFFERENT"])
+    return table("<<<>>>><", rows), results
 
 
 def show(benchmark: Benchmark, results: list[Result], options: argparse.Namespace) -> None:
@@ -216,7 +204,7 @@ if __name__ == "__main__":
     try:
         sys.exit(main(sys.argv[1:]))
     except Problem as problem:
-        print(f"bench: {problem}.", file=sys.stderr)
+        print(f"bench: {problem}.".replace("?.", "?"), file=sys.stderr)
         sys.exit(problem.code)
     except KeyboardInterrupt:
         print("bench: stopped before the first case was done.", file=sys.stderr)

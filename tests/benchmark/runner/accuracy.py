@@ -8,14 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import GOALS, Benchmark, Problem, Result, is_met, is_number, note, objects, run, table, time_text, times_text
+from .common import (GOALS, TEXTS, Benchmark, Problem, Result, columns_table, is_met, is_number, note, objects, run, table,
+                     time_text, times_text)
 from .engine import PEERS, is_goal_peer
 
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
 SWEEP = (((4, 2), (8, 3), (20, 10), (50, 20)), (60, 120, 240, 480), (1, 2, 4, 8, 16))
 LONG = 0.3  # [s]; what takes longer by itself is timed once, for a sweep takes minutes
-VARIED = {"subSteps": ("-", "1 to 16 sub-steps", " sub-steps"), "hz": ("--", "60 to 480 Hz", " Hz"),
-          "velocityIterations": (":", "4/2 to 50/20 iterations", "")}  # strokes, and what is written at points
+VARIED = {"subSteps": ("-", " sub-steps"), "hz": ("--", " Hz"), "velocityIterations": (":", "")}  # strokes, and units
 
 
 def first_run(path: Path, case: str, settings: tuple[int, ...]) -> Result:
@@ -27,27 +27,16 @@ def first_run(path: Path, case: str, settings: tuple[int, ...]) -> Result:
         return {"engine": path.name, **dict(zip(SETTINGS, settings)), "failure": "failed"}
 
 
-def of_frame(one: Result) -> float:
-    """CPU time for 1/60 s, however many steps that takes: what settings are compared by [s]."""
-    return one["cpu"] * one["hz"] / 60.0
-
-
 def ending(one: Result) -> str:
     """How a run ended that has no error to compare, or empty."""
     return one.get("failure") or one["ending"] or ("" if one["held"] and is_number(one["error"]) else "not finite")
 
 
-def goals_of(result: Result) -> dict[str, str]:
-    """Of a case: for its error, and for remarks by their names."""
-    return GOALS["accuracy"].get(result["case"], {})
-
-
-def verdict(result: Result, one: Result) -> str:
+def verdict(goals: dict[str, str], one: Result) -> str:
     """"goal met", "" where the error is too large, how else it ended, or the remarks that miss their goals."""
-    missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals_of(result).items()
+    missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals.items()
               if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
-    return ending(one) or ", ".join(missed) or ("goal met" if is_met(
-        goals_of(result).get("error", "<= inf"), one["error"]) else "")
+    return ending(one) or ", ".join(missed) or ("goal met" if is_met(goals.get("error", "<= inf"), one["error"]) else "")
 
 
 def usual(result: Result, engine: str, steps: int = 4) -> Result | None:
@@ -75,16 +64,15 @@ def summary(results: list[Result], steps: int) -> str:
             slower = slower or (is_goal_peer(engine) and ratio < 1.0)
             cells += [(ending(one) or f"{one['error']:.3g}") if one else "not run", time_text(one["cpu"]) if timed else ""]
             cells += [times_text(ratio) if timed else ""] if engine != first else []
-        said = verdict(result, ours) if ours else "not run"
-        rows.append([result["case"], goals_of(result).get("error", "")[3:], result["unit"], *cells,
+        said = ours["verdict"] if ours else "not run"
+        rows.append([result["case"], GOALS["accuracy"].get(result["case"], {}).get("error", "")[3:], result["unit"], *cells,
                      "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
     return table("<>>>>" + ">>>" * len(others) + "<", rows)
 
 
 class Accuracy(Benchmark):
     """Cases with a sweep of settings each."""
-    name, what, program, peers = "accuracy", "run cases of known truth: error against time", "boxreel_bench", PEERS
-    list_words = ["accuracy-list"]
+    name, program, peers, list_words = "accuracy", "boxreel_bench", PEERS, ["accuracy-list"]
 
     def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
         """All settings of all engines in turn, `rounds` times; the least CPU time counts.
@@ -93,7 +81,7 @@ class Accuracy(Benchmark):
         """
         sweeps = []
         for path in self.programs(build, options):
-            most = objects(run([path, *self.list_words]).output)[0]["maxSubSteps"]
+            most = 4 if options.against else objects(run([path, *self.list_words]).output)[0]["maxSubSteps"]
             sweeps.append([(path, (*iterations, hz, steps)) for iterations, hz, steps in itertools.product(*SWEEP)
                            if steps <= most])
         turns = [entry for turn in itertools.zip_longest(*sweeps) for entry in turn if entry]
@@ -104,58 +92,48 @@ class Accuracy(Benchmark):
                 one["cpu"] = min(one["cpu"], objects(again.output)[-1]["cpu"])
         return {**case, "runs": [runs[entry] for sweep in sweeps for entry in sweep]}
 
+    def judge(self, result: Result) -> None:
+        """Adds verdicts, and the CPU time for 1/60 s, however many steps that takes: what settings are compared by."""
+        for one in result["runs"]:
+            one["verdict"] = verdict(GOALS["accuracy"].get(result["case"], {}), one)
+            one |= {"cpuOfFrame": one["cpu"] * one["hz"] / 60.0} if "failure" not in one else {}
+
     def text(self, results: list[Result]) -> str:
         """A row a run, and the summary."""
-        rows = [["case", "engine", "Hz", "iterations", "sub-steps", "each gets", "error", "", "CPU/step", "per 1/60 s", ""]]
-        for result in results:
-            for one in result["runs"]:
-                each = [one.get(f"{kind}IterationsOfASubStep") for kind in ("velocity", "position")]
-                rows.append([
-                    result["case"], one["engine"], str(one["hz"]), f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}",
-                    str(one["subSteps"]), "/".join(str(number) for number in each if number),
-                    *(["–", "", "", ""] if "failure" in one or not is_number(one["error"]) else [
-                        f"{one['error']:.4g}", result["unit"], time_text(one["cpu"]), time_text(of_frame(one))]),
-                    verdict(result, one)])
-        return "\n".join([
-            table("<<>>>>><>><", rows), "At 60 Hz with 8/3 iterations: the error, the CPU time of a step, and how many times "
-            "that of\nboxreel it is; slower: than Box2D.\n", summary(results, 2), summary(results, 4)])
+        return "\n".join([columns_table(TEXTS["accuracy"]["columns"], results, "runs"), TEXTS["accuracy"]["summary"],
+                          summary(results, 2), summary(results, 4)])
 
-    def drawn(self, results: list[Result]) -> dict[str, charts.Lines]:
+    def drawn(self, results: list[Result]) -> dict[str, Any]:
         """A chart for each case that held anywhere."""
         made = {}
         for result in results:
-            goal = float(goals_of(result).get("error", "<= 0")[3:])
+            goal = float(GOALS["accuracy"].get(result["case"], {}).get("error", "<= 0")[3:])
             floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
-            curves = [curve for color, engine in enumerate(engines_of(result))
-                      for curve in self.curves_of(result, engine, color, floor)]
+            texts = {**TEXTS["accuracy"], "title": result["case"], "subtitle": result["what"],
+                     "y": TEXTS["accuracy"]["y"].format(result["unit"])}
             if all(ending(one) for one in result["runs"]):
                 note(f"no run of '{result['case']}' held, so there is nothing to draw")
                 continue
-            made[result["case"]] = charts.Lines(
-                result["case"], result["what"], curves, "CPU time for 1/60 s [µs]", f"error [{result['unit']}]", [
-                    "Usual: 8 velocity and 3 position iterations, 60 Hz, and 4 sub-steps where there are any. One setting "
-                    "varies along a curve.", "Iterations are those of a step, split over its sub-steps, at least one each; "
-                    "Chipmunk has 10 for 8/3. At 480 Hz the time is that of eight steps."],
-                {stroke: words for stroke, words, _ in VARIED.values()},
-                {"o": "usual settings", "speck": "all other settings", "x": "falls, bursts or misses a further goal"},
-                (floor, "0" if goal <= 0.0 else f"≤ {floor:g}"))
+            made[result["case"]] = charts.Lines(texts, [
+                curve for color, engine in enumerate(engines_of(result)) for curve in self.curves(result, engine, color, floor)],
+                (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
         return made
 
     @staticmethod
-    def curves_of(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
+    def curves(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
         """A curve for each setting that varies, and all other settings as specks."""
         base, curves = usual(result, engine), []
-        own = {id(one): one for one in result["runs"] if one["engine"] == engine and "failure" not in one}
-        left = dict(own)
+        own = [one for one in result["runs"] if one["engine"] == engine and "failure" not in one]
+        left = {id(one): one for one in own}
 
         def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
-            mark = "x" if verdict(result, one) not in ("goal met", "") else "o" if one is base else "." if label else "speck"
-            return charts.Point(of_frame(one) * 1e6, max(one["error"], floor) if is_number(one["error"]) else None, label,
+            mark = "x" if one["verdict"] not in ("goal met", "") else "o" if one is base else "." if label else "speck"
+            return charts.Point(one["cpuOfFrame"] * 1e6, max(one["error"], floor) if is_number(one["error"]) else None, label,
                                 mark, optional)
 
-        for key, (stroke, _, unit) in VARIED.items():
-            line = sorted((one for one in own.values() if base and all(
-                one[other] == base[other] for other in VARIED if other != key)), key=lambda one: one[key])
+        for key, (stroke, unit) in VARIED.items():
+            line = sorted((one for one in own if base and all(one[other] == base[other] for other in VARIED if other != key)),
+                          key=lambda one: one[key])
             points = []
             for one in line if len(line) > 1 else []:
                 words = str(one[key]) + unit * (one is line[-1]) if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"

@@ -7,27 +7,23 @@ import io
 import math
 from typing import Any, NamedTuple
 
-from .common import ABSENT, Problem, times_text
+from .common import ABSENT, Problem, Result, times_text
 
 # Okabe and Ito's colours, which everybody can tell apart; ours first. Of the dark theme those that stand out on dark.
 THEMES = {"light": {"ground": "#ffffff", "ink": "#1f2328", "soft": "#59636e", "grid": "#e4e7eb",
                     "series": ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]},
           "dark": {"ground": "#0d1117", "ink": "#e6edf3", "soft": "#9198a1", "grid": "#2a313c",
                    "series": ["#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442", "#D55E00"]}}
+MARKS = {".": ("o", 5.0), "o": ("o", 9.0), "x": ("X", 6.5), "speck": ("o", 3.0)}  # of points, and their sizes
 DPI = 144
 
 
 class Bars(NamedTuple):
     """A group a case: (name, what, value, [(length or None, label)]), with a bar a series."""
-    title: str
-    subtitle: str
+    texts: dict[str, Any]
     groups: list[tuple[str, str, str, list[tuple[float | None, str]]]]
     series: list[str]
-    axis: str
-    notes: list[str]
-    value: str = ""  # heading of the groups' values
     start: float = 1.0  # where bars begin; from 0 the axis is linear, else logarithmic
-    first_color: int = 1
 
 
 class Point(NamedTuple):
@@ -35,7 +31,7 @@ class Point(NamedTuple):
     x: float
     y: float | None
     label: str = ""
-    mark: str = "."  # one of Lines.marks
+    mark: str = "."
     optional: bool = True  # its label is left out where there is no room
 
 
@@ -49,19 +45,12 @@ class Curve(NamedTuple):
 
 class Lines(NamedTuple):
     """Curves on two logarithmic axes."""
-    title: str
-    subtitle: str
+    texts: dict[str, Any]
     curves: list[Curve]
-    x: str
-    y: str
-    notes: list[str]
-    strokes: dict[str, str] = {}  # legend of the strokes
-    marks: dict[str, str] = {}  # legend of the marks
-    floor: tuple[float, str] | None = None  # a value that stands for all below it, and its name
+    floor: tuple[float, str] = (0.0, "")  # a value that stands for all below it, and its name
 
 
-def ratio_bars(results: list[dict[str, Any]], figure: str, title: str, subtitle: str, value: Any,
-               notes: list[str]) -> Bars:
+def ratio_bars(texts: dict[str, Any], results: list[Result], figure: str, value: Any) -> Bars:
     """How many times more each peer takes than the first method, where both runs are sound."""
     peers = list(dict.fromkeys(one["method"] for result in results for one in result["methods"]
                                if not one["ours"] and "failure" not in one))
@@ -76,7 +65,7 @@ def ratio_bars(results: list[dict[str, Any]], figure: str, title: str, subtitle:
             ratio = peer[figure] / ours[figure] if wrong == "sound" else None
             bars.append((ratio, times_text(ratio) if ratio else f"not compared: {wrong}"))
         groups.append((result["case"], result["what"], value(ours.get(figure)), bars))
-    return Bars(title, subtitle, groups, [f"than {name}" for name in peers], "times faster than the peer", notes, "boxreel")
+    return Bars({"axis": "times faster than the peer", **texts}, groups, [f"than {name}" for name in peers])
 
 
 def check() -> None:
@@ -89,27 +78,23 @@ def draw(chart: Bars | Lines, theme: str, kind: str) -> bytes:
     """The bytes of a chart. The same chart gives the same bytes with the same matplotlib."""
     import matplotlib
     from matplotlib.figure import Figure
-    look = THEMES[theme]
+    look, notes, isBars = THEMES[theme], chart.texts["notes"], isinstance(chart, Bars)
     settings = {"font.family": "DejaVu Sans", "font.size": 10, "svg.hashsalt": "boxreel", "axes.edgecolor": look["soft"],
                 "text.color": look["ink"], "axes.labelcolor": look["ink"], "xtick.color": look["soft"],
                 "ytick.color": look["soft"], "axes.axisbelow": True, "legend.frameon": False}
+    height = 6.8 if not isBars else 1.9 + sum(0.18 * len(group[3]) + 0.14 for group in chart.groups)
+    left, bottom = 0.09 if not isBars else 0.40 if chart.start else 0.30, (0.72 + 0.2 * len(notes)) / height
     with matplotlib.rc_context(settings):
-        height = 1.9 + 0.46 * len(chart.groups) + 0.19 * sum(
-            len(group[3]) - 2 for group in chart.groups) if isinstance(chart, Bars) else 6.8
         figure = Figure(figsize=(10.4, height), dpi=DPI, facecolor=look["ground"])
-        axes = figure.add_subplot(facecolor=look["ground"])
-        (draw_bars if isinstance(chart, Bars) else draw_lines)(axes, chart, look)
-        inch = 1.0 / height
-        axes.set_position([0.0, 0.0, 1.0, 1.0])
-        left = 0.09 if isinstance(chart, Lines) else 0.40 if chart.value else 0.30
-        bottom = (0.72 + 0.2 * len(chart.notes)) * inch
-        axes.set_position([left, bottom, 0.97 - left, 1.0 - bottom - 1.2 * inch])
-        figure.text(0.02, 1.0 - 0.34 * inch, chart.title, fontsize=15, fontweight="bold")
-        figure.text(0.02, 1.0 - 0.60 * inch, chart.subtitle, color=look["soft"])
-        for line, words in enumerate(reversed(chart.notes)):
-            figure.text(0.02, (0.12 + 0.2 * line) * inch, words, fontsize=8.5, color=look["soft"])
-        if isinstance(chart, Lines):
-            label_points(axes, chart, look)
+        axes = figure.add_axes([left, bottom, 0.97 - left, 1.0 - bottom - 1.2 / height], facecolor=look["ground"])
+        for place, words, style in ((height - 0.34, chart.texts["title"], {"fontsize": 15, "fontweight": "bold"}),
+                                    (height - 0.60, chart.texts["subtitle"], {"color": look["soft"]}),
+                                    *((0.12 + 0.2 * line, words, {"fontsize": 8.5, "color": look["soft"]})
+                                      for line, words in enumerate(reversed(notes)))):
+            figure.text(0.02, place / height, words, **style)
+        (draw_bars if isBars else draw_lines)(axes, chart, look)
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.tick_params(which="both", length=0)
         data = io.BytesIO()
         figure.savefig(data, format=kind, facecolor=look["ground"], metadata={"Date": None} if kind == "svg" else {})
     return data.getvalue()
@@ -117,116 +102,103 @@ def draw(chart: Bars | Lines, theme: str, kind: str) -> bytes:
 
 def draw_bars(axes: Any, chart: Bars, look: dict[str, Any]) -> None:
     """Bars from `start` either way, labels beyond their ends, names at the left."""
-    lengths = [length for group in chart.groups for length, _ in group[3] if length] or [1.0]
-    top = 0.0
+    colors = [look["series"][(row + (chart.start > 0.0)) % 6] for row in range(len(chart.series))]  # ours is no ratio
+    top, names = 0.0, -72 if chart.start else -10
     for name, what, value, bars in chart.groups:
-        middle = top + 0.5 * (len(bars) - 1)
         for row, (length, words) in enumerate(bars):
-            if length is not None:
-                axes.barh(top + row, length - chart.start, left=chart.start, height=0.78,
-                          color=look["series"][(row + chart.first_color) % 6], zorder=2)
-            back = length is not None and length < chart.start
-            axes.annotate(words, (chart.start if length is None else length, top + row), (-5 if back else 5, 0),
-                          textcoords="offset points", ha="right" if back else "left", va="center",
-                          fontsize=8.5, color=look["ink"] if length is not None else look["soft"])
-        for x, y, words, style in ((-72 if chart.value else -10, 6, name, {"fontweight": "bold", "fontsize": 9.5}),
-                                   (-72 if chart.value else -10, -6, what, {"color": look["soft"], "fontsize": 8}),
-                                   (-10, 0, value, {"fontsize": 9})):
-            axes.annotate(words, (0.0, middle), (x, y), xycoords=("axes fraction", "data"), textcoords="offset points",
-                          ha="right", va="center", **style)
+            end = chart.start if length is None else length
+            axes.barh(top + row, end - chart.start, left=chart.start, height=0.78, color=colors[row], zorder=2)
+            axes.annotate(words, (end, top + row), (-5 if end < chart.start else 5, 0), textcoords="offset points",
+                          ha="right" if end < chart.start else "left", va="center", fontsize=8.5,
+                          color=look["soft" if length is None else "ink"])
+        for x, y, words, style in ((names, 6, name, {"fontweight": "bold", "fontsize": 9.5}), (-10, 0, value, {"fontsize": 9}),
+                                   (names, -6, what, {"color": look["soft"], "fontsize": 8})):
+            axes.annotate(words, (0.0, top + 0.5 * (len(bars) - 1)), (x, y), xycoords=("axes fraction", "data"),
+                          textcoords="offset points", ha="right", va="center", **style)
         top += len(bars) + 0.8
-    if chart.value:
-        axes.annotate(chart.value, (0.0, 1.0), (-10, 6), xycoords="axes fraction", textcoords="offset points", ha="right",
-                      fontsize=8, color=look["soft"])
     axes.axvline(chart.start, color=look["ink"], linewidth=1.0, zorder=3)
-    axes.set(ylim=(top - 0.9, -0.9), yticks=[], xlabel=chart.axis)
-    if chart.start > 0.0:
-        low, high = min(lengths + [chart.start]), max(lengths + [chart.start * 10.0])
+    axes.set(ylim=(top - 0.9, -0.9), yticks=[], xlabel=chart.texts["axis"])
+    lengths = [chart.start] + [length for group in chart.groups for length, _ in group[3] if length]
+    low, high = min(lengths), max(lengths)
+    if chart.start:
+        axes.annotate("boxreel", (0.0, 1.0), (-10, 6), xycoords="axes fraction", textcoords="offset points", ha="right",
+                      fontsize=8, color=look["soft"])
+        high = max(high, 10.0)
         axes.set(xscale="log", xlim=(low / (2.2 if low < chart.start else 1.02), high * (high / low) ** 0.16))
         axes.xaxis.set_major_formatter(lambda value, _: f"{value:,.6g}")
     else:
-        axes.set_xlim(0.0, 1.12 * max(lengths))
+        axes.set_xlim(0.0, 1.12 * high or 1.0)
     axes.grid(axis="x", which="major", color=look["grid"], linewidth=0.8)
-    axes.spines[["left", "top", "right"]].set_visible(False)
-    axes.tick_params(which="both", length=0)
-    handles = [axes.barh(0.0, 0.0, color=look["series"][(row + chart.first_color) % 6]) for row in range(len(chart.series))]
-    axes.legend(handles, chart.series, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=3, fontsize=9, borderaxespad=0.6,
-                handlelength=1.2, columnspacing=1.6)
+    axes.spines["left"].set_visible(False)
+    axes.legend([axes.barh(0.0, 0.0, color=color) for color in colors], chart.series, loc="lower left", ncol=3, fontsize=9,
+                bbox_to_anchor=(0.0, 1.0), borderaxespad=0.6, handlelength=1.2, columnspacing=1.6)
 
 
 def draw_lines(axes: Any, chart: Lines, look: dict[str, Any]) -> None:
-    """Curves with their marks; a legend of colours, strokes and marks above."""
-    marks = {".": ("o", 5.0), "o": ("o", 9.0), "x": ("X", 6.5), "speck": ("o", 3.0)}
-    axes.set(xscale="log", yscale="log", xlabel=chart.x, ylabel=chart.y)
-    heights = [point.y for curve in chart.curves for point in curve.points if point.y] or [1.0]
-    ceiling = max(heights) * 2.0
-    handles = {}
-    for curve in chart.curves:
+    """Curves with their marks and labels; a legend of colours, strokes and marks above."""
+    axes.set(xscale="log", yscale="log", xlabel=chart.texts["x"], ylabel=chart.texts["y"])
+    ceiling = 2.0 * max((point.y for curve in chart.curves for point in curve.points if point.y is not None), default=0.5)
+    curves = [curve._replace(points=[point if point.y is not None else point._replace(y=ceiling) for point in curve.points])
+              for curve in chart.curves]
+    legend: dict[str, Any] = {}
+    for curve in curves:
         color = look["series"][curve.color % 6]
-        heights = [point.y if point.y is not None else ceiling for point in curve.points]
         if curve.stroke:
-            axes.plot([point.x for point in curve.points], heights, curve.stroke, color=color, linewidth=1.5, zorder=3)
-        for point, y in zip(curve.points, heights):
-            mark, size = marks[point.mark if curve.stroke or point.mark != "." else "speck"]
-            axes.plot(point.x, y, mark, color=color, markersize=size, zorder=4, alpha=1.0 if curve.stroke else 0.5,
-                      markeredgecolor=look["ground" if point.mark == "x" else "ink"] if point.mark in "ox" else color,
-                      markeredgewidth=1.4 if point.mark == "o" else 0.6)
-        if curve.name not in handles:
-            handles[curve.name] = axes.plot([], [], "o", color=color, markersize=6)[0]
-    used = {curve.stroke for curve in chart.curves}
-    for stroke, words in chart.strokes.items():
-        if stroke in used:
-            handles[words] = axes.plot([], [], stroke, color=look["soft"], linewidth=1.5)[0]
-    for mark, words in chart.marks.items():
-        if any(point.mark == mark for curve in chart.curves for point in curve.points):
-            shape, size = marks[mark]
-            handles[words] = axes.plot([], [], shape, color=look["soft"], markersize=size, linestyle="",
-                                       markeredgecolor=look["ink"])[0]
-    axes.legend(handles.values(), handles.keys(), loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncol=4, fontsize=8.5,
+            axes.plot(*zip(*(point[:2] for point in curve.points)), curve.stroke, color=color, linewidth=1.5, zorder=3)
+        for point in curve.points:
+            rim = {"o": (look["ink"], 1.4), "x": (look["ground"], 0.6)}.get(point.mark, (color, 0.6))
+            axes.plot(point.x, point.y, MARKS[point.mark][0], color=color, markersize=MARKS[point.mark][1], zorder=4,
+                      alpha=1.0 if curve.stroke else 0.5, markeredgecolor=rim[0], markeredgewidth=rim[1])
+        legend.setdefault(curve.name, axes.plot([], [], "o", color=color, markersize=6)[0])
+    for stroke, words in chart.texts.get("strokes", {}).items():
+        if any(curve.stroke == stroke for curve in curves):
+            legend[words] = axes.plot([], [], stroke, color=look["soft"], linewidth=1.5)[0]
+    for mark, words in chart.texts.get("marks", {}).items():
+        if any(point.mark == mark for curve in curves for point in curve.points):
+            legend[words] = axes.plot([], [], MARKS[mark][0], color=look["soft"], markersize=MARKS[mark][1],
+                                      markeredgecolor=look["ink" if mark == "o" else "soft"])[0]
+    axes.legend(legend.values(), legend.keys(), loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncol=4, fontsize=8.5,
                 borderaxespad=0.4, columnspacing=1.4)
     axes.margins(0.07)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:,.6g}")
-    if chart.floor and min(heights) <= chart.floor[0]:
-        axes.axhline(chart.floor[0], color=look["soft"], linewidth=0.8, zorder=1)
-        axes.annotate(chart.floor[1], (0.0, chart.floor[0]), (-4, 0), xycoords=("axes fraction", "data"),
-                      textcoords="offset points", ha="right", va="center", color=look["soft"])
-    axes.grid(which="major", color=look["grid"], linewidth=0.8)
-    axes.grid(which="minor", color=look["grid"], linewidth=0.4)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.tick_params(which="both", length=0)
+    floor, name = chart.floor
+    if any(point.y <= floor for curve in curves for point in curve.points):
+        axes.axhline(floor, color=look["soft"], linewidth=0.8, zorder=1)
+        axes.annotate(name, (0.0, floor), (6, 3), xycoords=("axes fraction", "data"), textcoords="offset points",
+                      color=look["soft"], fontsize=8)
+    for which, width in (("major", 0.8), ("minor", 0.4)):
+        axes.grid(which=which, color=look["grid"], linewidth=width)
+    label_points(axes, curves, look)
 
 
-def label_points(axes: Any, chart: Lines, look: dict[str, Any]) -> None:
+def label_points(axes: Any, curves: list[Curve], look: dict[str, Any]) -> None:
     """Puts each label where it covers no mark, no line and no other label; the optional ones only there."""
-    figure = axes.figure
-    figure.draw_without_rendering()
-    ceiling = max((p.y for c in chart.curves for p in c.points if p.y), default=1.0) * 2.0
+    axes.figure.draw_without_rendering()
     unit = DPI / 72.0  # pixels of a point
-    taken = []  # (x, y, half width, half height) in pixels
-    spots = []
-    for curve in chart.curves:
-        places = [axes.transData.transform((p.x, p.y or ceiling)) for p in curve.points]
+    taken, spots = [], []  # what is covered, as (x, y, half width, half height) in pixels; where labels belong
+    for curve in curves:
+        places = [axes.transData.transform(point[:2]) for point in curve.points]
         taken += [(x, y, 4.5 * unit, 4.5 * unit) for x, y in places]
         for (x, y), (u, v) in zip(places, places[1:] if curve.stroke else []):
             count = max(2, int(math.hypot(u - x, v - y) / (4.0 * unit)))
             taken += [(x + (u - x) * i / count, y + (v - y) * i / count, unit, unit) for i in range(1, count)]
-        spots += [(point, place, curve) for point, place in zip(curve.points, places) if point.label]
+        color = look["series"][curve.color % 6]
+        spots += [(point, place, color) for point, place in zip(curve.points, places) if point.label]
     box = axes.get_window_extent()
-    for point, (x, y), curve in sorted(spots, key=lambda spot: spot[0].optional):
-        label = figure.text(0, 0, point.label, fontsize=8, color=look["series"][curve.color % 6], ha="center", va="center",
-                            zorder=6)
+    for point, (x, y), color in sorted(spots, key=lambda spot: spot[0].optional):
+        label = axes.figure.text(0, 0, point.label, fontsize=8, color=color, ha="center", va="center", zorder=6)
         size = label.get_window_extent()
         w, h = 0.5 * size.width + unit, 0.5 * size.height + 0.5 * unit
 
-        def covered(u: float, v: float) -> float:
+        def covered(place: tuple[float, float]) -> float:
+            u, v = place
             outside = not (box.x0 < u - w and u + w < box.x1 and box.y0 < v - h and v + h < box.y1)
             return 20.0 * outside + sum(abs(u - a) < w + c and abs(v - b) < h + d for a, b, c, d in taken)
 
-        ways = [(x + (w + gap * unit) * math.cos(turn) * 1.0, y + (h + gap * unit) * math.sin(turn))
-                for gap in (5, 9, 14, 20) for turn in (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35)]
-        best = min(ways, key=lambda way: covered(*way))
-        if covered(*best) and point.optional:
+        best = min(((x + (w + gap * unit) * math.cos(turn), y + (h + gap * unit) * math.sin(turn))
+                    for gap in (5, 9, 14, 20) for turn in (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35)), key=covered)
+        if covered(best) and point.optional:
             label.remove()
             continue
-        label.set_position(figure.transFigure.inverted().transform(best))
+        label.set_position(axes.figure.transFigure.inverted().transform(best))
         taken.append((*best, w, h))

@@ -11,10 +11,12 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from typing import Any, Iterable, NamedTuple, Sequence
+from typing import Any, Iterable, NamedTuple, NoReturn, Sequence
 
 UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
 Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
+# Bounds of figures by benchmark and case, such as "<= 5"; what is written on charts and below tables.
+GOALS, TEXTS = (json.loads(Path(__file__).with_name(name).read_text("utf-8")) for name in ("goals.json", "texts.json"))
 
 
 class Problem(Exception):
@@ -36,8 +38,10 @@ class Ended(NamedTuple):
 
 
 class Benchmark:
-    """A kind of measurement; subclasses have the sub-command's name, what it does, and how."""
-    name = what = program = ""
+    """A kind of measurement. Subclasses have `measure(build, case, options, work)`, which returns a Result; `judge`, which
+    adds verdicts and, in `reached`, what goals are for, None where a run is broken; `text`, the tables of results; and
+    `drawn`, their charts by what is added to the names of their files."""
+    name = program = ""
     list_words = ["list"]
     peers: dict[str, str] = {}  # programs, and the packages that they were built with
 
@@ -55,20 +59,8 @@ class Benchmark:
                 note(f"{name} was not built and is not compared; install {package} and build again")
         return found
 
-    def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
-        """The figures of all methods; `work` is a folder that is removed afterwards."""
-        raise NotImplementedError
-
     def judge(self, result: Result) -> None:
-        """Adds verdicts, and in `reached` what goals are for, None where a run is broken."""
-
-    def text(self, results: list[Result]) -> str:
-        """The tables."""
-        raise NotImplementedError
-
-    def drawn(self, results: list[Result]) -> dict[str, Any]:
-        """The charts, by what is added to the names of their files."""
-        raise NotImplementedError
+        """Adds nothing."""
 
 
 def note(sentence: str) -> None:
@@ -81,8 +73,8 @@ def run(words: Sequence[Any], *codes: int) -> Ended:
     with tempfile.TemporaryFile() as errors:
         start = time.perf_counter()
         try:
-            child = subprocess.Popen([str(word) for word in words], stdin=subprocess.DEVNULL,
-                                     stdout=subprocess.PIPE, stderr=errors)
+            child = subprocess.Popen([str(word) for word in words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                     stderr=errors)
         except OSError as error:
             raise Problem(f"cannot run '{words[0]}': {error.strerror}", FAILED) from error
         try:
@@ -135,9 +127,6 @@ def median_of(values: Sequence[Any]) -> Any:
     return statistics.median(numbers) if numbers else values[0]
 
 
-GOALS: dict[str, dict[str, dict[str, str]]] = json.loads(Path(__file__).with_name("goals.json").read_text("utf-8"))
-
-
 def is_met(goal: str, value: float | None) -> bool:
     """Whether a figure meets a goal such as "<= 5"; what is None or no number meets none."""
     bound = float(goal[3:])
@@ -153,23 +142,12 @@ def goal_table(benchmark: str, results: list[Result]) -> str:
     return "\n" + table("<<><<", [["goals", "", "reached", "goal", ""], *rows]) if rows else ""
 
 
-def check_values(value: Any, key: str = "it") -> None:
-    """Raises a ValueError for text that would not stay on its line, and numbers that nobody measures."""
-    if isinstance(value, (dict, list)):
-        for name, inner in value.items() if isinstance(value, dict) else ((key, inner) for inner in value):
-            check_values(name, "a name")
-            check_values(inner, name)
-    elif isinstance(value, str) and not value.isprintable():
-        raise ValueError(f"'{key}' has control characters")
-    elif isinstance(value, (int, float)) and not -1e100 <= value <= 1e100:
-        raise ValueError(f"'{key}' is no number from -1e100 to 1e100")
-
-
 def read_results(path: str, benchmark: str) -> list[Result]:
     """The results in a file that --json wrote."""
+    def refuse(constant: str) -> NoReturn:
+        raise ValueError(f"{constant} is no number of JSON")
     try:
-        data = json.loads(Path(path).read_text(encoding="utf-8"))
-        check_values(data)
+        data = json.loads(Path(path).read_text(encoding="utf-8"), parse_constant=refuse)
         if data["benchmark"] != benchmark or not data["results"]:
             raise ValueError(f"it holds no results of '{benchmark}'")
         return data["results"]
@@ -211,10 +189,9 @@ def digits(value: float | None) -> str:
     """Three significant digits, small ones with fewer: 0.038, 4.88, 31.4, 12,300."""
     if not is_number(value):
         return "–"
-    if abs(value) >= 999.5:
-        return f"{float(f'{value:.3g}'):,.0f}"
     size = abs(value)
-    return f"{value:.{0 if size >= 99.95 else 1 if size >= 9.995 else 2 if size >= 0.0995 else 3}f}"
+    places = 0 if size >= 99.95 else 1 if size >= 9.995 else 2 if size >= 0.0995 else 3
+    return f"{value:.{places}f}" if size < 999.5 else f"{float(f'{value:.3g}'):,.0f}"
 
 
 def time_text(seconds: float | None) -> str:
@@ -231,8 +208,33 @@ def times_text(ratio: float | None) -> str:
 
 
 def table(align: str, rows: Iterable[Sequence[str]]) -> str:
-    """Columns as wide as their widest cell, `<` or `>` each; a row may end early."""
-    rows = list(rows)
-    widths = [max((len(row[i]) for row in rows if i < len(row)), default=0) for i in range(len(align))]
+    """Columns as wide as their widest cell, `<` or `>` each; a row may end early. Control characters become `?`."""
+    cells = [["".join(sign if sign.isprintable() else "?" for sign in cell) for cell in row] for row in rows]
+    widths = [max((len(row[i]) for row in cells if i < len(row)), default=0) for i in range(len(align))]
     return "".join("  ".join(f"{cell:{way}{width}}" for cell, way, width in zip(row, align, widths)).rstrip() + "\n"
-                   for row in rows)
+                   for row in cells)
+
+
+FORMATS = {"name": str, "text": str, "digits": digits, "time": time_text, "times": times_text, "count": lambda value: f"{value:.0f}",
+           "error": lambda value: f"{value:.4g}", "kB": lambda value: f"{value / 1024.0:.1f} MB", "MB": lambda value: digits(value / 1e6)}
+
+
+def value_at(one: Result, path: str) -> Any:
+    """A member, or with dots a member of members; None if it is absent."""
+    key, _, rest = path.partition(".")
+    return value_at(one.get(key, {}), rest) if rest else one.get(key)
+
+
+def cell(one: Result, path: str, kind: str) -> str:
+    """The text of a member, or of several between slashes."""
+    return "/".join(FORMATS[kind](value) for value in (value_at(one, key) for key in path.split("/")) if value is not None)
+
+
+def columns_table(columns: list[list[str]], results: list[Result], key: str = "methods") -> str:
+    """A row for each method of each case, with its name and the verdict alone where it failed."""
+    rows = [["case", *(head for head, _, _ in columns)]]
+    for result in results:
+        for number, one in enumerate(result[key]):
+            cells = [cell(one, path, kind) for _, path, kind in columns if "failure" not in one or kind in ("name", "text")]
+            rows.append([result["case"] if number == 0 else "", *cells])
+    return table("<" + "".join("<" if kind in ("name", "text") else ">" for _, _, kind in columns), rows)

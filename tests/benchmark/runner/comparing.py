@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import charts
-from .common import FAILED, Benchmark, Problem, Result, digits, median_of, objects, program, run, table
+from .common import FAILED, TEXTS, Benchmark, Problem, Result, median_of, objects, program, run, table, time_text
 
 SCENES = ("pyramid", "bridge", "tumbler")  # fills, lines, crowds
 # The peers' defaults forgive what a person hardly sees in a photograph; the stricter settings are those that their
@@ -23,18 +23,18 @@ class Method(NamedTuple):
     before: list[Any]
     after: list[str]
     code: int
-    timer: list[Any] | None = None  # prints the time of each comparison of what was read before
+    timer: list[Any] = []  # prints the time of each comparison of what was read before
 
 
 def npm_peers(folder: Path) -> list[Method]:
     """odiff and pixelmatch where npm installed them; the former itself, for its script would start node first."""
-    modules, here = folder / "node_modules", Path(__file__).parent
+    modules = folder / "node_modules"
     version = {name: json.loads((modules / name / "package.json").read_text("utf-8"))["version"]
                for name in ("odiff-bin", "pixelmatch") if (modules / name / "package.json").is_file()}
     if not version:
         raise Problem(f"'{folder}' holds no peers; run `npm install odiff-bin pixelmatch` in it, or name another folder")
-    odiff, match = next(modules.glob("@odiff/*/odiff"), ""), ["node", modules / "pixelmatch" / "bin" / "pixelmatch"]
-    timer = ["node", here / "pixelmatch.mjs", (modules / "pixelmatch").resolve()]
+    odiff, match = next(modules.glob("@odiff/*/odiff"), "odiff"), ["node", modules / "pixelmatch" / "bin" / "pixelmatch"]
+    timer = ["node", Path(__file__).with_name("pixelmatch.mjs"), (modules / "pixelmatch").resolve()]
     found = {"odiff-bin": [("odiff {}", [odiff], [], 22), (f"odiff {{}}, {STRICT}", [odiff], ["--threshold", STRICT], 22)],
              "pixelmatch": [("pixelmatch {}", match, [], 66, [*timer, "{}"]),
                             (f"pixelmatch {{}}, {STRICT}, AA counts", match, ["", STRICT, "true"], 66,
@@ -46,16 +46,14 @@ def peers_of(folder: str | None) -> tuple[list[Method], list[str]]:
     """The peers that run, and sentences about those that are absent."""
     found, absent = npm_peers(Path(folder).expanduser()) if folder else [], []
     try:
-        version = re.search(r"ImageMagick ([^ \n-]+)", run(["compare", "-version"]).output)[1]
-        words = ["compare", "-metric", "AE"]
+        version, words = re.search(r"ImageMagick ([^ \n-]+)", run(["compare", "-version"]).output)[1], ["compare", "-metric", "AE"]
         found += [Method(f"ImageMagick {version}", words, ["null:"], 1),
                   Method(f"ImageMagick {version}, fuzz {FUZZ}", [*words, "-fuzz", FUZZ], ["null:"], 1)]
     except Problem:
         absent.append("ImageMagick is not compared, for its `compare` does not run; install imagemagick")
-    for name, package in (("odiff", "odiff-bin"), ("pixelmatch", "pixelmatch")):
-        if not any(one.name.startswith(name) for one in found):
-            absent.append(f"{name} is not compared; run `npm install {package}` in a folder and name it by --peers")
-    return found, absent
+    return found, absent + [f"{name} is not compared; run `npm install {package}` in a folder and name it by --peers"
+                            for name, package in (("odiff", "odiff-bin"), ("pixelmatch", "pixelmatch"))
+                            if not any(one.name.startswith(name) for one in found)]
 
 
 def times(method: Result, clock: str) -> list[float]:
@@ -68,13 +66,13 @@ def together(results: list[Result]) -> list[Result]:
     found: dict[str, Result] = {}
     for one in (one for result in results for one in result["methods"]):
         method = found.setdefault(one["method"], {**one, "pictures": []})
-        method["pictures"] = method["pictures"] + one.get("pictures", [])
+        method["pictures"] = method["pictures"] + one["pictures"]
     return list(found.values())
 
 
 class Comparing(Benchmark):
     """Scenes, each drawn and drawn with a change, once for each kind of change."""
-    name, what, program = "golden", "compare pictures with planted changes beside odiff, pixelmatch, ImageMagick", "boxreel_golden_bench"
+    name, program = "golden", "boxreel_golden_bench"
 
     def cases(self, build: Path) -> list[Result]:
         """The scenes that are compared unless others are named."""
@@ -96,8 +94,8 @@ class Comparing(Benchmark):
                     runs = [run([*method.before, expected, actual, *method.after], method.code) for _ in range(options.rounds)]
                     one["pictures"].append({"change": pair["change"], "different": runs[0].code != 0,
                                             "process": median_of([ended.wall for ended in runs])})
-                timer = method.timer and [*method.timer[:3], options.rounds, *method.timer[3:], *files]
-                for picture, said in zip(one["pictures"], objects(run(timer).output) if timer else []):
+                timer = [*method.timer[:3], options.rounds, *method.timer[3:], *files]
+                for picture, said in zip(one["pictures"], objects(run(timer).output) if method.timer else []):
                     if said.get("different", picture["different"]) != picture["different"]:
                         raise Problem(f"`boxreel diff` and the library differ about '{picture['change']}'; report this", FAILED)
                     picture["decoded"], one["method"] = said["decodedSeconds"], said.get("method", one["method"])
@@ -108,15 +106,15 @@ class Comparing(Benchmark):
         return {**case, "changes": objects(run([helper, "list"]).output), "absent": absent, "methods": methods}
 
     def judge(self, result: Result) -> None:
-        """Adds the median of the time of a process."""
+        """Adds the medians of the times."""
         for one in result["methods"]:
             one["verdict"] = "failed" if "failure" in one else "sound"
-            one |= {"process": median_of(times(one, "process"))} if "failure" not in one else {}
+            one |= {clock: median_of(times(one, clock)) for clock in ("process", "decoded") if times(one, clock)}
 
     def text(self, results: list[Result]) -> str:
         """A row a method: what it calls different of each change, and its times."""
-        changes = [one for one in results[0]["changes"] if one["truth"] != "either"]
-        rows = [["called different, of as many", *(one["change"] for one in changes), "ms", "max ms", "process ms"]]
+        changes, heads = [one for one in results[0]["changes"] if one["truth"] != "either"], ["decoded", "max", "process"]
+        rows = [["called different, of as many", *(one["change"] for one in changes), *heads]]
         for method in together(results):
             cells = []
             for change in changes:
@@ -124,18 +122,13 @@ class Comparing(Benchmark):
                 wrong = not all(calls) if change["truth"] == "different" else any(calls)
                 cells.append(f"{sum(calls)}/{len(calls)}{'!' if wrong else ' '}")
             decoded, process = times(method, "decoded") or [None], times(method, "process") or [None]
-            rows.append([method["method"], *([f"failed: {method['failure']}"] if "failure" in method else [
-                *cells, *(digits(value and value * 1e3) for value in (median_of(decoded), decoded and max(
-                    decoded, key=lambda time: time or 0.0), median_of(process)))])])
-        legend = table("<<<", [[one["change"], one["what"], "is to pass" if one["truth"] == "equal" else ""]
-                               for one in results[0]["changes"]])
-        return (table("<" + ">" * (len(changes) + 3), rows) + "! marks a change that was missed, or a false alarm. Scenes: "
-                + ", ".join(result["case"] for result in results) + ".\n\n" + legend
+            rows.append([method["method"], *([f"failed: {method['failure']}"] if "failure" in method else [*cells, *map(
+                time_text, (median_of(decoded), max(decoded) if decoded[0] else None, median_of(process)))])])
+        legend = [[one["change"], one["what"], "is to pass" if one["truth"] == "equal" else ""] for one in results[0]["changes"]]
+        return (table("<" + ">" * (len(changes) + len(heads)), rows) + TEXTS["golden"]["legend"]
+                + ", ".join(result["case"] for result in results) + ".\n\n" + table("<<<", legend)
                 + "".join(f"\n{sentence}" for sentence in (*results[0]["absent"], "")))
 
-    def drawn(self, results: list[Result]) -> dict[str, charts.Bars]:
+    def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The chart of the time of a process."""
-        return {"": charts.ratio_bars(
-            results, "process", "How many times faster is boxreel diff?", "wall time of a process that compares two PNG files of "
-            "1280 × 720, over that of boxreel", lambda time: f"{digits(time * 1e3)} ms", [
-                "Medians of ten pairs of pictures a scene. The table says what each of them misses."])}
+        return {"": charts.ratio_bars(TEXTS["golden"], results, "process", time_text)}

@@ -6,26 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import Benchmark, Result, digits, goal_table, median_of, objects, run, table
+from .common import TEXTS, Benchmark, Result, columns_table, goal_table, median_of, objects, run, value_at
 
-WORKS = {"full": "full", "together": "together", "apart": "apart", "none": "unchanged", "empty": "empty",
-         "floor": "clear+read"}  # kinds of frames, and their columns
 GOALS = {"full": "full redraw [ms]", "together": "5 % changed together [ms]", "apart": "5 % changed apart [ms]",
          "none": "unchanged [ms]"}
-STROKES = {"full": ("-", "all shapes changed"), "together": ("--", "5 % changed, together"),
-           "apart": (":", "5 % changed, apart")}
-NOTES = ["Error (RMSE): root mean square of the differences from 16 × 16 samples a pixel, over the red, green and blue of "
-         "the pixels", "whose samples are not all alike, in steps of 8 bits."]
-
-
-def time_of(one: Result, work: str, clock: str = "cpu") -> float | None:
-    """Of a kind of frame; who draws all of it whatever has changed has not all kinds."""
-    return one["works"].get(work, {}).get(clock)
-
-
-def over_floor(one: Result) -> float | None:
-    """A frame without shapes over clearing and reading."""
-    return time_of(one, "empty") / time_of(one, "floor") if "floor" in one["works"] else None
+STROKES = {"full": "-", "together": "--", "apart": ":"}
 
 
 def single(result: Result) -> dict[str, Result]:
@@ -33,15 +18,9 @@ def single(result: Result) -> dict[str, Result]:
     return {one["method"]: one for one in result["methods"] if one["threads"] == "0"}
 
 
-def milliseconds(seconds: float | None) -> str:
-    """Of a frame, with four places where it is less than 0.1 ms."""
-    return "–" if seconds is None else f"{seconds * 1e3:.4f}" if seconds < 1e-4 else digits(seconds * 1e3)
-
-
 class Drawing(Benchmark):
     """Pictures of several sizes and numbers of shapes."""
-    name, what, program = "render", "time drawing beside Cairo: error at edges against time", "boxreel_render_bench"
-    peers = {"boxreel_render_bench_cairo": "libcairo2-dev"}
+    name, program, peers = "render", "boxreel_render_bench", {"boxreel_render_bench_cairo": "libcairo2-dev"}
 
     def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
         """Errors once, times `rounds` times in turn. Ours with one raster thread, and with the user's."""
@@ -59,26 +38,19 @@ class Drawing(Benchmark):
 
     def judge(self, result: Result) -> None:
         """Goals are for ours with one raster thread."""
+        for one in (one for one in result["methods"] if "floor" in one["works"]):
+            one["overFloor"] = value_at(one, "works.empty.cpu") / value_at(one, "works.floor.cpu")
         ours = next(one for one in result["methods"] if one["ours"] and one["threads"] == "0")
-        result["reached"] = {figure: time_of(ours, work) * 1e3 if not ours["wrong"] else None
+        result["reached"] = {figure: ours["works"][work]["cpu"] * 1e3 if not ours["wrong"] else None
                              for work, figure in GOALS.items() if work in ours["works"]}
-        result["reached"] |= {"empty over clear and read": over_floor(ours), "RMSE at edges": ours["rms"]}
+        result["reached"] |= {"empty over clear and read": ours.get("overFloor"), "RMSE at edges": ours["rms"]}
 
     def text(self, results: list[Result]) -> str:
-        """A row a method: CPU times of frames, and the wall time of a full one."""
-        rows = [["case", "method", "threads", *WORKS.values(), "over floor", "wall", "RMSE", "max", ""]]
-        for result in results:
-            for one in result["methods"]:
-                rows.append([
-                    result["case"] if one is result["methods"][0] else "", one["method"],
-                    "own" if one["threads"] == "own" else "one" if one["ours"] else "",
-                    *(milliseconds(time_of(one, work)) for work in WORKS), digits(over_floor(one)),
-                    milliseconds(time_of(one, "full", "wall")), digits(one["rms"]), digits(one["most"]),
-                    f"wrong: {one['wrong']}" if one["wrong"] else ""])
-        return ("CPU time of a frame [ms], wall time of a full one, and the error at edges:\n" + table("<<<>>>>>>>>>><", rows)
-                + goal_table("render", results) + "\n" + "\n".join(NOTES) + "\n")
+        """A row a method: CPU times of frames and errors; threads are the rasteriser's, own as LP_NUM_THREADS has it."""
+        return columns_table(TEXTS["render"]["columns"], results) + goal_table("render", results) + "\n" + "\n".join(
+            TEXTS["render"]["notes"]) + "\n"
 
-    def drawn(self, results: list[Result]) -> dict[str, charts.Lines]:
+    def drawn(self, results: list[Result]) -> dict[str, Any]:
         """A chart for each height of the pictures; of methods that draw the same the first."""
         made = {}
         for height in dict.fromkeys(result["height"] for result in results):
@@ -86,13 +58,13 @@ class Drawing(Benchmark):
             kept: dict[tuple, str] = {}
             for name in dict.fromkeys(name for result in sizes for name in single(result)):
                 kept.setdefault(tuple(single(result).get(name, {}).get("rms") for result in sizes), name)
-            curves = [charts.Curve(name, color, stroke, [
-                charts.Point(time_of(single(result)[name], work) * 1e3, single(result)[name]["rms"], f"{result['shapes']:,}",
-                             optional=work != "full")
-                for result in sizes if name in single(result) and time_of(single(result)[name], work)])
-                for color, name in enumerate(kept.values()) for work, (stroke, _) in STROKES.items()]
-            made[f"{height}p"] = charts.Lines(
-                f"Drawing at {sizes[0]['width']} × {height}", "CPU time of a frame, one raster thread, against the error at "
-                "edges; along each curve the number of shapes", [curve for curve in curves if curve.points],
-                "CPU time of a frame [ms]", "error at edges [1/255]", NOTES, dict(STROKES.values()))
+            curves = []
+            for color, (work, stroke), name in ((color, kind, name) for color, name in enumerate(kept.values())
+                                                for kind in STROKES.items()):
+                found = [(result, single(result)[name]) for result in sizes if work in single(result).get(name, {"works": ()})["works"]]
+                curves += [charts.Curve(name, color, stroke, [charts.Point(
+                    one["works"][work]["cpu"] * 1e3, one["rms"], f"{result['shapes']:,}" if len(sizes) > 1 else work,
+                    optional=work != "full") for result, one in found])] if found else []
+            title = TEXTS["render"]["title"].format(sizes[0]["width"], height)
+            made[f"{height}p"] = charts.Lines({**TEXTS["render"], "title": title}, curves)
         return made

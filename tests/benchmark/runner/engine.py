@@ -6,10 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import (Benchmark, Problem, Result, goal_table, is_number, median_of, note, objects, run, table,
-                     time_text, times_text)
+from .common import (TEXTS, Benchmark, Problem, Result, columns_table, goal_table, median_of, note, objects, run, time_text,
+                     times_text)
 
-TIMES = ("mean", "median", "p99", "cpu")  # of a step or of what the scene does instead [s]
 PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
 # How far our figures may lie outside those of the peers, as a share and at least: scenes are chaotic, and engines keep
 # different gaps. Over runs whose bodies begin up to 1 mm elsewhere the standard deviation of the mean height during
@@ -21,7 +20,6 @@ CONTACTS_IN_FLIGHT = 10.0  # few of what flies about touch at a time
 # How much deeper our bodies may overlap than those of Box2D 2.4, which keeps the same skins and slop. The most that a
 # sound run of ours has more is 22 %, in the pyramid of base 100, which drifts sideways by 0.4 m in Box2D.
 DEEPER, DEEPER_LEAST = 0.25, 0.001  # share, [m]
-CURVES = {"static": ("static", "-"), "asleep": ("asleep", "--"), "asleep4": ("asleep, 4 sub-steps", ":")}
 
 
 def is_goal_peer(engine: str) -> bool:
@@ -66,7 +64,7 @@ def judge_beside(result: Result, ours: Result, peers: list[Result]) -> str:
 
 class Engine(Benchmark):
     """Scenes by their CPU time."""
-    name, what, program, peers = "engine", "time the engine beside Box2D 2.4 and Chipmunk", "boxreel_bench", PEERS
+    name, program, peers = "engine", "boxreel_bench", PEERS
 
     def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
         """Every engine and thread count `rounds` times in turn; figures are the medians of the rounds."""
@@ -85,75 +83,55 @@ class Engine(Benchmark):
     def judge(self, result: Result) -> None:
         """Ours is held against the sound runs of the peers; ratios are of runs that did not burst."""
         methods, first = result["methods"], result["methods"][0]
-        alone = {id(one): judge_alone(one) == "sound" for one in methods}
-        peers = [one for one in methods if not one["ours"] and alone[id(one)]]
-        single = next((one for one in methods if one["ours"] and one["threads"] == 1), first)
-        reached = result["reached"] = {"CPU time [µs]": first["cpu"] * 1e6, "memory [MB]": first["memory"] / 1024.0} \
-            if alone[id(first)] else {}
+        sound = {id(one): judge_alone(one) == "sound" for one in methods}
+        peers = [one for one in methods if not one["ours"] and sound[id(one)]]
+        single = next((one for one in methods if one["ours"] and one["threads"] == 1 and sound[id(one)]), None)
+        reached = result["reached"] = {}
         for one in methods:
-            one["verdict"], one["ratios"] = judge_alone(one), {}
-            if one["ours"] and alone[id(one)]:
+            one["verdict"] = judge_alone(one)
+            if one["ours"] and sound[id(one)]:
                 same = one["bits"] == first.get("bits") != "vary"
                 one["verdict"] = "other bits" if not same else judge_beside(result, one, peers) if peers else "sound"
-            if not one["ours"] and alone[id(one)] and alone[id(first)]:
-                one["ratios"] = {"wall": one["mean"] / first["mean"], "CPU": one["cpu"] / first["cpu"]}
-            if one["ours"] and one["threads"] > 1 and alone[id(one)] and alone[id(single)] and single["threads"] == 1:
-                one["ratios"] = {"speed-up": single["mean"] / one["mean"]}
-                reached |= {"speed-up of 2 threads": one["ratios"]["speed-up"]} if one["threads"] == 2 else {}
+            if "failure" not in one:
+                one["spread"] = one["p99"] / one["median"]
+                one["foundText"] = f"{one['found']:.0f} {result['found']}, {one['foundSum']:.6g}" if result["found"] else ""
+            if not one["ours"] and sound[id(one)] and first["verdict"] == "sound":
+                one |= {"wallTimes": one["mean"] / first["mean"], "cpuTimes": one["cpu"] / first["cpu"]}
+            if one["ours"] and one["threads"] > 1 and sound[id(one)] and single:
+                one["speedUp"] = single["mean"] / one["mean"]
+                reached |= {"speed-up of 2 threads": one["speedUp"]} if one["threads"] == 2 else {}
             if is_goal_peer(one["method"]):
-                reached["times faster than Box2D 2.4"] = one["ratios"].get("CPU") if first["verdict"] == "sound" else None
+                reached["times faster than Box2D 2.4"] = one.get("cpuTimes")
+        if sound[id(first)]:
+            reached |= {"CPU time [µs]": first["cpu"] * 1e6, "memory [MB]": first["memory"] / 1024.0}
 
     def text(self, results: list[Result]) -> str:
-        """A row an engine; a ratio is in brackets where our run does not end like the peers'."""
-        rows = [["scene", "engine", "threads", *TIMES, "p99/median", "speed-up", "wall/ours", "CPU/ours", "contacts",
-                 "memory", "found", "verdict"]]
-        for result in results:
-            first = result["methods"][0]
-            for one in result["methods"]:
-                cells = [result["case"] if one is first else "", one["method"], f"{one['threads']:.0f}"]
-                if "failure" in one:
-                    rows.append([*cells, one["verdict"]])
-                    continue
-                spread, ratios = one["p99"] / one["median"], [times_text(one["ratios"].get(key)) for key in ("wall", "CPU")]
-                rows.append([
-                    *cells, *(time_text(one[key]) for key in TIMES), f"{spread:.2f}{'!' if spread > 2.0 else ' '}",
-                    times_text(one["ratios"].get("speed-up")),
-                    *(f"({ratio})" if ratio and first["verdict"] != "sound" else ratio for ratio in ratios),
-                    f"{one['contacts']:.0f}" if is_number(one["contacts"]) else "–", f"{one['memory'] / 1024.0:.1f} MB",
-                    f"{one['found']:.0f} {result['found']}, {one['foundSum']:.6g}" if result["found"] else "", one["verdict"]])
-        return table("<<>>>>>>>>>>>><", rows) + goal_table("engine", results)
+        """A row an engine, and goals."""
+        return columns_table(TEXTS["engine"]["columns"], results) + goal_table("engine", results)
 
-    def drawn(self, results: list[Result]) -> dict[str, charts.Bars]:
+    def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The chart of ratios."""
-        return {"": charts.ratio_bars(
-            results, "cpu", "How many times faster is boxreel?",
-            f"{results[0]['methods'][0]['method']}: CPU time of the peer over CPU time of boxreel, same scenes", time_text, [
-                "CPU time of a step of 1/60 s, or of what the scene does instead. 8 velocity and 3 position iterations; "
-                "Chipmunk 10.", "No bar where a run burst, or where boxreel's does not end like the peers': its time says "
-                "nothing then."])}
+        return {"": charts.ratio_bars(TEXTS["engine"], results, "cpu", time_text)}
 
 
 class Curve(Engine):
     """Scenes that differ only in the number of bodies that do nothing."""
-    name, what = "curve", "time steps with 200 to 200,000 static or sleeping bodies"
+    name = "curve"
 
     def cases(self, build: Path) -> list[Result]:
         """Those of a curve."""
         return [{**one, "onlyNamed": False} for one in super().cases(build) if one["curve"]]
 
-    def drawn(self, results: list[Result]) -> dict[str, charts.Lines]:
+    def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The chart of the time of a step over the number of bodies."""
         points: dict[tuple[str, str], list[charts.Point]] = {}
-        for result in sorted((result for result in results if result["curve"] in CURVES), key=lambda one: one["count"]):
+        for result in sorted((result for result in results if result["curve"]), key=lambda one: one["count"]):
             for one in (one for one in result["methods"] if judge_alone(one) == "sound" and one["threads"] == 1):
                 point = charts.Point(result["count"], one["cpu"] * 1e6)
                 points.setdefault((one["method"], result["curve"]), []).append(point)
         engines = list(dict.fromkeys(engine for engine, _ in points))
         for line in points.values():
             line[-1] = line[-1]._replace(label=times_text(line[-1].y / line[0].y), optional=False)
-        return {"": charts.Lines(
-            "What bodies cost that do nothing", "CPU time of a step with 200 moving boxes beside static boxes, or boxes asleep",
-            [charts.Curve(engine, engines.index(engine), CURVES[kind][1], line) for (engine, kind), line in points.items()],
-            "static boxes, or boxes asleep", "CPU time of a step [µs]", [
-                "At the end of each line: the time at its last point over the time at its first. Engines without sub-steps "
-                "take one step."], {stroke: words for words, stroke in CURVES.values()})}
+        strokes = {"static": "-", "asleep": "--", "asleep4": ":"}
+        return {"": charts.Lines(TEXTS["curve"], [charts.Curve(engine, engines.index(engine), strokes[kind], line)
+                                                  for (engine, kind), line in points.items()])}

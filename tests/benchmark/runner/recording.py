@@ -8,14 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import FAILED, Benchmark, Ended, Problem, Result, digits, goal_table, median_of, note, objects, program, run, table
+from .common import FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, digits, goal_table, median_of, note, objects, program, run, time_text
 
-PEERS = ("encodeOnly", "immediate")
+PEERS = {"encodeOnly": "encoding only", "immediate": "immediate mode"}
 ROOM = 500e6  # for films, beside the raw frames [bytes]
-FOOT = """
-Each film is made by processes of its own, from a cold start to a closed file, then decoded and compared with the raw
-frames. CPU time and memory are those of all processes together. libx264, veryfast, crf 20, two threads; PNG level 1.
-"""
 
 
 def make(film: Result, work: Path, *more: str) -> Ended:
@@ -28,7 +24,7 @@ def make(film: Result, work: Path, *more: str) -> Ended:
 
 class Recording(Benchmark):
     """Films of a scene by several programs."""
-    name, what, program = "record", "make films beside ffmpeg and immediate mode", "boxreel_record_bench"
+    name, program = "record", "boxreel_record_bench"
 
     def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
         """Each film `rounds` times in turn; films and raw frames lie in `work`. Peers may fail, ours may not."""
@@ -41,31 +37,30 @@ class Recording(Benchmark):
                           f"{free / 1e9:.1f}; name another folder by TMPDIR", FAILED)
         cached = objects(run([helper, "raw", *take.pop("take"), work / "frames.raw"]).output)[-1]["cached"]
         version = self.encoder() if not options.against else None
-        films = films if version else [film for film in films if film["role"] not in PEERS]
-        methods = {film["role"]: {**film, "ours": film["role"] not in PEERS} for film in films}
+        films = [film for film in films if version or film["role"] not in PEERS]
+        methods = [{"role": film["role"], "method": film["method"], "frames": film["frames"], "ours": film["role"] not in PEERS}
+                   for film in films]
         rounds: dict[str, list[Result]] = {film["role"]: [] for film in films}
-        for film in films * options.rounds:
-            one, more = methods[film["role"]], [] if film["role"] in PEERS else ["--progress", "none"]
+        for film, one in list(zip(films, methods)) * options.rounds:
             try:
-                ended = make(film, work, *more) if "failure" not in one else None
-                rounds[film["role"]] += [{"wall": ended.wall, "cpu": ended.cpu, "memory": ended.memory}] if ended else []
+                if "failure" not in one:
+                    ended = make(film, work, *(["--progress", "none"] if one["ours"] else []))
+                    rounds[film["role"]].append({"wall": ended.wall, "cpu": ended.cpu, "memory": ended.memory})
             except Problem as problem:
                 if film["role"] == "boxreel":
                     raise
                 one["failure"] = str(problem)
                 note(str(problem))
-        for film, one in zip(films, methods.values()):
+        for film, one in zip(films, methods):
             one["method"] = one["method"] if one["ours"] else one["method"].replace("ffmpeg", f"ffmpeg {version}")
             if "failure" not in one:
-                size = sum(file.stat().st_size for file in (work / film["role"]).iterdir())
-                one |= {**median_of(rounds[film["role"]]), "bytes": size, "seen": objects(run(film["check"]).output)[-1]["verdict"]}
-            del one["words"], one["check"]
+                one |= {**median_of(rounds[film["role"]]), "seen": objects(run(film["check"]).output)[-1]["verdict"],
+                        "bytes": sum(file.stat().st_size for file in (work / film["role"]).iterdir())}
         clocks = make(films[0], work, "--progress", "json", "--stats")  # in a run of its own: looking at clocks takes time
         stages = next(one for one in objects(clocks.errors) if one.get("event") == "stages")
-        return {**case, **take, "resized": bool(options.frames or options.size), "cached": cached,
-                "methods": list(methods.values()), "stages": [
-                    {"stage": one["stage"], "thread": one["thread"], "cpu": one["cpuSeconds"] / stages["frames"],
-                     "wall": one.get("wallSeconds", 0.0) / stages["frames"]} for one in stages["stages"]]}
+        return {**case, **take, "resized": bool(options.frames or options.size), "cached": cached, "methods": methods,
+                "stages": [{"stage": one["stage"], "thread": one["thread"], "cpu": one["cpuSeconds"] / stages["frames"],
+                            "wall": one.get("wallSeconds", 0.0) / stages["frames"]} for one in stages["stages"]]}
 
     @staticmethod
     def encoder() -> str | None:
@@ -78,59 +73,39 @@ class Recording(Benchmark):
 
     def judge(self, result: Result) -> None:
         """Goals are for films of the case's own size, and only sound films are compared."""
+        films = {one["role"]: one for one in result["methods"] if "failure" not in one}
         for one in result["methods"]:
             one["verdict"] = one.get("failure") or one["seen"]
-        films = {one["role"]: one for one in result["methods"] if "failure" not in one}
+            one |= {"rate": one["frames"] / one["wall"]} if "failure" not in one else {}
 
-        def of(one: str, other: str, figure: str, way: Any) -> float | None:
+        def of(one: str, other: str, figure: str, way: Any = lambda a, b: (a - b) / 1e6) -> float | None:
             found = [films.get(role, {}) for role in (one, other)]
             return way(*(film[figure] for film in found)) if all(film.get("verdict") == "sound" for film in found) else None
 
         resting, moving = (of(film, start, "wall", lambda a, b, film=film: (a - b) / max(films[film]["frames"] - 1, 1))
                            for film, start in (("boxreel", "start"), ("moving", "movingStart")))
-        ours = films["boxreel"]
-        reached = {"frames a second": ours["frames"] / ours["wall"] if ours["verdict"] == "sound" else None,
+        reached = {"frames a second": of("boxreel", "boxreel", "rate", min),
                    "times faster than moving": moving / resting if resting and moving else None,
-                   "memory of the longer film, more by [MB]": of("long", "boxreel", "memory", lambda a, b: (a - b) / 1e6)}
-        for role, name in zip(PEERS, ("encoding only", "immediate mode")):
-            reached |= {f"wall time over {name}": of("boxreel", role, "wall", lambda a, b: a / b)} if role in films else {}
+                   "memory of the longer film, more by [MB]": of("long", "boxreel", "memory")}
+        for role in (role for role in PEERS if role in films):
+            reached[f"wall time over {PEERS[role]}"] = of("boxreel", role, "wall", lambda a, b: a / b)
+            films[role] |= {f"{clock}Times": of(role, "boxreel", clock, lambda a, b: a / b) for clock in ("wall", "cpu")}
         if "encodeOnly" in films:
-            reached["memory over the encoder's [MB]"] = of("boxreel", "encodeOnly", "memory", lambda a, b: (a - b) / 1e6)
+            reached["memory over the encoder's [MB]"] = of("boxreel", "encodeOnly", "memory")
         result["reached"] = {} if result["resized"] else reached
 
     def text(self, results: list[Result]) -> str:
         """A row a film, where the time of a frame goes, and goals."""
-        parts = []
-        for result in results:
-            rows = [["method", "frames", "wall s", "CPU s", "frames/s", "film MB", "memory MB", "wall/ours", "CPU/ours", "film"]]
-            ours = result["methods"][0]
-            for one in result["methods"]:
-                sound = ours["verdict"] == one["verdict"] == "sound" and not one["ours"]
-                rows.append([one["method"], str(one["frames"]), *(["failed: " + one["failure"]] if "failure" in one else [
-                    *(digits(value) for value in (one["wall"], one["cpu"], one["frames"] / one["wall"], one["bytes"] / 1e6,
-                                                  one["memory"] / 1e6)),
-                    *(f"{digits(one[clock] / ours[clock])}×" if sound else "" for clock in ("wall", "cpu")), one["verdict"]])])
-            stages = [["where a frame's time goes", "thread", "CPU ms", "wall ms"], *(
-                [one["stage"], one["thread"], f"{one['cpu'] * 1e3:.3f}", f"{one['wall'] * 1e3:.3f}" if one["wall"] else "–"]
-                for one in result["stages"] if max(one["cpu"], one["wall"]) >= 0.5e-6),
-                ["all", "", f"{sum(one['cpu'] for one in result['stages']) * 1e3:.3f}"]]
-            parts.append(f"{result['case']}: {result['what']}, {result['width']} × {result['height']}, from {result['from']:g} s "
-                         f"on; {result['cached'] * 100:.0f} % of the raw frames in the page cache\n"
-                         + table("<>>>>>>>><", rows) + table("<<>>", stages))
-        return "\n".join(parts) + goal_table("record", results) + FOOT
+        cached = min(result["cached"] for result in results)
+        return (columns_table(TEXTS["record"]["columns"], results) + "\n" + columns_table(TEXTS["stages"]["columns"], results, "stages")
+                + goal_table("record", results) + "\n" + "\n".join(TEXTS["record"]["notes"])
+                + f"\nAt least {cached * 100:.0f} % of the raw frames were in the page cache.\n")
 
-    def drawn(self, results: list[Result]) -> dict[str, charts.Bars]:
+    def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The charts of speed and of stages."""
-        stages = dict.fromkeys((one["stage"], one["thread"]) for result in results for one in result["stages"]
-                               if one["cpu"] >= 20e-6)
-        found = [(stage, [next((one["cpu"] * 1e3 for one in result["stages"] if (one["stage"], one["thread"]) == stage), None)
-                          for result in results]) for stage in stages]
-        return {"speed": charts.ratio_bars(
-            results, "wall", "How many times faster is boxreel record?", "wall time of the other over that of boxreel, from a "
-            "cold start to a closed film", lambda wall: f"{digits(wall)} s", [
-                "The same frames, the same encoder with the same settings. ffmpeg alone reads frames that somebody else has "
-                "drawn."]), "stages": charts.Bars(
-                "Where each millisecond of a frame goes", "CPU time of boxreel record a frame, by stage and film", [
-                    (stage, f"{thread} thread", "", [(time, digits(time)) for time in times]) for (stage, thread), times in found],
-                [result["case"] for result in results], "CPU time of a frame [ms]", [
-                    "The sum over a film, cold start and end included, divided by its frames."], start=0.0, first_color=0)}
+        stages = dict.fromkeys((one["stage"], one["thread"]) for result in results for one in result["stages"] if one["cpu"] >= 20e-6)
+        found = {stage: [next((one["cpu"] * 1e3 for one in result["stages"] if (one["stage"], one["thread"]) == stage), None)
+                         for result in results] for stage in stages}
+        return {"speed": charts.ratio_bars(TEXTS["record"], results, "wall", time_text), "stages": charts.Bars(TEXTS["stages"], [
+            (stage, f"{thread} thread", "", [(time, digits(time)) for time in times]) for (stage, thread), times in found.items()],
+            [result["case"] for result in results], start=0.0)}
