@@ -282,8 +282,11 @@ def drawn(figures):
     return {f"{stem}-{theme}.svg": charts.draw(chart, theme, "svg") for stem, chart in made.items() for theme in charts.THEMES}
 
 
-def findings(checkout):
-    """A sentence for each thing that is not what the figures say; charts of another matplotlib are not compared."""
+def findings(checkout, made=None):
+    """A sentence for each thing that is not what the figures say; charts of another matplotlib are not compared.
+
+    `made` are the charts that they are compared with, if they were drawn before.
+    """
     figures = read(checkout)
     remedy = "; run docs/speed/speed.py write."
     named = set()
@@ -304,7 +307,7 @@ def findings(checkout):
         version = f"Matplotlib v{importlib.metadata.version('matplotlib')}".encode()
     except importlib.metadata.PackageNotFoundError:
         return
-    for path, data in drawn(figures).items():
+    for path, data in (made or drawn(figures)).items():
         stored = (checkout / path).read_bytes()
         if stored != data and version in stored:
             yield f"{path} is not what docs/speed/*.json say" + remedy

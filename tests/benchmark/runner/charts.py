@@ -82,7 +82,7 @@ def draw(chart: Bars | Lines, theme: str, kind: str) -> bytes:
     settings = {"font.family": "DejaVu Sans", "font.size": 10, "svg.hashsalt": "boxreel", "axes.edgecolor": look["soft"],
                 "text.color": look["ink"], "axes.labelcolor": look["ink"], "xtick.color": look["soft"],
                 "ytick.color": look["soft"], "axes.axisbelow": True, "legend.frameon": False}
-    height = 6.8 if not isBars else 1.9 + sum(0.18 * len(group[3]) + 0.14 for group in chart.groups)
+    height = 6.8 if not isBars else 1.92 + 0.2 * len(notes) + sum(0.18 * len(group[3]) + 0.16 for group in chart.groups)
     left, bottom = 0.09 if not isBars else 0.40 if chart.start else 0.30, (0.72 + 0.2 * len(notes)) / height
     with matplotlib.rc_context(settings):
         figure = Figure(figsize=(10.4, height), dpi=DPI, facecolor=look["ground"])

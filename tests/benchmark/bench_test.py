@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: MIT
+"""The command: options, errors, files, --from, --against, signals, and charts."""
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from unittest import mock
+
+from support import ENGINE, HERE, BuildCase, engine_line
+
+from runner import charts, common, engine
+
+PEER = ENGINE.replace("boxreel 1", "Box2D 2.4.1").replace('"cpu": 0.002', '"cpu": 0.008')
+HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
+
+
+class Command(BuildCase):
+    """The command with programs of shell."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        self.program("boxreel_bench", ENGINE)
+        self.program("boxreel_bench_box2d", PEER)
+
+    def test_prints_a_table(self) -> None:
+        done = self.bench("engine")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("4.00×", done.stdout)
+        self.assertNotIn("snow", done.stdout)
+
+    def test_refuses_what_it_does_not_know(self) -> None:
+        for culprit, words in (("'large'", ["large"]), ("--curves", ["engine", "--curves"]), ("'rian'", ["engine", "rian"]),
+                               ("'rain'", ["engine", "rain", "rain"]), ("--rounds", ["engine", "--rounds", "0"]),
+                               ("1,1", ["engine", "--threads", "1,1"]), ("640x361", ["record", "--size", "640x361"]),
+                               ("chart.pdf", ["engine", "--chart", "chart.pdf"]), ("--rounds", ["engine", "--from", "a", "--rounds", "2"]),
+                               ("--threads", ["engine", "--from", "a", "--threads", "2"]), ("NAME", [])):
+            with self.subTest(words=words):
+                self.assert_refused(1, culprit, *words)
+
+    def test_suggests_the_nearest_case(self) -> None:
+        self.assertIn("did you mean 'rain'?", self.bench("engine", "rian").stderr)
+
+    def test_names_a_missing_program(self) -> None:
+        self.assert_refused(3, "boxreel_render_bench", "render")
+
+    def test_lists_cases_and_those_that_are_only_named(self) -> None:
+        done = self.bench("engine", "--list")
+        self.assertEqual([line.split()[0] for line in done.stdout.splitlines()], ["rain", "snow"])
+
+    def test_reads_what_it_wrote(self) -> None:
+        self.assertEqual(self.bench("engine", "snow", "--json", "a.json").returncode, 0)
+        shown = self.bench("engine", "--from", "a.json", "--json", "-")
+        self.assertEqual(shown.stdout, (self.folder / "a.json").read_text(encoding="utf-8"))
+        self.assertEqual(self.bench("engine", "--from", "a.json", "--list").stdout.split()[0], "snow")
+
+    def test_refuses_files_that_it_did_not_write(self) -> None:
+        self.bench("engine", "--json", "good.json")
+        good = (self.folder / "good.json").read_text(encoding="utf-8")
+        for name, text in (("empty", ""), ("words", "words"), ("list", "[1]"), ("other", good.replace('"engine"', '"render"', 1)),
+                           ("nan", good.replace("0.002", "NaN", 1)), ("text", good.replace("0.002", '"x"')), ("deep", "[" * 99999),
+                           ("none", '{"benchmark": "engine", "results": []}'), ("zero", good.replace("0.002", "0")),
+                           ("methods", '{"benchmark": "engine", "results": [{"case": "a", "what": "b", "methods": []}]}')):
+            with self.subTest(name=name):
+                (self.folder / f"{name}.json").write_text(text, encoding="utf-8")
+                self.assert_refused(1, f"'{name}.json'", "engine", "--from", f"{name}.json")
+        self.assert_refused(1, "'absent.json'", "engine", "--from", "absent.json")
+
+    def test_leaves_no_control_character_for_the_terminal(self) -> None:
+        self.bench("engine", "--json", "a.json")
+        path = self.folder / "a.json"
+        path.write_text(path.read_text(encoding="utf-8").replace("Box2D", "\\u001b[31m\\u009bBox"), encoding="utf-8")
+        shown = self.bench("engine", "--from", "a.json").stdout
+        self.assertFalse([sign for sign in shown if sign != "\n" and not sign.isprintable()])
+
+    def test_keeps_existing_files_unless_it_is_forced(self) -> None:
+        (self.folder / "a.json").write_text("mine", encoding="utf-8")
+        self.assert_refused(1, "'a.json'", "engine", "--json", "a.json")
+        self.assertEqual((self.folder / "a.json").read_text(encoding="utf-8"), "mine")
+        self.assertFalse((self.folder / "calls").exists(), "refused before anything ran")
+        self.assertEqual(self.bench("engine", "--json", "a.json", "--force").returncode, 0)
+
+    def test_refuses_a_folder_that_is_not_there_before_anything_runs(self) -> None:
+        self.assert_refused(1, "'nowhere'", "engine", "--json", "nowhere/a.json")
+        self.assertFalse((self.folder / "calls").exists())
+
+    def test_writes_files_whole_or_not_at_all(self) -> None:
+        path = self.folder / "a.json"
+        path.write_text("before", encoding="utf-8")
+        with mock.patch("pathlib.Path.replace", side_effect=OSError(28, "No space left")):
+            with self.assertRaises(common.Problem):
+                common.write_whole(path, b"after")
+        self.assertEqual(path.read_text(encoding="utf-8"), "before")
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".")], [])
+
+    def test_stopped_shows_the_cases_before_and_leaves_nothing(self) -> None:
+        self.program("boxreel_bench", ENGINE.replace("run)", "run) [ $2 = snow ] && { log slow; exec sleep 60; };"))
+        (self.folder / "tmp").mkdir()
+        environment = {**os.environ, "BOXREEL_BUILD_DIR": str(self.folder / "build"), "TMPDIR": str(self.folder / "tmp")}
+        words = [sys.executable, str(HERE / "bench.py"), "engine", "rain", "snow", "--rounds", "1"]
+        with subprocess.Popen(words, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+            while not any("slow" in call for call in (self.calls() if (self.folder / "calls").exists() else [])):
+                time.sleep(0.02)
+            running.send_signal(signal.SIGTERM)
+            shown, _ = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 0)
+        self.assertIn("rain", shown)
+        self.assertEqual(os.listdir(self.folder / "tmp"), [])
+
+
+class Against(BuildCase):
+    """Another build beside this one."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        self.program("boxreel_bench", ENGINE.replace("NAME", "this"))
+        self.program("boxreel_bench_box2d", PEER)
+        slower = ENGINE.replace("NAME", "other").replace('"cpu": 0.002', '"cpu": 0.003')
+        self.program("boxreel_bench", slower, build="other")
+
+    def test_alternates_and_changes_who_is_first(self) -> None:
+        self.assertEqual(self.bench("engine", "--against", "other", "--rounds", "3").returncode, 0)
+        self.assertEqual([call.split()[0] for call in self.calls()], ["this", "other", "other", "this", "this", "other"])
+
+    def test_prints_the_ratio_and_its_spread(self) -> None:
+        done = self.bench("engine", "--against", "other", "--rounds", "3", "--json", "a.json")
+        row = next(line for line in done.stdout.splitlines() if " CPU " in line)
+        self.assertEqual(row.split()[-5:], ["1.50×", "1.50×", "to", "1.50×", "same"])
+        figures = {one["figure"]: one for one in json.loads((self.folder / "a.json").read_text(encoding="utf-8"))["results"]}
+        self.assertAlmostEqual(figures["CPU"]["ratio"], 1.5)
+        self.assertEqual(figures["CPU"]["seconds"], [[0.002, 0.003]] * 3)
+        self.assertAlmostEqual(figures["mean"]["ratio"], 1.0)
+
+    def test_says_where_results_differ(self) -> None:
+        self.program("boxreel_bench", ENGINE.replace('"bits": "ab"', '"bits": "cd"'), build="other")
+        self.assertIn("DIFFERENT", self.bench("engine", "--against", "other").stdout)
+
+    def test_refuses_a_folder_that_is_no_build(self) -> None:
+        self.assert_refused(3, "nowhere", "engine", "--against", "nowhere")
+        self.assert_refused(1, "--chart", "engine", "--against", "other", "--chart", "a.png")
+
+
+class Numbers(unittest.TestCase):
+    """Numbers as text."""
+
+    def test_have_three_digits(self) -> None:
+        self.assertEqual([common.time_text(t) for t in (2.5e-8, 3.5e-4, 0.00726, 3.22)], ["0.025 µs", "350 µs", "7.26 ms", "3.22 s"])
+        self.assertEqual([common.times_text(t) for t in (0.284, 6.95, 31.42, 12345.0, 0.0, None)],
+                         ["0.28×", "6.95×", "31.4×", "12,300×", "", ""])
+
+    def test_stand_below_each_other(self) -> None:
+        self.assertEqual(common.table("<>", [["a", "1"], ["bb", "22"], ["c"]]), "a    1\nbb  22\nc\n")
+
+    def test_are_medians_of_each_member(self) -> None:
+        rounds = [{"a": {"b": 1.0}, "c": "x"}, {"a": {"b": 9.0}, "c": "y"}, {"a": {"b": None}, "c": "z"}]
+        self.assertEqual(common.median_of(rounds), {"a": {"b": 5.0}, "c": "x"})
+
+
+class Programs(BuildCase):
+    """What is read from programs."""
+
+    def test_are_read_after_what_a_library_says(self) -> None:
+        self.assertEqual(common.objects('talk\n{"a": 1}\n{"a": 2}\n'), [{"a": 1}, {"a": 2}])
+
+    def test_must_print_figures(self) -> None:
+        for said in ("", "talk", "{broken"):
+            with self.assertRaises(common.Problem):
+                common.objects(said)
+
+    def test_fail_with_their_last_words(self) -> None:
+        path = self.program("boxreel_bench", "echo first >&2; echo 'no scene is called x' >&2; exit 1")
+        with self.assertRaises(common.Problem) as caught:
+            common.run([path])
+        self.assertEqual(caught.exception.code, 1)
+        self.assertIn("no scene is called x", str(caught.exception))
+
+    def test_may_end_with_a_code_that_says_something(self) -> None:
+        self.assertEqual(common.run([self.program("boxreel_bench", "exit 22")], 22).code, 22)
+
+
+@unittest.skipUnless(HAS_MATPLOTLIB, "matplotlib is not installed (Debian: python3-matplotlib)")
+class Charts(BuildCase):
+    """Charts as files, and where their labels stand."""
+
+    def test_are_drawn_in_both_themes_and_formats(self) -> None:
+        self.program("boxreel_bench", ENGINE)
+        self.program("boxreel_bench_box2d", PEER)
+        done = self.bench("engine", "--chart", "a.png", "--chart", "a.svg", "--theme", "both", "--rounds", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name, start in (("a-light.png", b"\x89PNG"), ("a-dark.png", b"\x89PNG"), ("a-light.svg", b"<?xml"), ("a-dark.svg", b"<?xml")):
+            self.assertEqual((self.folder / name).read_bytes()[:len(start)], start)
+        ground = charts.THEMES["dark"]["ground"].encode()
+        self.assertIn(ground, (self.folder / "a-dark.svg").read_bytes())
+        self.assertNotIn(ground, (self.folder / "a-light.svg").read_bytes())
+
+    def lines(self) -> charts.Lines:
+        """Two curves whose points lie on each other."""
+        points = [charts.Point(10.0**(i / 9), 1e-3 * 2.0**i, f"point {i}", "x" if i == 3 else ".", False) for i in range(7)]
+        texts = {"title": "t", "subtitle": "s", "x": "x", "y": "y", "notes": [], "strokes": {}, "marks": {}}
+        return charts.Lines(texts, [charts.Curve("a", 0, "-", points), charts.Curve("b", 1, "--", points)])
+
+    def test_have_the_same_bytes_each_time(self) -> None:
+        self.assertEqual(charts.draw(self.lines(), "light", "svg"), charts.draw(self.lines(), "light", "svg"))
+
+    def test_keep_labels_off_each_other(self) -> None:
+        figures = []
+        with mock.patch("matplotlib.figure.Figure.savefig", lambda figure, *words, **options: figures.append(figure)):
+            charts.draw(self.lines(), "light", "png")
+        labels = [text for text in figures[0].texts if text.get_text().startswith("point")]
+        boxes = [label.get_window_extent() for label in labels]
+        self.assertEqual(len(boxes), 14)
+        self.assertFalse([(a, b) for i, a in enumerate(boxes) for b in boxes[:i] if a.overlaps(b)])
+
+    def test_leave_optional_labels_out_where_there_is_no_room(self) -> None:
+        chart = self.lines()
+        crowd = [charts.Point(2.0, 2e-3, f"point {i}") for i in range(60)]
+        figures = []
+        with mock.patch("matplotlib.figure.Figure.savefig", lambda figure, *words, **options: figures.append(figure)):
+            charts.draw(chart._replace(curves=[*chart.curves, charts.Curve("c", 2, "", crowd)]), "light", "png")
+        labels = [text for text in figures[0].texts if text.get_text().startswith("point")]
+        self.assertLess(len(labels), 60)
+
+    def test_draw_what_has_no_error_at_the_top(self) -> None:
+        points = [charts.Point(1.0, 1e-3), charts.Point(2.0, None, mark="x")]
+        chart = self.lines()._replace(curves=[charts.Curve("a", 0, "-", points)])
+        self.assertTrue(charts.draw(chart, "dark", "svg"))
+
+    def test_have_bars_either_way_of_equally_fast(self) -> None:
+        methods = [{"method": name, "ours": name == "boxreel", "cpu": cpu, "verdict": "sound"}
+                   for name, cpu in (("boxreel", 1.0), ("slow", 2.0), ("fast", 0.5))]
+        chart = charts.ratio_bars(common.TEXTS["engine"], [{"case": "c", "what": "w", "methods": methods}], "cpu", common.time_text)
+        self.assertEqual([bar[0] for bar in chart.groups[0][3]], [2.0, 0.5])
+        self.assertTrue(charts.draw(chart, "light", "png"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""The engine beside its peers: what a run must show before its time counts, medians, ratios, goals."""
+from __future__ import annotations
+
+import argparse
+import json
+import unittest
+
+from support import ENGINE, SCENE, BuildCase, engine_line
+
+from runner import common, engine
+
+OPTIONS = argparse.Namespace(rounds=2, threads=[1], against=None)
+
+
+def method(name: str = "boxreel 1", ours: bool = True, **figures: object) -> dict:
+    """A sound run."""
+    said = json.loads(engine_line(**figures))
+    said.pop("engine")
+    return {"method": name, "ours": ours, **said}
+
+
+def judged(ours: dict, *peers: dict, **scene: object) -> dict:
+    """The result of a scene; without peers one of Box2D like ours."""
+    result = {**SCENE, **scene, "methods": [ours, *(peers or [method("Box2D 2.4.1", False, cpu=8e-3, mean=8e-3)])]}
+    engine.Engine().judge(result)
+    return result
+
+
+class Judge(unittest.TestCase):
+    """Verdicts of runs."""
+
+    def test_calls_sound_what_ends_like_the_peers(self) -> None:
+        first, peer = judged(method())["methods"]
+        self.assertEqual((first["verdict"], peer["verdict"]), ("sound", "sound"))
+        self.assertAlmostEqual(peer["cpuTimes"], 4.0)
+
+    def test_names_what_differs_from_the_peers(self) -> None:
+        for figures, verdict in (({"bodies": 51}, "other bodies"), ({"found": 8}, "other hits"), ({"foundSum": 3.6}, "other hits"),
+                                 ({"contacts": 130}, "other contacts"), ({"meanHeight": 10.4}, "other heights"),
+                                 ({"overlap": 0.0126}, "deep overlaps"), ({"finite": False}, "not finite"),
+                                 ({"escaped": 3}, "3 escaped"), ({"awake": 2}, "2 awake"), ({"bits": "vary"}, "other bits")):
+            first, peer = judged(method(**figures))["methods"]
+            self.assertEqual(first["verdict"], verdict, figures)
+            self.assertNotIn("cpuTimes", peer, figures)
+
+    def test_lets_chaos_pass(self) -> None:
+        for figures in ({"contacts": 114}, {"meanHeight": 10.29}, {"overlap": 0.0124}, {"meanSpeed": 9.0}, {"foundSum": 3.5003}):
+            self.assertEqual(judged(method(**figures))["methods"][0]["verdict"], "sound", figures)
+
+    def test_compares_speeds_where_nothing_rests(self) -> None:
+        for figures, verdict in (({"meanHeight": 99.0}, "sound"), ({"overlap": 0.5}, "sound"), ({"contacts": 110}, "sound"),
+                                 ({"contacts": 140}, "other contacts"), ({"meanSpeed": 1.2}, "other speeds")):
+            self.assertEqual(judged(method(**figures), comparesSpeeds=True)["methods"][0]["verdict"], verdict, figures)
+
+    def test_compares_nothing_with_a_run_that_burst(self) -> None:
+        burst = method("Chipmunk 7", False, escaped=5, contacts=None)
+        result = judged(method(), method("Box2D 2.4.1", False), burst)
+        self.assertEqual(burst["verdict"], "5 escaped")
+        self.assertNotIn("cpuTimes", result["methods"][2])
+        self.assertIn("cpuTimes", result["methods"][1])
+
+    def test_wants_the_same_bits_at_every_thread_count(self) -> None:
+        ours, other = method(), method(threads=2, bits="cd", mean=1e-3)
+        result = judged(ours, other, method("Box2D 2.4.1", False))
+        self.assertEqual([one["verdict"] for one in result["methods"]], ["sound", "other bits", "sound"])
+        self.assertAlmostEqual(other["speedUp"], 2.0)
+
+
+class Goals(unittest.TestCase):
+    """How goals stand."""
+
+    def lines(self, ours: dict, *peers: dict, case: str = "large-pyramid") -> list[str]:
+        """Of the table of goals."""
+        text = engine.Engine().text([judged(ours, *peers, case=case)])
+        return [line for line in text.splitlines() if line.endswith(("met", "MISSED"))]
+
+    def test_hold_ours_against_box2d_threads_and_memory(self) -> None:
+        two = method(threads=2, mean=1.2e-3)
+        lines = self.lines(method(memory=15 * 1024 + 1), two, method("Box2D 2.4.1", False, cpu=13.9e-3))
+        self.assertEqual([line.split()[-1] for line in lines], ["MISSED", "met", "MISSED"])
+        self.assertIn("6.95", lines[0])
+        self.assertIn("1.67", lines[1])
+
+    def test_are_missed_by_a_run_unlike_the_peers(self) -> None:
+        lines = self.lines(method(meanHeight=20.0), method("Box2D 2.4.1", False, cpu=1.0))
+        self.assertTrue(lines[0].endswith("MISSED"), lines)
+
+    def test_are_left_out_where_nothing_is_compared(self) -> None:
+        result = judged(method(), method("Chipmunk 7", False), case="pyramids")
+        self.assertEqual(common.goal_table("engine", [result]), "")
+
+    def test_compare_numbers_and_nothing_else(self) -> None:
+        self.assertTrue(common.is_met("<= 5", 5.0))
+        self.assertFalse(common.is_met(">= 7", 6.999))
+        for value in (None, float("nan"), float("inf"), True):
+            self.assertFalse(common.is_met("<= 5", value), value)
+
+
+class Measure(BuildCase):
+    """Running programs."""
+
+    def test_runs_programs_in_turn_and_takes_medians(self) -> None:
+        times = 'n=$(cat "$0.n" 2>/dev/null || echo 0); echo $((n + 1)) >"$0.n"; log "$(basename "$0")"\n'
+        for name, cpus in (("boxreel_bench", (2e-3, 9e-3, 3e-3)), ("boxreel_bench_box2d", (8e-3, 7e-3, 1e-3))):
+            lines = " ".join(f"'{engine_line(cpu=cpu, engine=name)}'" for cpu in cpus)
+            self.program(name, f"{times}set -- {lines}\nshift $n\necho \"$1\"")
+        options = argparse.Namespace(**{**vars(OPTIONS), "rounds": 3})
+        result = engine.Engine().measure(self.folder / "build", SCENE, options, self.folder)
+        self.assertEqual(self.calls(), ["boxreel_bench", "boxreel_bench_box2d"] * 3)
+        self.assertEqual([one["cpu"] for one in result["methods"]], [3e-3, 7e-3])
+        self.assertEqual([one["ours"] for one in result["methods"]], [True, False])
+
+    def test_keeps_the_others_when_a_peer_fails(self) -> None:
+        self.program("boxreel_bench", ENGINE)
+        self.program("boxreel_bench_box2d", "exit 5")
+        result = engine.Engine().measure(self.folder / "build", SCENE, OPTIONS, self.folder)
+        engine.Engine().judge(result)
+        self.assertEqual([one["verdict"] for one in result["methods"]], ["sound", "failed"])
+        self.assertIn("failed", engine.Engine().text([result]))
+
+    def test_says_when_bits_vary_between_rounds(self) -> None:
+        self.program("boxreel_bench", f"echo '{engine_line()}' | sed \"s/ab/$$/\"")
+        result = engine.Engine().measure(self.folder / "build", SCENE, OPTIONS, self.folder)
+        self.assertEqual(result["methods"][0]["bits"], "vary")
+
+
+class Charts(unittest.TestCase):
+    """What charts show."""
+
+    def test_have_bars_only_for_what_is_compared(self) -> None:
+        peers = [method("Box2D 2.4.1", False, cpu=8e-3), method("Chipmunk 7", False, escaped=4)]
+        chart = engine.Engine().drawn([judged(method(), *peers)])[""]
+        self.assertEqual(chart.groups[0][3], [(4.0, "4.00×"), (None, "not compared: 4 escaped")])
+        self.assertEqual(chart.series, ["than Box2D 2.4.1", "than Chipmunk 7"])
+
+    def test_need_a_peer(self) -> None:
+        result = {**SCENE, "methods": [method()]}
+        engine.Engine().judge(result)
+        with self.assertRaises(common.Problem) as caught:
+            engine.Engine().drawn([result])
+        self.assertEqual(caught.exception.code, 3)
+
+    def test_draw_curves_in_the_order_of_their_counts(self) -> None:
+        results = [judged(method(cpu=cpu), curve="static", count=count) for count, cpu in ((2000, 3e-6), (200, 2e-6))]
+        curve = engine.Curve().drawn(results)[""].curves[0]
+        self.assertEqual([point.x for point in curve.points], [200, 2000])
+        self.assertEqual(curve.points[-1].label, "1.50×")
+
+
+if __name__ == "__main__":
+    unittest.main()
