@@ -136,7 +136,8 @@ def finding_text(method, change, truth):
     calls = [one["different"] for one in method["pictures"] if one["change"] == change]
     different = sum(calls)
     if truth == "equal":
-        return "equal" if different == 0 else "**different**" if different == len(calls) else f"**{different} different**"
+        all_of = "**different**" if different == len(calls) else f"**{different} different**"
+        return "equal" if different == 0 else all_of
     return str(different) if different == len(calls) else f"**{different}**"
 
 
@@ -153,7 +154,8 @@ def comparing_table(figures):
 
 def toolkit_rows(figures):
     """All tasks of the toolkit."""
-    return [*drawing_rows(figures["drawing"]), *recording_rows(figures["recording"]), *comparing_rows(figures["comparing"])]
+    return [*drawing_rows(figures["drawing"]), *recording_rows(figures["recording"]),
+            *comparing_rows(figures["comparing"])]
 
 
 def toolkit_table(figures):
@@ -234,7 +236,8 @@ def kept(name, data):
     """Of accuracy what tables and charts show: a whole sweep is a megabyte."""
     for result in data["results"] if name == "accuracy" else []:
         if result["case"] not in CHARTED:
-            shown = [accuracy.usual(result, method, steps) for method in accuracy.engines_of(result) for steps in (2, 4)]
+            engines = accuracy.engines_of(result)
+            shown = [accuracy.usual(result, method, steps) for method in engines for steps in (2, 4)]
             result["runs"] = [one for one in result["runs"] if any(one is other for other in shown)]
     return data
 
@@ -261,7 +264,8 @@ def measure(checkout, names):
 def read(checkout):
     """All figures, judged again."""
     folder = checkout / "docs/speed"
-    files = {name: json.loads((folder / (name + ".json")).read_text(encoding="utf-8")) for name in [*BENCHMARKS, "machine"]}
+    files = {name: json.loads((folder / (name + ".json")).read_text(encoding="utf-8"))
+             for name in [*BENCHMARKS, "machine"]}
     for name, (benchmark, _) in BENCHMARKS.items():
         files[name] = files[name]["results"]
         for result in files[name]:
@@ -279,7 +283,8 @@ def drawn(figures):
     made = {"docs/speed/engine": BENCHMARKS["engine"][0].drawn(figures["engine"])[""]}
     cases = [result for result in figures["accuracy"] if result["case"] in CHARTED]
     made |= {f"docs/figures/accuracy-{name}": chart for name, chart in BENCHMARKS["accuracy"][0].drawn(cases).items()}
-    return {f"{stem}-{theme}.svg": charts.draw(chart, theme, "svg") for stem, chart in made.items() for theme in charts.THEMES}
+    return {f"{stem}-{theme}.svg": charts.draw(chart, theme, "svg")
+            for stem, chart in made.items() for theme in charts.THEMES}
 
 
 def findings(checkout, made=None):
@@ -316,7 +321,8 @@ def findings(checkout, made=None):
 def main():
     """Runs the command; its exit code."""
     action, *names = sys.argv[1:] or [""]
-    if action not in ("measure", "write", "check") or (names and action != "measure") or not set(names) <= BENCHMARKS.keys():
+    unknown = set(names) - BENCHMARKS.keys() or (names and action != "measure")
+    if action not in ("measure", "write", "check") or unknown:
         sys.exit(__doc__.strip())
     if action == "check":
         found = list(findings(CHECKOUT))

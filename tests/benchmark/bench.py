@@ -20,11 +20,13 @@ from typing import Any, NoReturn
 
 sys.dont_write_bytecode = True
 from runner import accuracy, charts, comparing, drawing, engine, recording  # noqa: E402
-from runner.common import (FAILED, TEXTS, Benchmark, Problem, Result, cell, check_outputs, note, read_results,  # noqa: E402
-                           table, time_text, times_text, unusable, value_at, write_whole)
+from runner.common import (  # noqa: E402
+    FAILED, TEXTS, Benchmark, Problem, Result, cell, check_outputs, note, read_results, table, time_text, times_text,
+    unusable, value_at, write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
-    engine.Engine(), engine.Curve(), accuracy.Accuracy(), drawing.Drawing(), recording.Recording(), comparing.Comparing())}
+    engine.Engine(), engine.Curve(), accuracy.Accuracy(), drawing.Drawing(), recording.Recording(),
+    comparing.Comparing())}
 
 
 class Parser(argparse.ArgumentParser):
@@ -47,33 +49,33 @@ def numbers(pattern: str, example: str, most: int) -> Any:
 
 def parse(words: list[str]) -> argparse.Namespace:
     """The options. What goes with --from is only what shows results."""
-    parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `./boxreel bench NAME --help` tells more.")
+    parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `NAME --help` tells more.")
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
     for name in BENCHMARKS:
         what = TEXTS[name]["what"]
         command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.", allow_abbrev=False)
-        command.set_defaults(threads=[1], frames=None, size=None, peers=None)
+        command.set_defaults(threads=None, frames=None, size=None, peers=None)
         add = command.add_argument
         add("cases", nargs="*", metavar="CASE", help="cases to run, such as those of --list (all)")
         add("--list", action="store_true", help="print the cases")
-        add("--rounds", type=numbers(r"\d{1,4}", "3", 1000), metavar="N", help="times that each method runs, in turn (3)")
+        add("--rounds", type=numbers(r"\d{1,4}", "3", 1000), metavar="N", help="runs of each method, in turn (3)")
         if name in ("engine", "curve"):
             add("--threads", type=numbers(r"\d{1,2}(,\d{1,2})*", "1,2", 64), metavar="N[,N...]", help="of boxreel (1)")
         if name == "record":
-            add("--frames", type=numbers(r"\d{1,6}", "600", 100_000), metavar="N", help="of the films (those of the case)")
-            add("--size", type=numbers(r"\d{0,3}[02468]x\d{0,3}[02468]", "640x360, with even sides", 8192), metavar="WxH",
-                help="of the films (that of the case)")
+            add("--frames", type=numbers(r"\d{1,6}", "600", 100_000), metavar="N", help="of films (the case's own)")
+            add("--size", type=numbers(r"\d{0,3}[02468]x\d{0,3}[02468]", "640x360, with even sides", 8192),
+                metavar="WxH", help="of films (the case's own)")
         if name == "golden":
-            add("--peers", metavar="DIR", help="folder where `npm install odiff-bin pixelmatch` was run (BOXREEL_PEERS)")
+            add("--peers", metavar="DIR", help="where `npm install odiff-bin pixelmatch` was run (BOXREEL_PEERS)")
         source = command.add_mutually_exclusive_group()
         source.add_argument("--from", dest="source", metavar="FILE", help="show what --json wrote; run nothing")
-        source.add_argument("--against", type=Path, metavar="BUILD", help="time another build folder's programs alternately")
+        source.add_argument("--against", type=Path, metavar="BUILD", help="time another build folder alternately")
         add("--json", metavar="FILE", help="write all figures; `-` prints them instead of tables")
         add("--chart", action="append", type=Path, default=[], metavar="FILE", help="draw .png or .svg; repeatable")
-        add("--theme", choices=["light", "dark", "both"], default="light", help="of charts; `both` adds -light and -dark to names")
+        add("--theme", choices=["light", "dark", "both"], default="light", help="of charts; `both` adds it to names")
         add("--force", action="store_true", help="overwrite existing files")
     options = parser.parse_args(words)
-    given = [name for name in ("rounds", "frames", "size", "peers") if getattr(options, name)] + ["threads"] * (options.threads != [1])
+    given = [name for name in ("rounds", "threads", "frames", "size", "peers") if getattr(options, name)]
     if options.source and given:
         raise Problem(f"--from runs nothing; leave --{given[0]} out, or --from")
     if options.against and options.chart:
@@ -81,6 +83,7 @@ def parse(words: list[str]) -> argparse.Namespace:
     for chart in (chart for chart in options.chart if chart.suffix not in (".png", ".svg")):
         raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
     options.rounds, options.frames = (options.rounds or [3])[0], (options.frames or [0])[0]
+    options.threads = options.threads or [1]
     return options
 
 
@@ -118,7 +121,8 @@ def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options:
     return results
 
 
-def against(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> tuple[str, list[Result]]:
+def against(benchmark: Benchmark, build: Path, cases: list[Result],
+            options: argparse.Namespace) -> tuple[str, list[Result]]:
     """Both builds alternately: the median of the rounds' ratios, their spread, and whether both compute the same."""
     rounds, options.rounds = options.rounds, 1
     texts = TEXTS[benchmark.name] if "columns" in TEXTS[benchmark.name] else TEXTS["engine"]
@@ -133,14 +137,17 @@ def against(benchmark: Benchmark, build: Path, cases: list[Result], options: arg
                 runs[which].append(result.get("methods") or result["runs"])
         for index, one in enumerate(runs[0][0]):
             name = " ".join(cell(one, path, kind) for _, path, kind in texts["columns"] if kind == "name")
-            same = all(value_at(run[index], key) == value_at(one, key) for run in runs[0] + runs[1] for key in texts["same"])
-            for head, path, _ in (column for column in texts["columns"] if column[2] == "time" and value_at(one, column[1])):
+            same = all(value_at(run[index], key) == value_at(one, key)
+                       for run in sum(runs, []) for key in texts["same"])
+            columns = [(head, path) for head, path, kind in texts["columns"] if kind == "time" and value_at(one, path)]
+            for head, path in columns:
                 pairs = [(value_at(ours[index], path), value_at(other[index], path)) for ours, other in zip(*runs)]
                 ratios = sorted(other / ours for ours, other in pairs)
-                results.append({"case": case["case"], "method": name, "figure": head, "seconds": pairs, "sameResults": same,
-                                "ratio": statistics.median(ratios), "lowest": ratios[0], "highest": ratios[-1]})
+                ratio = statistics.median(ratios)
+                results.append({"case": case["case"], "method": name, "figure": head, "seconds": pairs, "ratio": ratio,
+                                "lowest": ratios[0], "highest": ratios[-1], "sameResults": same})
                 rows.append([case["case"], name, head, *(time_text(statistics.median(times)) for times in zip(*pairs)),
-                             times_text(statistics.median(ratios)), f"{times_text(ratios[0])} to {times_text(ratios[-1])}",
+                             times_text(ratio), f"{times_text(ratios[0])} to {times_text(ratios[-1])}",
                              "same" if same else "DIFFERENT"])
     return table("<<<>>>><", rows), results
 

@@ -414,6 +414,13 @@ TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
     }
 }
 
+TEST(CommandLine, PointsToTheScriptWhenBenchIsAsked)
+{
+    EXPECT_THAT(Refusal("bench --accuracy"), HasSubstr("'--accuracy'"));
+    EXPECT_THAT(Refusal("bench"), HasSubstr("./boxreel bench"));
+    EXPECT_THAT(Refusal("bnech"), testing::Not(HasSubstr("./boxreel bench")));
+}
+
 TEST(CommandLine, APanelThatWouldBeCutOffIsRefused)
 {
     for (const char* call : {"shot pyramid --at 1s -o a.png --hud --size 199x200",

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import (GOALS, TEXTS, Benchmark, Problem, Result, columns_table, is_met, is_number, note, objects, run, table,
-                     time_text, times_text)
+from .common import (GOALS, TEXTS, Benchmark, Problem, Result, columns_table, is_met, is_number, note, objects, run,
+                     table, time_text, times_text)
 from .engine import PEERS, is_goal_peer
 
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
@@ -36,7 +36,8 @@ def verdict(goals: dict[str, str], one: Result) -> str:
     """"goal met", "" where the error is too large, how else it ended, or the remarks that miss their goals."""
     missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals.items()
               if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
-    return ending(one) or ", ".join(missed) or ("goal met" if is_met(goals.get("error", "<= inf"), one["error"]) else "")
+    is_small = not ending(one) and is_met(goals.get("error", "<= inf"), one["error"])
+    return ending(one) or ", ".join(missed) or ("goal met" if is_small else "")
 
 
 def usual(result: Result, engine: str, steps: int = 4) -> Result | None:
@@ -62,10 +63,11 @@ def summary(results: list[Result], steps: int) -> str:
             timed = one and ours and "failure" not in one and "failure" not in ours
             ratio = one["cpu"] / ours["cpu"] if timed else 1.0
             slower = slower or (is_goal_peer(engine) and ratio < 1.0)
-            cells += [(ending(one) or f"{one['error']:.3g}") if one else "not run", time_text(one["cpu"]) if timed else ""]
-            cells += [times_text(ratio) if timed else ""] if engine != first else []
-        said = ours["verdict"] if ours else "not run"
-        rows.append([result["case"], GOALS["accuracy"].get(result["case"], {}).get("error", "")[3:], result["unit"], *cells,
+            cells += [(ending(one) or f"{one['error']:.3g}") if one else "not run"]
+            cells += [time_text(one["cpu"]), times_text(ratio)][:1 + (engine != first)] if timed else [""] * (
+                1 + (engine != first))
+        said, goal = ours["verdict"] if ours else "not run", GOALS["accuracy"].get(result["case"], {}).get("error", "")
+        rows.append([result["case"], goal[3:], result["unit"], *cells,
                      "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
     return table("<>>>>" + ">>>" * len(others) + "<", rows)
 
@@ -114,9 +116,8 @@ class Accuracy(Benchmark):
             if all(ending(one) for one in result["runs"]):
                 note(f"no run of '{result['case']}' held, so there is nothing to draw")
                 continue
-            made[result["case"]] = charts.Lines(texts, [
-                curve for color, engine in enumerate(engines_of(result)) for curve in self.curves(result, engine, color, floor)],
-                (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
+            curves = [self.curves(result, engine, color, floor) for color, engine in enumerate(engines_of(result))]
+            made[result["case"]] = charts.Lines(texts, sum(curves, []), (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
         return made
 
     @staticmethod
@@ -128,16 +129,18 @@ class Accuracy(Benchmark):
 
         def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
             mark = "x" if one["verdict"] not in ("goal met", "") else "o" if one is base else "." if label else "speck"
-            return charts.Point(one["cpuOfFrame"] * 1e6, max(one["error"], floor) if is_number(one["error"]) else None, label,
-                                mark, optional)
+            error = max(one["error"], floor) if is_number(one["error"]) else None
+            return charts.Point(one["cpuOfFrame"] * 1e6, error, label, mark, optional)
 
         for key, (stroke, unit) in VARIED.items():
-            line = sorted((one for one in own if base and all(one[other] == base[other] for other in VARIED if other != key)),
+            same = [other for other in VARIED if other != key]
+            line = sorted((one for one in own if base and all(one[other] == base[other] for other in same)),
                           key=lambda one: one[key])
             points = []
             for one in line if len(line) > 1 else []:
                 words = str(one[key]) + unit * (one is line[-1]) if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
-                points.append(point(one, "" if one is base and key != "subSteps" else words, not unit or one is not line[-1]))
+                words = words if one is not base or key == "subSteps" else ""
+                points.append(point(one, words, not unit or one is not line[-1]))
                 left.pop(id(one), None)
             curves += [charts.Curve(engine, color, stroke, points)] if points else []
         return curves + ([charts.Curve(engine, color, "", [point(one) for one in left.values()])] if left else [])

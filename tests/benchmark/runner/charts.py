@@ -55,7 +55,7 @@ def ratio_bars(texts: dict[str, Any], results: list[Result], figure: str, value:
     peers = list(dict.fromkeys(one["method"] for result in results for one in result["methods"]
                                if not one["ours"] and "failure" not in one))
     if not peers:
-        raise Problem("no peer ran, so there is no ratio to draw; install what was said to be missing and run again", ABSENT)
+        raise Problem("no peer ran, so there is no ratio to draw; install one and run again", ABSENT)
     groups = []
     for result in results:
         ours, bars = result["methods"][0], []
@@ -79,9 +79,9 @@ def draw(chart: Bars | Lines, theme: str, kind: str) -> bytes:
     import matplotlib
     from matplotlib.figure import Figure
     look, notes, isBars = THEMES[theme], chart.texts["notes"], isinstance(chart, Bars)
-    settings = {"font.family": "DejaVu Sans", "font.size": 10, "svg.hashsalt": "boxreel", "axes.edgecolor": look["soft"],
+    settings = {"font.family": "DejaVu Sans", "font.size": 10, "svg.hashsalt": "boxreel", "axes.axisbelow": True,
                 "text.color": look["ink"], "axes.labelcolor": look["ink"], "xtick.color": look["soft"],
-                "ytick.color": look["soft"], "axes.axisbelow": True, "legend.frameon": False}
+                "ytick.color": look["soft"], "axes.edgecolor": look["soft"], "legend.frameon": False}
     height = 6.8 if not isBars else 1.92 + 0.2 * len(notes) + sum(0.18 * len(group[3]) + 0.16 for group in chart.groups)
     left, bottom = 0.09 if not isBars else 0.40 if chart.start else 0.30, (0.72 + 0.2 * len(notes)) / height
     with matplotlib.rc_context(settings):
@@ -111,8 +111,9 @@ def draw_bars(axes: Any, chart: Bars, look: dict[str, Any]) -> None:
             axes.annotate(words, (end, top + row), (-5 if end < chart.start else 5, 0), textcoords="offset points",
                           ha="right" if end < chart.start else "left", va="center", fontsize=8.5,
                           color=look["soft" if length is None else "ink"])
-        for x, y, words, style in ((names, 6, name, {"fontweight": "bold", "fontsize": 9.5}), (-10, 0, value, {"fontsize": 9}),
-                                   (names, -6, what, {"color": look["soft"], "fontsize": 8})):
+        for x, y, words, style in ((names, 6, name, {"fontweight": "bold", "fontsize": 9.5}),
+                                   (names, -6, what, {"color": look["soft"], "fontsize": 8}),
+                                   (-10, 0, value, {"fontsize": 9})):
             axes.annotate(words, (0.0, top + 0.5 * (len(bars) - 1)), (x, y), xycoords=("axes fraction", "data"),
                           textcoords="offset points", ha="right", va="center", **style)
         top += len(bars) + 0.8
@@ -130,15 +131,16 @@ def draw_bars(axes: Any, chart: Bars, look: dict[str, Any]) -> None:
         axes.set_xlim(0.0, 1.12 * high or 1.0)
     axes.grid(axis="x", which="major", color=look["grid"], linewidth=0.8)
     axes.spines["left"].set_visible(False)
-    axes.legend([axes.barh(0.0, 0.0, color=color) for color in colors], chart.series, loc="lower left", ncol=3, fontsize=9,
-                bbox_to_anchor=(0.0, 1.0), borderaxespad=0.6, handlelength=1.2, columnspacing=1.6)
+    axes.legend([axes.barh(0.0, 0.0, color=color) for color in colors], chart.series, loc="lower left", ncol=3,
+                fontsize=9, bbox_to_anchor=(0.0, 1.0), borderaxespad=0.6, handlelength=1.2, columnspacing=1.6)
 
 
 def draw_lines(axes: Any, chart: Lines, look: dict[str, Any]) -> None:
     """Curves with their marks and labels; a legend of colours, strokes and marks above."""
     axes.set(xscale="log", yscale="log", xlabel=chart.texts["x"], ylabel=chart.texts["y"])
-    ceiling = 2.0 * max((point.y for curve in chart.curves for point in curve.points if point.y is not None), default=0.5)
-    curves = [curve._replace(points=[point if point.y is not None else point._replace(y=ceiling) for point in curve.points])
+    heights = [point.y for curve in chart.curves for point in curve.points if point.y is not None]
+    top = 2.0 * max(heights, default=0.5)
+    curves = [curve._replace(points=[point._replace(y=top if point.y is None else point.y) for point in curve.points])
               for curve in chart.curves]
     legend: dict[str, Any] = {}
     for curve in curves:
@@ -157,7 +159,7 @@ def draw_lines(axes: Any, chart: Lines, look: dict[str, Any]) -> None:
         if any(point.mark == mark for curve in curves for point in curve.points):
             legend[words] = axes.plot([], [], MARKS[mark][0], color=look["soft"], markersize=MARKS[mark][1],
                                       markeredgecolor=look["ink" if mark == "o" else "soft"])[0]
-    axes.legend(legend.values(), legend.keys(), loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncol=4, fontsize=8.5,
+    axes.legend(legend.values(), legend.keys(), loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncol=5, fontsize=8.5,
                 borderaxespad=0.4, columnspacing=1.4)
     axes.margins(0.07)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:,.6g}")
@@ -195,8 +197,9 @@ def label_points(axes: Any, curves: list[Curve], look: dict[str, Any]) -> None:
             outside = not (box.x0 < u - w and u + w < box.x1 and box.y0 < v - h and v + h < box.y1)
             return 20.0 * outside + sum(abs(u - a) < w + c and abs(v - b) < h + d for a, b, c, d in taken)
 
+        turns = (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35)
         best = min(((x + (w + gap * unit) * math.cos(turn), y + (h + gap * unit) * math.sin(turn))
-                    for gap in (5, 9, 14, 20) for turn in (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35)), key=covered)
+                    for gap in (5, 9, 14, 20) for turn in turns), key=covered)
         if covered(best) and point.optional:
             label.remove()
             continue

@@ -38,9 +38,9 @@ class Ended(NamedTuple):
 
 
 class Benchmark:
-    """A kind of measurement. Subclasses have `measure(build, case, options, work)`, which returns a Result; `judge`, which
-    adds verdicts and, in `reached`, what goals are for, None where a run is broken; `text`, the tables of results; and
-    `drawn`, their charts by what is added to the names of their files."""
+    """A kind of measurement. Subclasses have `measure(build, case, options, work)`, which returns a Result;
+    `judge(result)`, which adds verdicts and, in `reached`, what goals are for, None where a run is broken; and
+    `drawn(results)`, their charts by what is added to the names of their files."""
     name = program = ""
     list_words = ["list"]
     peers: dict[str, str] = {}  # programs, and the packages that they were built with
@@ -59,8 +59,10 @@ class Benchmark:
                 note(f"{name} was not built and is not compared; install {package} and build again")
         return found
 
-    def judge(self, result: Result) -> None:
-        """Adds nothing."""
+    def text(self, results: list[Result]) -> str:
+        """A row a method, goals, and notes."""
+        foot = "".join(f"{line}\n" for line in ["", *TEXTS[self.name].get("foot", [])])
+        return columns_table(TEXTS[self.name]["columns"], results) + goal_table(self.name, results) + foot
 
 
 def note(sentence: str) -> None:
@@ -215,8 +217,9 @@ def table(align: str, rows: Iterable[Sequence[str]]) -> str:
                    for row in cells)
 
 
-FORMATS = {"name": str, "text": str, "digits": digits, "time": time_text, "times": times_text, "count": lambda value: f"{value:.0f}",
-           "error": lambda value: f"{value:.4g}", "kB": lambda value: f"{value / 1024.0:.1f} MB", "MB": lambda value: digits(value / 1e6)}
+FORMATS = {"name": str, "text": str, "digits": digits, "time": time_text, "times": times_text,
+           "count": lambda value: f"{value:.0f}", "error": lambda value: f"{value:.4g}",
+           "kB": lambda value: f"{value / 1024.0:.1f} MB", "MB": lambda value: digits(value / 1e6)}
 
 
 def value_at(one: Result, path: str) -> Any:
@@ -227,7 +230,8 @@ def value_at(one: Result, path: str) -> Any:
 
 def cell(one: Result, path: str, kind: str) -> str:
     """The text of a member, or of several between slashes."""
-    return "/".join(FORMATS[kind](value) for value in (value_at(one, key) for key in path.split("/")) if value is not None)
+    values = (value_at(one, key) for key in path.split("/"))
+    return "/".join(FORMATS[kind](value) for value in values if value is not None)
 
 
 def columns_table(columns: list[list[str]], results: list[Result], key: str = "methods") -> str:
@@ -235,6 +239,6 @@ def columns_table(columns: list[list[str]], results: list[Result], key: str = "m
     rows = [["case", *(head for head, _, _ in columns)]]
     for result in results:
         for number, one in enumerate(result[key]):
-            cells = [cell(one, path, kind) for _, path, kind in columns if "failure" not in one or kind in ("name", "text")]
-            rows.append([result["case"] if number == 0 else "", *cells])
+            shown = [column for column in columns if "failure" not in one or column[2] in ("name", "text")]
+            rows.append([result["case"] if number == 0 else "", *(cell(one, path, kind) for _, path, kind in shown)])
     return table("<" + "".join("<" if kind in ("name", "text") else ">" for _, _, kind in columns), rows)

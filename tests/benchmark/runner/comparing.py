@@ -32,10 +32,12 @@ def npm_peers(folder: Path) -> list[Method]:
     version = {name: json.loads((modules / name / "package.json").read_text("utf-8"))["version"]
                for name in ("odiff-bin", "pixelmatch") if (modules / name / "package.json").is_file()}
     if not version:
-        raise Problem(f"'{folder}' holds no peers; run `npm install odiff-bin pixelmatch` in it, or name another folder")
-    odiff, match = next(modules.glob("@odiff/*/odiff"), "odiff"), ["node", modules / "pixelmatch" / "bin" / "pixelmatch"]
+        raise Problem(f"'{folder}' holds no peers; run `npm install odiff-bin pixelmatch` in it or name another folder")
+    odiff = next(modules.glob("@odiff/*/odiff"), "odiff")
+    match = ["node", modules / "pixelmatch" / "bin" / "pixelmatch"]
     timer = ["node", Path(__file__).with_name("pixelmatch.mjs"), (modules / "pixelmatch").resolve()]
-    found = {"odiff-bin": [("odiff {}", [odiff], [], 22), (f"odiff {{}}, {STRICT}", [odiff], ["--threshold", STRICT], 22)],
+    found = {"odiff-bin": [("odiff {}", [odiff], [], 22),
+                           (f"odiff {{}}, {STRICT}", [odiff], ["--threshold", STRICT], 22)],
              "pixelmatch": [("pixelmatch {}", match, [], 66, [*timer, "{}"]),
                             (f"pixelmatch {{}}, {STRICT}, AA counts", match, ["", STRICT, "true"], 66,
                              [*timer, json.dumps({"threshold": float(STRICT), "includeAA": True})])]}
@@ -46,7 +48,8 @@ def peers_of(folder: str | None) -> tuple[list[Method], list[str]]:
     """The peers that run, and sentences about those that are absent."""
     found, absent = npm_peers(Path(folder).expanduser()) if folder else [], []
     try:
-        version, words = re.search(r"ImageMagick ([^ \n-]+)", run(["compare", "-version"]).output)[1], ["compare", "-metric", "AE"]
+        version = re.search(r"ImageMagick ([^ \n-]+)", run(["compare", "-version"]).output)[1]
+        words = ["compare", "-metric", "AE"]
         found += [Method(f"ImageMagick {version}", words, ["null:"], 1),
                   Method(f"ImageMagick {version}, fuzz {FUZZ}", [*words, "-fuzz", FUZZ], ["null:"], 1)]
     except Problem:
@@ -91,13 +94,15 @@ class Comparing(Benchmark):
             methods.append(one)
             try:
                 for pair, expected, actual in zip(pairs, files[::2], files[1::2]):
-                    runs = [run([*method.before, expected, actual, *method.after], method.code) for _ in range(options.rounds)]
+                    words = [*method.before, expected, actual, *method.after]
+                    runs = [run(words, method.code) for _ in range(options.rounds)]
                     one["pictures"].append({"change": pair["change"], "different": runs[0].code != 0,
                                             "process": median_of([ended.wall for ended in runs])})
                 timer = [*method.timer[:3], options.rounds, *method.timer[3:], *files]
                 for picture, said in zip(one["pictures"], objects(run(timer).output) if method.timer else []):
                     if said.get("different", picture["different"]) != picture["different"]:
-                        raise Problem(f"`boxreel diff` and the library differ about '{picture['change']}'; report this", FAILED)
+                        raise Problem(f"`boxreel diff` and library differ about '{picture['change']}'; report it",
+                                      FAILED)
                     picture["decoded"], one["method"] = said["decodedSeconds"], said.get("method", one["method"])
             except Problem as problem:
                 if one["ours"]:
@@ -113,7 +118,8 @@ class Comparing(Benchmark):
 
     def text(self, results: list[Result]) -> str:
         """A row a method: what it calls different of each change, and its times."""
-        changes, heads = [one for one in results[0]["changes"] if one["truth"] != "either"], ["decoded", "max", "process"]
+        changes = [one for one in results[0]["changes"] if one["truth"] != "either"]
+        heads = ["decoded", "max", "process"]
         rows = [["called different, of as many", *(one["change"] for one in changes), *heads]]
         for method in together(results):
             cells = []
@@ -124,7 +130,8 @@ class Comparing(Benchmark):
             decoded, process = times(method, "decoded") or [None], times(method, "process") or [None]
             rows.append([method["method"], *([f"failed: {method['failure']}"] if "failure" in method else [*cells, *map(
                 time_text, (median_of(decoded), max(decoded) if decoded[0] else None, median_of(process)))])])
-        legend = [[one["change"], one["what"], "is to pass" if one["truth"] == "equal" else ""] for one in results[0]["changes"]]
+        legend = [[one["change"], one["what"], "is to pass" if one["truth"] == "equal" else ""]
+                  for one in results[0]["changes"]]
         return (table("<" + ">" * (len(changes) + len(heads)), rows) + TEXTS["golden"]["legend"]
                 + ", ".join(result["case"] for result in results) + ".\n\n" + table("<<<", legend)
                 + "".join(f"\n{sentence}" for sentence in (*results[0]["absent"], "")))

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import TEXTS, Benchmark, Result, columns_table, goal_table, median_of, objects, run, value_at
+from .common import TEXTS, Benchmark, Result, median_of, objects, run, value_at
 
 GOALS = {"full": "full redraw [ms]", "together": "5 % changed together [ms]", "apart": "5 % changed apart [ms]",
          "none": "unchanged [ms]"}
@@ -45,11 +45,6 @@ class Drawing(Benchmark):
                              for work, figure in GOALS.items() if work in ours["works"]}
         result["reached"] |= {"empty over clear and read": ours.get("overFloor"), "RMSE at edges": ours["rms"]}
 
-    def text(self, results: list[Result]) -> str:
-        """A row a method: CPU times of frames and errors; threads are the rasteriser's, own as LP_NUM_THREADS has it."""
-        return columns_table(TEXTS["render"]["columns"], results) + goal_table("render", results) + "\n" + "\n".join(
-            TEXTS["render"]["notes"]) + "\n"
-
     def drawn(self, results: list[Result]) -> dict[str, Any]:
         """A chart for each height of the pictures; of methods that draw the same the first."""
         made = {}
@@ -61,7 +56,8 @@ class Drawing(Benchmark):
             curves = []
             for color, (work, stroke), name in ((color, kind, name) for color, name in enumerate(kept.values())
                                                 for kind in STROKES.items()):
-                found = [(result, single(result)[name]) for result in sizes if work in single(result).get(name, {"works": ()})["works"]]
+                found = [(result, single(result)[name]) for result in sizes
+                         if work in single(result).get(name, {"works": ()})["works"]]
                 curves += [charts.Curve(name, color, stroke, [charts.Point(
                     one["works"][work]["cpu"] * 1e3, one["rms"], f"{result['shapes']:,}" if len(sizes) > 1 else work,
                     optional=work != "full") for result, one in found])] if found else []

@@ -6,8 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import (TEXTS, Benchmark, Problem, Result, columns_table, goal_table, median_of, note, objects, run, time_text,
-                     times_text)
+from .common import TEXTS, Benchmark, Problem, Result, median_of, note, objects, run, time_text, times_text
 
 PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
 # How far our figures may lie outside those of the peers, as a share and at least: scenes are chaotic, and engines keep
@@ -94,7 +93,8 @@ class Engine(Benchmark):
                 one["verdict"] = "other bits" if not same else judge_beside(result, one, peers) if peers else "sound"
             if "failure" not in one:
                 one["spread"] = one["p99"] / one["median"]
-                one["foundText"] = f"{one['found']:.0f} {result['found']}, {one['foundSum']:.6g}" if result["found"] else ""
+                found = f"{one['found']:.0f} {result['found']}, {one['foundSum']:.6g}"
+                one["foundText"] = found if result["found"] else ""
             if not one["ours"] and sound[id(one)] and first["verdict"] == "sound":
                 one |= {"wallTimes": one["mean"] / first["mean"], "cpuTimes": one["cpu"] / first["cpu"]}
             if one["ours"] and one["threads"] > 1 and sound[id(one)] and single:
@@ -104,10 +104,6 @@ class Engine(Benchmark):
                 reached["times faster than Box2D 2.4"] = one.get("cpuTimes")
         if sound[id(first)]:
             reached |= {"CPU time [µs]": first["cpu"] * 1e6, "memory [MB]": first["memory"] / 1024.0}
-
-    def text(self, results: list[Result]) -> str:
-        """A row an engine, and goals."""
-        return columns_table(TEXTS["engine"]["columns"], results) + goal_table("engine", results)
 
     def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The chart of ratios."""

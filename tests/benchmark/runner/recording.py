@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, digits, goal_table, median_of, note, objects, program, run, time_text
+from .common import (FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, digits, median_of, note, objects,
+                     program, run, time_text)
 
 PEERS = {"encodeOnly": "encoding only", "immediate": "immediate mode"}
 ROOM = 500e6  # for films, beside the raw frames [bytes]
@@ -18,8 +19,10 @@ def make(film: Result, work: Path, *more: str) -> Ended:
     """Makes a film once, in an empty folder."""
     shutil.rmtree(work / film["role"], ignore_errors=True)
     (work / film["role"]).mkdir()
-    ended = run([*film["words"], *more])  # of two processes the helper prints the memory
-    return ended._replace(memory=1024.0 * objects(ended.output)[-1]["kilobytes"]) if film["role"] == "immediate" else ended
+    ended = run([*film["words"], *more])
+    if film["role"] != "immediate":
+        return ended
+    return ended._replace(memory=1024.0 * objects(ended.output)[-1]["kilobytes"])  # of two processes
 
 
 class Recording(Benchmark):
@@ -38,7 +41,7 @@ class Recording(Benchmark):
         cached = objects(run([helper, "raw", *take.pop("take"), work / "frames.raw"]).output)[-1]["cached"]
         version = self.encoder() if not options.against else None
         films = [film for film in films if version or film["role"] not in PEERS]
-        methods = [{"role": film["role"], "method": film["method"], "frames": film["frames"], "ours": film["role"] not in PEERS}
+        methods = [{**{key: film[key] for key in ("role", "method", "frames")}, "ours": film["role"] not in PEERS}
                    for film in films]
         rounds: dict[str, list[Result]] = {film["role"]: [] for film in films}
         for film, one in list(zip(films, methods)) * options.rounds:
@@ -56,7 +59,8 @@ class Recording(Benchmark):
             if "failure" not in one:
                 one |= {**median_of(rounds[film["role"]]), "seen": objects(run(film["check"]).output)[-1]["verdict"],
                         "bytes": sum(file.stat().st_size for file in (work / film["role"]).iterdir())}
-        clocks = make(films[0], work, "--progress", "json", "--stats")  # in a run of its own: looking at clocks takes time
+        # In a run of its own: looking at clocks takes time.
+        clocks = make(films[0], work, "--progress", "json", "--stats")
         stages = next(one for one in objects(clocks.errors) if one.get("event") == "stages")
         return {**case, **take, "resized": bool(options.frames or options.size), "cached": cached, "methods": methods,
                 "stages": [{"stage": one["stage"], "thread": one["thread"], "cpu": one["cpuSeconds"] / stages["frames"],
@@ -80,7 +84,8 @@ class Recording(Benchmark):
 
         def of(one: str, other: str, figure: str, way: Any = lambda a, b: (a - b) / 1e6) -> float | None:
             found = [films.get(role, {}) for role in (one, other)]
-            return way(*(film[figure] for film in found)) if all(film.get("verdict") == "sound" for film in found) else None
+            sound = all(film.get("verdict") == "sound" for film in found)
+            return way(*(film[figure] for film in found)) if sound else None
 
         resting, moving = (of(film, start, "wall", lambda a, b, film=film: (a - b) / max(films[film]["frames"] - 1, 1))
                            for film, start in (("boxreel", "start"), ("moving", "movingStart")))
@@ -89,23 +94,23 @@ class Recording(Benchmark):
                    "memory of the longer film, more by [MB]": of("long", "boxreel", "memory")}
         for role in (role for role in PEERS if role in films):
             reached[f"wall time over {PEERS[role]}"] = of("boxreel", role, "wall", lambda a, b: a / b)
-            films[role] |= {f"{clock}Times": of(role, "boxreel", clock, lambda a, b: a / b) for clock in ("wall", "cpu")}
+            films[role] |= {f"{clock}Times": of(role, "boxreel", clock, lambda a, b: a / b)
+                            for clock in ("wall", "cpu")}
         if "encodeOnly" in films:
             reached["memory over the encoder's [MB]"] = of("boxreel", "encodeOnly", "memory")
         result["reached"] = {} if result["resized"] else reached
 
     def text(self, results: list[Result]) -> str:
-        """A row a film, where the time of a frame goes, and goals."""
+        """Where the time of a frame goes, then a row a film, goals, and notes."""
         cached = min(result["cached"] for result in results)
-        return (columns_table(TEXTS["record"]["columns"], results) + "\n" + columns_table(TEXTS["stages"]["columns"], results, "stages")
-                + goal_table("record", results) + "\n" + "\n".join(TEXTS["record"]["notes"])
-                + f"\nAt least {cached * 100:.0f} % of the raw frames were in the page cache.\n")
+        return (columns_table(TEXTS["stages"]["columns"], results, "stages") + "\n" + super().text(results)
+                + f"At least {cached * 100:.0f} % of the raw frames were in the page cache.\n")
 
     def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The charts of speed and of stages."""
-        stages = dict.fromkeys((one["stage"], one["thread"]) for result in results for one in result["stages"] if one["cpu"] >= 20e-6)
-        found = {stage: [next((one["cpu"] * 1e3 for one in result["stages"] if (one["stage"], one["thread"]) == stage), None)
-                         for result in results] for stage in stages}
-        return {"speed": charts.ratio_bars(TEXTS["record"], results, "wall", time_text), "stages": charts.Bars(TEXTS["stages"], [
-            (stage, f"{thread} thread", "", [(time, digits(time)) for time in times]) for (stage, thread), times in found.items()],
-            [result["case"] for result in results], start=0.0)}
+        times = [{(one["stage"], one["thread"]): one["cpu"] * 1e3 for one in result["stages"]} for result in results]
+        stages = dict.fromkeys(key for one in times for key, time in one.items() if time >= 0.02)
+        groups = [(key[0], f"{key[1]} thread", "", [(one.get(key), digits(one.get(key))) for one in times])
+                  for key in stages]
+        return {"speed": charts.ratio_bars(TEXTS["record"], results, "wall", time_text),
+                "stages": charts.Bars(TEXTS["stages"], groups, [result["case"] for result in results], start=0.0)}
