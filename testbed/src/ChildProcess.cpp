@@ -83,8 +83,8 @@ Words ReadAll(int file, const ChildBounds& bounds, Clock::time_point start)
 }
 
 /// The program with its words in a pipe; returns 0 or the reason why not.
-int Spawn(const std::filesystem::path& program, std::vector<char*>& words,
-          const int (&ends)[2], pid_t& child)
+int Spawn(const std::filesystem::path& program, std::vector<char*>& words, const int (&ends)[2],
+          pid_t& child)
 {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);

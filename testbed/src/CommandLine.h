@@ -19,10 +19,9 @@ struct TextRequest
     std::string text;
 };
 
-using Request =
-    std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions, DiffOptions,
-                 GoldenOptions, GoldenReportOptions, GoldenStateOptions, PlayOptions, CheckOptions,
-                 ExportOptions, DoctorOptions, UiOptions>;
+using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions,
+                             DiffOptions, GoldenOptions, GoldenReportOptions, GoldenStateOptions,
+                             PlayOptions, CheckOptions, ExportOptions, DoctorOptions, UiOptions>;
 
 /// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);

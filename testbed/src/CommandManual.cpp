@@ -37,7 +37,8 @@ constexpr Entry kVariables[] = {
      "approved now (missing, changed, all or this-renderer)."},
     {"XDG_CONFIG_HOME", "Where `boxreel ui` keeps its settings, else ~/.config."},
     {"LP_NUM_THREADS", "How many threads Mesa draws with."},
-    {"TMPDIR", "Where `boxreel doctor` and `boxreel golden report` put what they need for a while."},
+    {"TMPDIR",
+     "Where `boxreel doctor` and `boxreel golden report` put what they need for a while."},
     {"DISPLAY, WAYLAND_DISPLAY", "The window of `boxreel ui`; nothing else needs a display."},
 };
 

@@ -303,7 +303,7 @@ TEST_F(CompletionCommand, GroffHasNothingToSayOfTheManualPage)
     EXPECT_EQ(shown.errors, "");
     for (const char* text :
          {"-o, --output FILE", "boxreel golden verify [NAMES...] [OPTIONS]",
-          "boxreel ui [SCENE] [OPTIONS]", "17.y < -10", "\n       75     Stopped", "peers'"})
+          "boxreel ui [SCENE] [OPTIONS]", "17.y < -10", "\n       75     Stopped", "preset's"})
     {
         EXPECT_THAT(shown.output, HasSubstr(text));
     }
