@@ -39,7 +39,7 @@ class BuildCase(unittest.TestCase):
         """The command with the build folder, in the test's folder."""
         environment = {**os.environ, "BOXREEL_BUILD_DIR": str(self.folder / build), **variables}
         return subprocess.run([sys.executable, HERE / "bench.py", *words], cwd=self.folder, env=environment, text=True,
-                              capture_output=True, check=False, timeout=120)
+                              capture_output=True, check=False, timeout=1000)
 
     def assert_refused(self, code: int, culprit: str, *words: str, **variables: str) -> None:
         """The command ends with this code and one sentence that names the culprit."""
