@@ -16,7 +16,7 @@ import statistics
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, Iterable, NoReturn
 
 sys.dont_write_bytecode = True
 from runner import accuracy, charts, comparing, drawing, engine, recording  # noqa: E402
@@ -152,9 +152,15 @@ def against(benchmark: Benchmark, build: Path, cases: list[Result],
     return table("<<<>>>><", rows), results
 
 
+def chart_paths(parts: Iterable[str], options: argparse.Namespace) -> dict[Path, tuple[str, str]]:
+    """The charts' parts and themes by their files: error.svg becomes error-A-projectile-dark.svg."""
+    suffixes = {"-light": "light", "-dark": "dark"} if options.theme == "both" else {"": options.theme}
+    return {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (part, theme)
+            for path in dict.fromkeys(options.chart) for part in parts for suffix, theme in suffixes.items()}
+
+
 def show(benchmark: Benchmark, results: list[Result], options: argparse.Namespace) -> None:
     """Judges results, prints, writes and draws them."""
-    suffixes = {"-light": "light", "-dark": "dark"} if options.theme == "both" else {"": options.theme}
     try:
         for result in results:
             benchmark.judge(result)
@@ -164,11 +170,8 @@ def show(benchmark: Benchmark, results: list[Result], options: argparse.Namespac
             raise
         raise unusable(options.source, benchmark.name, error) from error
     output(benchmark.name, results, shown, options)
-    pictures = {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (chart, theme)
-                for path in options.chart for part, chart in drawn.items() for suffix, theme in suffixes.items()}
-    check_outputs(list(pictures), options.force)
-    for path, (chart, theme) in pictures.items():
-        write_whole(path, charts.draw(chart, theme, path.suffix[1:]))
+    for path, (part, theme) in chart_paths(drawn, options).items():
+        write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))
 
 
 def output(name: str, results: list[Result], shown: str, options: argparse.Namespace) -> None:
@@ -184,12 +187,13 @@ def main(words: list[str]) -> int:
     options = parse(words)
     benchmark = BENCHMARKS[options.benchmark]
     build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
-    check_outputs([Path(path) for path in (options.json, *options.chart) if path not in (None, "-")], options.force)
-    if options.chart:
-        charts.check()
     results = read_results(options.source, benchmark.name) if options.source else []
     known = results or benchmark.cases(build)
     cases = choose(known, options)
+    outputs = [] if options.json in (None, "-") else [Path(options.json)]
+    check_outputs(outputs + list(chart_paths(benchmark.parts(cases), options)), options.force)
+    if options.chart:
+        charts.check()
     if options.list:
         print(table("<<", [[one["case"], one["what"]] for one in known]), end="")
     elif options.against:

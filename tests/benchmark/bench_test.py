@@ -85,6 +85,12 @@ class Command(BuildCase):
         self.assertFalse((self.folder / "calls").exists(), "refused before anything ran")
         self.assertEqual(self.bench("engine", "--json", "a.json", "--force").returncode, 0)
 
+    def test_refuses_charts_of_cases_that_exist_before_anything_runs(self) -> None:
+        self.program("boxreel_bench", 'log "$1"; echo \'{"case":"A-projectile","what":"","unit":"m","maxSubSteps":1}\'')
+        (self.folder / "a-A-projectile-dark.svg").write_text("mine", encoding="utf-8")
+        self.assert_refused(1, "a-A-projectile-dark.svg", "accuracy", "--chart", "a.svg", "--theme", "both")
+        self.assertEqual(self.calls(), ["accuracy-list"])
+
     def test_refuses_a_folder_that_is_not_there_before_anything_runs(self) -> None:
         self.assert_refused(1, "'nowhere'", "engine", "--json", "nowhere/a.json")
         self.assertFalse((self.folder / "calls").exists())

@@ -63,9 +63,9 @@ def summary(results: list[Result], steps: int) -> str:
             timed = one and ours and "failure" not in one and "failure" not in ours
             ratio = one["cpu"] / ours["cpu"] if timed else 1.0
             slower = slower or (is_goal_peer(engine) and ratio < 1.0)
-            cells += [(ending(one) or f"{one['error']:.3g}") if one else "not run"]
-            cells += [time_text(one["cpu"]), times_text(ratio)][:1 + (engine != first)] if timed else [""] * (
-                1 + (engine != first))
+            times = [time_text(one["cpu"]), times_text(ratio)] if timed else ["", ""]
+            error = (ending(one) or f"{one['error']:.3g}") if one else "not run"
+            cells += [error, *(times if engine != first else times[:1])]
         said, goal = ours["verdict"] if ours else "not run", GOALS["accuracy"].get(result["case"], {}).get("error", "")
         rows.append([result["case"], goal[3:], result["unit"], *cells,
                      "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
@@ -75,6 +75,10 @@ def summary(results: list[Result], steps: int) -> str:
 class Accuracy(Benchmark):
     """Cases with a sweep of settings each."""
     name, program, peers, list_words = "accuracy", "boxreel_bench", PEERS, ["accuracy-list"]
+
+    def parts(self, cases: list[Result]) -> list[str]:
+        """A chart a case."""
+        return [case["case"] for case in cases]
 
     def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
         """All settings of all engines in turn, `rounds` times; the least CPU time counts.

@@ -59,6 +59,10 @@ class Benchmark:
                 note(f"{name} was not built and is not compared; install {package} and build again")
         return found
 
+    def parts(self, cases: list[Result]) -> list[str]:
+        """What `drawn` adds to the names of the charts of these cases."""
+        return [""]
+
     def text(self, results: list[Result]) -> str:
         """A row a method, goals, and notes."""
         foot = "".join(f"{line}\n" for line in ["", *TEXTS[self.name].get("foot", [])])

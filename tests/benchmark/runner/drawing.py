@@ -22,6 +22,10 @@ class Drawing(Benchmark):
     """Pictures of several sizes and numbers of shapes."""
     name, program, peers = "render", "boxreel_render_bench", {"boxreel_render_bench_cairo": "libcairo2-dev"}
 
+    def parts(self, cases: list[Result]) -> list[str]:
+        """A chart a height."""
+        return list(dict.fromkeys(f"{case['height']}p" for case in cases))
+
     def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
         """Errors once, times `rounds` times in turn. Ours with one raster thread, and with the user's."""
         ours, *peers = self.programs(build, options)

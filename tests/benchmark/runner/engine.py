@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import TEXTS, Benchmark, Problem, Result, median_of, note, objects, run, time_text, times_text
+from .common import TEXTS, Benchmark, Problem, Result, columns_table, median_of, note, objects, run, time_text, times_text
 
 PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
 # How far our figures may lie outside those of the peers, as a share and at least: scenes are chaotic, and engines keep
@@ -117,6 +117,10 @@ class Curve(Engine):
     def cases(self, build: Path) -> list[Result]:
         """Those of a curve."""
         return [{**one, "onlyNamed": False} for one in super().cases(build) if one["curve"]]
+
+    def text(self, results: list[Result]) -> str:
+        """A row an engine; no goals."""
+        return columns_table(TEXTS["engine"]["columns"], results)
 
     def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The chart of the time of a step over the number of bodies."""

@@ -29,6 +29,10 @@ class Recording(Benchmark):
     """Films of a scene by several programs."""
     name, program = "record", "boxreel_record_bench"
 
+    def parts(self, cases: list[Result]) -> list[str]:
+        """Two charts of all cases."""
+        return ["speed", "stages"]
+
     def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
         """Each film `rounds` times in turn; films and raw frames lie in `work`. Peers may fail, ours may not."""
         helper = program(build, self.program)
