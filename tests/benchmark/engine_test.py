@@ -146,7 +146,7 @@ class Charts(unittest.TestCase):
         curve = engine.Curve().drawn(results)[""].curves[0]
         self.assertEqual([point.x for point in curve.points], [200, 2000])
         self.assertEqual(curve.points[-1].label, "1.50×")
-        self.assertIn("sound", engine.Curve().text(results))
+        self.assertIn("1.50× the CPU time of rain", engine.Curve().text(results))
 
 
 if __name__ == "__main__":

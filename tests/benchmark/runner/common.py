@@ -223,6 +223,7 @@ def table(align: str, rows: Iterable[Sequence[str]]) -> str:
 
 FORMATS = {"name": str, "text": str, "digits": digits, "time": time_text, "times": times_text,
            "count": lambda value: f"{value:.0f}", "error": lambda value: f"{value:.4g}",
+           "spread": lambda value: f"{value:.2f}{'!' * (value > 2.0)}",
            "kB": lambda value: f"{value / 1024.0:.1f} MB", "MB": lambda value: digits(value / 1e6)}
 
 

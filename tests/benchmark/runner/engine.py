@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from . import charts
-from .common import TEXTS, Benchmark, Problem, Result, columns_table, median_of, note, objects, run, time_text, times_text
+from .common import (TEXTS, Benchmark, Problem, Result, columns_table, median_of, note, objects, run, table, time_text,
+                     times_text)
 
 PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
 # How far our figures may lie outside those of the peers, as a share and at least: scenes are chaotic, and engines keep
@@ -119,8 +120,15 @@ class Curve(Engine):
         return [{**one, "onlyNamed": False} for one in super().cases(build) if one["curve"]]
 
     def text(self, results: list[Result]) -> str:
-        """A row an engine; no goals."""
-        return columns_table(TEXTS["engine"]["columns"], results)
+        """A row an engine, and what the largest scene of each curve takes over the smallest."""
+        rows = []
+        for kind in dict.fromkeys(result["curve"] for result in results):
+            ends = sorted((result for result in results if result["curve"] == kind), key=lambda result: result["count"])
+            for small, large in zip(ends[0]["methods"], ends[-1]["methods"]):
+                if judge_alone(small) == judge_alone(large) == "sound":
+                    growth = times_text(large["cpu"] / small["cpu"])
+                    rows.append([ends[-1]["case"], small["method"], f"{growth} the CPU time of {ends[0]['case']}"])
+        return columns_table(TEXTS["engine"]["columns"], results) + "\n" + table("<<<", rows)
 
     def drawn(self, results: list[Result]) -> dict[str, Any]:
         """The chart of the time of a step over the number of bodies."""
