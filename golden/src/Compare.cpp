@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
+#include <tuple>
 #include <vector>
 
 namespace boxreel
@@ -168,6 +169,7 @@ CompareSettings CompareSettings::Exact()
 {
     CompareSettings settings;
     settings.preset = "exact";
+    settings.adaptsToRenderer = false;
     settings.tolerance = 0.0;
     settings.maxPixels = 0;
     settings.maxInWindow = 0;
@@ -176,19 +178,42 @@ CompareSettings CompareSettings::Exact()
 
 CompareSettings CompareSettings::SameMachine()
 {
-    return {};
+    CompareSettings settings;
+    settings.adaptsToRenderer = false;
+    return settings;
 }
 
 CompareSettings CompareSettings::CrossMachine()
 {
     CompareSettings settings;
     settings.preset = "cross-machine";
+    settings.adaptsToRenderer = false;
     settings.tolerance = 0.01;
     settings.edgeShift = 0.2;
     settings.maxPixels = kAnyNumberOfPixels;
     settings.maxRatio = 0.0005;
     settings.maxInWindow = 8;
     return settings;
+}
+
+std::optional<CompareSettings> ForOtherRenderer(const CompareSettings& settings)
+{
+    const CompareSettings usual;
+    const auto limits = [](const CompareSettings& s) {
+        return std::tie(s.tolerance, s.edgeShift, s.maxPixels, s.maxRatio, s.densityWindow,
+                        s.maxInWindow);
+    };
+    if (!settings.adaptsToRenderer || limits(settings) != limits(usual))
+    {
+        return std::nullopt;
+    }
+    CompareSettings other = CompareSettings::CrossMachine();
+    // "same-machine, with --ignore,": what was left out stays so.
+    other.preset += settings.preset.substr(std::min(usual.preset.size(), settings.preset.size()));
+    other.ignored = settings.ignored;
+    other.ignoredBodies = settings.ignoredBodies;
+    other.paintsDifference = settings.paintsDifference;
+    return other;
 }
 
 std::vector<std::string> CompareSettings::PresetNames()

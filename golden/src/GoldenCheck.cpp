@@ -3,6 +3,8 @@
 
 #include "FailureFiles.h"
 
+#include <render/Renderer.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
@@ -170,6 +172,14 @@ Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& refere
         settings.attach = settings.attach || !Environment(sign).empty();
     }
     return settings;
+}
+
+std::string DefaultFingerprint()
+{
+    const Result<Renderer> renderer = Renderer::Create({.width = 1, .height = 1});
+    const Result<std::string> fingerprint =
+        renderer ? renderer->Fingerprint() : Result<std::string>(renderer.GetError());
+    return fingerprint ? *fingerprint : "";
 }
 
 GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSettings& compare,

@@ -36,6 +36,12 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
     candidate.list = DrawListOf(world, look.layers);
     candidate.camera = camera;
     candidate.renderer = renderer->Description();
+    const Result<std::string> fingerprint = renderer->Fingerprint();
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    candidate.fingerprint = *fingerprint;
     if (const Result<void> drawn = renderer->Draw(candidate.list, camera, candidate.frame); !drawn)
     {
         return drawn.GetError();

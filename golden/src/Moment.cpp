@@ -31,6 +31,7 @@ constexpr const char* kFrames = "frames";
 constexpr const char* kSheet = "sheet";
 // Written once and kept for years: as small as it gets.
 constexpr int kReferenceCompression = 9;
+constexpr const char* kFingerprint = "Renderer fingerprint"; // keyword of a PNG's text
 
 fs::path Relative(const char* depth, const std::string& name, const char* extension)
 {
@@ -142,7 +143,8 @@ std::string SheetText(const SheetLayout& layout)
            std::to_string(layout.columns) + " in a row\n";
 }
 
-Result<std::optional<Frame>> ReadFrame(const fs::path& root, const std::string& name)
+/// Fills the frame and who drew it, where there is a picture of that name.
+Result<void> ReadFrame(const fs::path& root, const std::string& name, Moment& moment)
 {
     const Result<fs::path> path = PathInside(root, Relative(kFrames, name, ".png"));
     if (!path)
@@ -156,14 +158,21 @@ Result<std::optional<Frame>> ReadFrame(const fs::path& root, const std::string& 
     }
     if (!*isThere)
     {
-        return std::optional<Frame>();
+        return {};
     }
     Result<Frame> frame = ReadPng(*path);
     if (!frame)
     {
         return frame.GetError();
     }
-    return std::optional<Frame>(*std::move(frame));
+    Result<std::string> fingerprint = ReadPngText(*path, kFingerprint);
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    moment.frame = *std::move(frame);
+    moment.fingerprint = *std::move(fingerprint);
+    return {};
 }
 
 void CollectNames(const fs::path& folder, std::initializer_list<std::string_view> extensions,
@@ -249,7 +258,7 @@ Result<std::vector<FileToWrite>> Encode(const fs::path& references, const std::s
     {
         Result<FileToWrite> file =
             Picture(references / Relative(kFrames, KeyedName(name, renderer), ".png"),
-                    *moment.frame, kReferenceCompression);
+                    *moment.frame, kReferenceCompression, moment.fingerprint);
         if (!file)
         {
             return file.GetError();
@@ -285,14 +294,12 @@ Result<Moment> ReadReference(const fs::path& root, const std::string& name,
     }
     for (const std::string& picture : {KeyedName(name, renderer), name})
     {
-        Result<std::optional<Frame>> frame = ReadFrame(root, picture);
-        if (!frame)
+        if (const Result<void> done = ReadFrame(root, picture, moment); !done)
         {
-            return frame.GetError();
+            return done.GetError();
         }
-        if (*frame)
+        if (moment.frame)
         {
-            moment.frame = *std::move(frame);
             break;
         }
     }
@@ -342,6 +349,7 @@ Moment Take(const GoldenCandidate& candidate, const Moment& expected)
     if (!candidate.frame.rgba.empty() || expected.frame)
     {
         moment.frame = candidate.frame;
+        moment.fingerprint = candidate.fingerprint;
     }
     if (candidate.sheet)
     {
@@ -381,9 +389,15 @@ std::vector<std::string> MissingFiles(const std::string& name, const Moment& exp
     return files;
 }
 
-Result<FileToWrite> Picture(const fs::path& path, const Frame& frame, int compressionLevel)
+Result<FileToWrite> Picture(const fs::path& path, const Frame& frame, int compressionLevel,
+                            const std::string& fingerprint)
 {
-    Result<std::vector<std::uint8_t>> png = EncodePng(frame, compressionLevel);
+    std::vector<PngText> texts;
+    if (!fingerprint.empty())
+    {
+        texts.push_back({kFingerprint, fingerprint});
+    }
+    Result<std::vector<std::uint8_t>> png = EncodePng(frame, compressionLevel, texts);
     if (!png)
     {
         return Error{png.GetError().kind, path.string() + ": " + png.GetError().message};

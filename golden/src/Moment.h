@@ -26,6 +26,7 @@ struct Moment
     std::optional<StateTrace> trace;
     std::optional<std::string> list; ///< as text
     std::optional<Frame> frame;
+    std::string fingerprint;          ///< of the renderer that drew the frame; empty: not known
     std::optional<std::string> sheet; ///< which moments of a film the frame shows, and where
 };
 
@@ -59,8 +60,9 @@ Result<void> Store(const std::filesystem::path& references, const std::string& n
 /// Names that have a reference at any depth, sorted.
 std::vector<std::string> ReferenceNames(const std::filesystem::path& references);
 
-/// A frame as the bytes of a PNG file, zlib level 1 (fast) to 9 (small).
+/// A frame as the bytes of a PNG file, zlib level 1 (fast) to 9 (small), with the fingerprint of
+/// the renderer that drew it unless that is empty.
 Result<FileToWrite> Picture(const std::filesystem::path& path, const Frame& frame,
-                            int compressionLevel);
+                            int compressionLevel, const std::string& fingerprint = "");
 
 } // namespace boxreel

@@ -416,6 +416,22 @@ std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandida
                : "";
 }
 
+/// The limits of two pictures' comparison, by who drew them.
+LimitsChoice ChooseLimits(const Moment& expected, const Moment& actual, CompareSettings& limits)
+{
+    const std::optional<CompareSettings> others = ForOtherRenderer(limits);
+    if (!others || expected.fingerprint.empty() || actual.fingerprint.empty())
+    {
+        return LimitsChoice::AsGiven;
+    }
+    if (expected.fingerprint == actual.fingerprint)
+    {
+        return LimitsChoice::SameRenderer;
+    }
+    limits = *others;
+    return LimitsChoice::OtherRenderer;
+}
+
 Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& candidate,
                            const CompareSettings& settings)
 {
@@ -433,6 +449,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     }
     judged.expected = *std::move(expected);
     judged.actual = Take(candidate, judged.expected);
+    verdict.limits = ChooseLimits(judged.expected, judged.actual, judged.limits);
     const std::vector<std::string> missing =
         MissingFiles(candidate.name, judged.expected, judged.actual);
     if (IsNothingKept(judged.expected))
@@ -498,6 +515,10 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     {
         SayMissing(verdict, judged.expected, missing, references);
         verdict.accept = CommandToAccept(candidate, references);
+    }
+    if (verdict.status == GoldenStatus::Pixels && verdict.limits == LimitsChoice::OtherRenderer)
+    {
+        verdict.message += " These limits hold because another renderer drew the reference.";
     }
     return judged;
 }
@@ -568,7 +589,7 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     GoldenVerdict& verdict = judged->verdict;
     const Result<void> written = files->WriteVerdict(
         {name, StatusWord(verdict.status), verdict.message, verdict.accept, &candidate,
-         &judged->limits, &verdict.pixels, judged->firstStep, judged->firstBodies});
+         &judged->limits, &verdict.pixels, judged->firstStep, judged->firstBodies, verdict.limits});
     if (verdict.status == GoldenStatus::Same)
     {
         // What passes also passes where nothing can be written, such as in a folder that is read

@@ -136,6 +136,20 @@ const char* StatusWord(GoldenStatus status)
     return "error";
 }
 
+const char* LimitsWord(LimitsChoice choice)
+{
+    switch (choice)
+    {
+    case LimitsChoice::AsGiven:
+        return "as given";
+    case LimitsChoice::SameRenderer:
+        return "same renderer";
+    case LimitsChoice::OtherRenderer:
+        break;
+    }
+    return "other renderer";
+}
+
 std::string ToJson(const VerdictRecord& record)
 {
     Object object;
@@ -150,6 +164,7 @@ std::string ToJson(const VerdictRecord& record)
     if (record.limits != nullptr)
     {
         AddLimits(object, *record.limits);
+        object.Add("limitsChoice", Quoted(LimitsWord(record.limitsChoice)));
     }
     if (record.pixels != nullptr && !record.pixels->verdict.empty())
     {
@@ -159,6 +174,7 @@ std::string ToJson(const VerdictRecord& record)
     {
         const GoldenCandidate& candidate = *record.candidate;
         object.Add("renderer", Quoted(candidate.renderer));
+        object.Add("fingerprint", Quoted(candidate.fingerprint));
         if (candidate.camera && CanBeDrawn(*candidate.camera))
         {
             AddView(object, *candidate.camera);

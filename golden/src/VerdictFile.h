@@ -27,10 +27,14 @@ struct VerdictRecord
     const Comparison* pixels = nullptr;
     std::optional<std::int64_t> firstStep{}; ///< at which the worlds, or the film, part
     std::vector<int> firstBodies{};          ///< which part there, as far as it can be told
+    LimitsChoice limitsChoice = LimitsChoice::AsGiven;
 };
 
 /// "same", "missing", "state", "drawlist", "pixels", or "error" for what could not be compared.
 const char* StatusWord(GoldenStatus status);
+
+/// "as given", "same renderer" or "other renderer".
+const char* LimitsWord(LimitsChoice choice);
 
 /// As JSON (RFC 8259), a field a line.
 std::string ToJson(const VerdictRecord& record);

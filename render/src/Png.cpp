@@ -117,17 +117,17 @@ void OnRead(png_structp png, png_bytep bytes, std::size_t count)
 }
 
 // Reads what stands before the pixels. Nothing here grows with the size that the file claims.
-void ReadHeader(Reader& reader)
+void ReadHeader(Reader& reader, bool readsTexts)
 {
     const png_structp png = reader.png;
     png_set_read_fn(png, reader.file.get(), OnRead);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // ours are checked by the caller
     // A damaged transparency chunk would change the picture unnoticed; everything else that pixels
-    // do not need (profiles, texts) is skipped.
+    // do not need (profiles, texts unless asked for) is skipped.
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-    static const png_byte kTransparency[5] = "tRNS";
-    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, kTransparency, 1);
+    static const png_byte kRead[] = "tRNS\0tEXt"; // a name is 4 letters and a zero
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, kRead, readsTexts ? 2 : 1);
     png_read_info(png, reader.info);
 
     reader.width = png_get_image_width(png, reader.info);
@@ -278,7 +278,22 @@ void PackRow(const std::uint8_t* from, int width, bool isOpaque, std::uint8_t* t
     }
 }
 
-void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compressionLevel)
+// libpng copies keyword and text.
+void WriteTexts(Writer& writer, const std::vector<PngText>& texts)
+{
+    for (const PngText& text : texts)
+    {
+        png_text chunk{};
+        chunk.compression = PNG_TEXT_COMPRESSION_NONE;
+        chunk.key = const_cast<png_charp>(text.keyword.c_str());
+        chunk.text = const_cast<png_charp>(text.text.c_str());
+        chunk.text_length = text.text.size();
+        png_set_text(writer.png, writer.info, &chunk, 1);
+    }
+}
+
+void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compressionLevel,
+              const std::vector<PngText>& texts)
 {
     const png_structp png = writer.png;
     png_set_write_fn(png, &writer, OnWrite, OnFlush);
@@ -290,6 +305,7 @@ void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compression
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_set_compression_level(png, compressionLevel);
     png_set_compression_buffer_size(png, std::size_t{1} << 16);
+    WriteTexts(writer, texts);
     png_write_info(png, writer.info);
     for (int y = 0; y < frame.height; ++y)
     {
@@ -299,14 +315,12 @@ void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compression
     png_write_end(png, nullptr);
 }
 
-} // namespace
-
-Result<Frame> ReadPng(const std::filesystem::path& path)
+/// Opens the file and reads what stands before the pixels.
+Result<void> Begin(Reader& reader, const fs::path& path, bool readsTexts)
 {
-    Reader reader;
     if (const Result<void> opened = OpenFile(reader, path); !opened)
     {
-        return opened.GetError();
+        return opened;
     }
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.trouble, OnError, OnWarning);
     reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
@@ -315,9 +329,19 @@ Result<Frame> ReadPng(const std::filesystem::path& path)
         return CannotRead(ErrorKind::Failed, path,
                           "libpng could not start; free some memory and try again");
     }
-    if (!Guarded(reader.png, [&reader] { ReadHeader(reader); }))
+    return Guarded(reader.png, [&] { ReadHeader(reader, readsTexts); })
+               ? Result<void>()
+               : Result<void>(Damaged(reader, path));
+}
+
+} // namespace
+
+Result<Frame> ReadPng(const std::filesystem::path& path)
+{
+    Reader reader;
+    if (const Result<void> begun = Begin(reader, path, false); !begun)
     {
-        return Damaged(reader, path);
+        return begun.GetError();
     }
     if (const Result<void> checked = CheckSize(reader, path); !checked)
     {
@@ -337,7 +361,24 @@ Result<Frame> ReadPng(const std::filesystem::path& path)
     return frame;
 }
 
-Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel)
+Result<std::string> ReadPngText(const std::filesystem::path& path, const std::string& keyword)
+{
+    Reader reader;
+    if (const Result<void> begun = Begin(reader, path, true); !begun)
+    {
+        return begun.GetError();
+    }
+    png_textp texts = nullptr;
+    int count = 0;
+    png_get_text(reader.png, reader.info, &texts, &count);
+    const png_textp end = texts + count;
+    const png_textp found =
+        std::find_if(texts, end, [&](const png_text& text) { return keyword == text.key; });
+    return found == end ? std::string() : std::string(found->text, found->text_length);
+}
+
+Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel,
+                                            const std::vector<PngText>& texts)
 {
     assert(compressionLevel >= 1 && compressionLevel <= 9);
     const std::size_t size =
@@ -361,7 +402,7 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
             ErrorKind::Failed,
             "Cannot encode a picture: libpng could not start; free some memory and try again."};
     }
-    if (!Guarded(writer.png, [&] { WriteAll(writer, frame, isOpaque, compressionLevel); }))
+    if (!Guarded(writer.png, [&] { WriteAll(writer, frame, isOpaque, compressionLevel, texts); }))
     {
         return Error{ErrorKind::Failed,
                      "Cannot encode a picture of " + std::to_string(frame.width) + "x" +

@@ -9,6 +9,7 @@
 #include "ListMatch.h"
 #include "OverlayChange.h"
 #include "Parts.h"
+#include "Probe.h"
 #include "ShapeBuilder.h"
 
 #include <algorithm>
@@ -551,6 +552,11 @@ const RenderTotals& Renderer::Totals() const
 const std::string& Renderer::Description() const
 {
     return m_impl->description;
+}
+
+Result<std::string> Renderer::Fingerprint() const
+{
+    return ProbeFingerprint(m_impl->settings.backend, m_impl->description);
 }
 
 } // namespace boxreel

@@ -121,6 +121,16 @@ std::string Count(std::size_t number, const std::string& things)
     return std::to_string(number) + " " + things + (number == 1 ? "" : "s");
 }
 
+/// A line when references of another renderer were compared by other limits, else nothing.
+std::string LimitsOfOthers(std::size_t moments, const CompareSettings& settings)
+{
+    const std::optional<CompareSettings> others = ForOtherRenderer(settings);
+    return moments == 0 || !others
+               ? ""
+               : Count(moments, "reference") +
+                     " drawn by another renderer: " + DescribeLimits(*others) + "\n";
+}
+
 Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders& folders,
                    Renderer& renderer, const GoldenOptions& options)
 {
@@ -128,6 +138,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     const ReferenceStore store(folders.references, folders.output);
     std::size_t moments = 0;
     std::size_t failures = 0;
+    std::size_t ofOthers = 0; // whose reference another renderer drew
     std::set<std::string> names;
     std::string warning; // the first: where one file cannot be written, none can
     for (const GoldenSelection& selection : selections)
@@ -145,6 +156,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
             warning = warning.empty() ? verdict.warning : warning;
             ++moments;
             failures += isSame ? 0 : 1;
+            ofOthers += verdict.limits == LimitsChoice::OtherRenderer ? 1 : 0;
             const Result<void> written =
                 WriteOutput(isSame ? "same  " + verdict.name + "\n"
                                    : Red("FAIL", stdout) + "  " + verdict.message + "\n");
@@ -164,9 +176,10 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     const std::string page =
         options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
     const Result<void> written =
-        WriteOutput(failures == 0 ? what + ": all as approved (" + DescribeLimits(settings) + ")\n"
-                                  : what + ": " + std::to_string(failures) +
-                                        " not as approved, see '" + output + "'" + page + "\n");
+        WriteOutput((failures == 0 ? what + ": all as approved (" + DescribeLimits(settings) + ")\n"
+                                   : what + ": " + std::to_string(failures) +
+                                         " not as approved, see '" + output + "'" + page + "\n") +
+                    LimitsOfOthers(ofOthers, settings));
     if (!written)
     {
         return written.GetError();

@@ -432,6 +432,12 @@ Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golde
     candidate.stateHash = StateHashText(session->World());
     candidate.state = ReadWorldState(session->World());
     candidate.renderer = renderer->Description();
+    const Result<std::string> fingerprint = renderer->Fingerprint();
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    candidate.fingerprint = *fingerprint;
     const Overlay* const panel = look.hud || look.panels ? &content.overlay : nullptr;
     if (const Result<void> drawn =
             renderer->Draw(content.list, content.camera, candidate.frame, panel);

@@ -31,6 +31,7 @@ CompareSettings Effective(const CompareChoice& choice)
     Replace(settings.maxRatio, choice.maxRatio, "--max-ratio", options);
     Replace(settings.maxInWindow, choice.maxInWindow, "--max-in-window", options);
     Replace(settings.densityWindow, choice.window, "--window", options);
+    settings.adaptsToRenderer = settings.adaptsToRenderer && options.empty();
     settings.ignored = choice.ignored;
     settings.ignoredBodies = choice.ignoredBodies;
     for (const auto& [isGiven, option] :

@@ -59,6 +59,12 @@ Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& sessi
     candidate.state = ReadWorldState(session.World());
     candidate.trace = std::move(trace);
     candidate.renderer = renderer.Description();
+    const Result<std::string> fingerprint = renderer.Fingerprint();
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    candidate.fingerprint = *fingerprint;
     candidate.camera = content.camera;
     const Result<void> drawn = renderer.Draw(content.list, content.camera, candidate.frame);
     if (!drawn)
@@ -67,6 +73,25 @@ Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& sessi
     }
     candidate.list = std::move(content.list);
     return candidate;
+}
+
+/// A film does not say who drew it; it is taken for one that was recorded here.
+Result<void> VisitFilm(const GoldenFilm& film, const Renderer& renderer,
+                       const std::function<Result<void>(const GoldenCandidate&)>& visit)
+{
+    Result<ContactSheet> sheet = ContactSheetOf(film.path, film.sheet);
+    if (!sheet)
+    {
+        return sheet.GetError();
+    }
+    const Result<std::string> fingerprint = renderer.Fingerprint();
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    GoldenCandidate candidate = CandidateOf(*std::move(sheet), film.name);
+    candidate.fingerprint = *fingerprint;
+    return visit(candidate);
 }
 
 } // namespace
@@ -121,9 +146,7 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
 {
     if (selection.film)
     {
-        Result<ContactSheet> sheet = ContactSheetOf(selection.film->path, selection.film->sheet);
-        return sheet ? visit(CandidateOf(*std::move(sheet), selection.film->name))
-                     : Result<void>(sheet.GetError());
+        return VisitFilm(*selection.film, renderer, visit);
     }
     Result<SceneSession> session = OpenGolden(selection);
     if (!session)

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,10 +42,14 @@ struct CompareSettings
     /// Bodies that a reference store leaves out: of the state, of the draw list, and of the picture
     /// where either list has them. By number. Compare itself knows no bodies.
     std::vector<int> ignoredBodies{};
+    /// True: a reference store replaces the limits by those of CrossMachine where a renderer that
+    /// gives other bits drew the reference. Only where no limit differs from the default's.
+    bool adaptsToRenderer = true;
     bool paintsDifference = true; ///< false: Comparison::difference stays empty, which is faster
 
-    static CompareSettings Exact();       ///< every bit
-    static CompareSettings SameMachine(); ///< the default: single stray pixels pass
+    static CompareSettings Exact(); ///< every bit
+    /// Single stray pixels pass. The default's limits, whichever renderer drew the reference.
+    static CompareSettings SameMachine();
     /// Another GPU, driver or compiler: roundings and edges differ, what is drawn does not.
     /// tolerance 0.01: above what +-2/255 makes in the fills of our themes (0.009 at most, on the
     /// dark ground), below what 4/255 in all channels makes there (0.012 or more; of saturated red
@@ -67,6 +72,10 @@ inline constexpr std::int64_t kAnyNumberOfPixels = std::numeric_limits<std::int6
 /// "same-machine allows 4 pixels over a distance of 0.00025, 1 in any 16x16": what holds, and where
 /// it came from.
 std::string DescribeLimits(const CompareSettings& settings);
+
+/// The limits for a picture that another renderer drew: those of CrossMachine where `settings`
+/// adapt, else none.
+std::optional<CompareSettings> ForOtherRenderer(const CompareSettings& settings);
 
 /// What a comparison has found.
 struct Comparison

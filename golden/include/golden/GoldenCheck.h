@@ -40,6 +40,10 @@ struct GoldenCheckSettings
 /// attached under CTest and where CI is set. Unusable when no folder or no such word is given.
 Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const std::filesystem::path& references);
 
+/// Renderer::Fingerprint() of the back end that this process draws with unless it names another one
+/// (Backend::Auto), for a picture that does not say who drew it. Empty where no back end works.
+std::string DefaultFingerprint();
+
 /// What a golden test says.
 struct GoldenOutcome
 {

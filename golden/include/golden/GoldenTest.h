@@ -100,6 +100,7 @@ inline testing::AssertionResult IsGolden(const char* expression, const char*, co
     GoldenCandidate candidate;
     candidate.name = check.name;
     candidate.frame = frame;
+    candidate.fingerprint = DefaultFingerprint();
     return Check(candidate, check.compare);
 }
 
@@ -134,7 +135,9 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
     {
         return testing::AssertionFailure() << sheet.GetError().message;
     }
-    return Check(CandidateOf(std::move(*sheet), check.name), check.compare);
+    GoldenCandidate candidate = CandidateOf(std::move(*sheet), check.name);
+    candidate.fingerprint = DefaultFingerprint();
+    return Check(candidate, check.compare);
 }
 
 } // namespace boxreel::golden_test

@@ -34,6 +34,7 @@ struct GoldenCandidate
     WorldState state = {}; ///< with a hash only: what differs, and by how much; no bodies: not kept
     StateTrace trace = {}; ///< the steps since the moment before; none: not kept
     std::string renderer = {};             ///< Renderer::Description(); empty: one picture for all
+    std::string fingerprint = {};          ///< Renderer::Fingerprint(); empty: not known
     std::optional<Camera> camera = {};     ///< with which it is drawn; needed to leave out bodies
     std::optional<SheetLayout> sheet = {}; ///< of a film's contact sheet; kept, so that other
                                            ///< moments of the film are told as such
@@ -64,15 +65,24 @@ enum class GoldenStatus
     NotCompared, ///< fails: the reference is damaged, or bodies that are to be left out cannot be
 };
 
+/// Why the limits of a comparison hold.
+enum class LimitsChoice
+{
+    AsGiven,       ///< the settings do not adapt, or nobody knows which renderer drew a picture
+    SameRenderer,  ///< both pictures have the same fingerprint: as given, too
+    OtherRenderer, ///< the fingerprints differ: those of CompareSettings::CrossMachine
+};
+
 /// What comparing one candidate has found.
 struct GoldenVerdict
 {
     std::string name;                            ///< of the reference
     GoldenStatus status = GoldenStatus::Missing; ///< how it ended
-    std::string message;      ///< a sentence or two: what differs first, and where the pictures lie
-    std::string accept = {};  ///< what a person runs where there is nothing to compare with; empty:
-                              ///< there is, or accepting would not help
-    Comparison pixels;        ///< what comparing the pictures has found
+    std::string message;     ///< a sentence or two: what differs first, and where the pictures lie
+    std::string accept = {}; ///< what a person runs where there is nothing to compare with; empty:
+                             ///< there is, or accepting would not help
+    Comparison pixels;       ///< what comparing the pictures has found
+    LimitsChoice limits = LimitsChoice::AsGiven; ///< why those of the pictures hold
     std::string warning = {}; ///< of what passed: why no file says so; empty when one does
 };
 

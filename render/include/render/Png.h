@@ -6,12 +6,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 /// @file
 /// Frames to and from PNG files, through libpng. Only Png.cpp knows that library.
 namespace boxreel
 {
+
+/// A text that a PNG file carries beside its pixels (chunk tEXt).
+struct PngText
+{
+    std::string keyword; ///< 1 to 79 letters, digits or single spaces between them, asserted
+    std::string text;    ///< Latin-1, without line breaks
+};
 
 /// What a PNG is to be like.
 struct PngSettings
@@ -31,8 +39,13 @@ Result<void> WritePng(const std::filesystem::path& path, const Frame& frame,
                       const PngSettings& settings = {});
 
 /// The bytes of a PNG file. Same frame and level (1 to 9), same bytes; any number of threads may
-/// encode at once. An Error (Unusable) for a frame without pixels, or whose pixels are not as many
-/// as its size says.
-Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel = 3);
+/// encode at once. `texts` stand before the pixels. An Error (Unusable) for a frame without pixels,
+/// or whose pixels are not as many as its size says.
+Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionLevel = 3,
+                                            const std::vector<PngText>& texts = {});
+
+/// The text of that keyword which stands before the pixels; empty when there is none. Errors as of
+/// ReadPng, for what stands before the pixels.
+Result<std::string> ReadPngText(const std::filesystem::path& path, const std::string& keyword);
 
 } // namespace boxreel

@@ -121,6 +121,11 @@ public:
     /// Which library drew it, e.g. "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 Mesa 22.3.6".
     const std::string& Description() const;
 
+    /// Which bits this renderer gives: 16 hex digits, the same for all that draw a probe picture
+    /// (blending, edges, text) with the same bits. The first call of a process draws it, in a
+    /// renderer of its own of the same back end; Errors as of Create.
+    Result<std::string> Fingerprint() const;
+
 private:
     struct Impl;
     explicit Renderer(std::unique_ptr<Impl> impl);
