@@ -79,6 +79,17 @@ std::string HashText(const Frame& frame)
     return digits;
 }
 
+} // namespace
+
+DrawList ProbeList()
+{
+    DrawList list;
+    AddBlending(list);
+    AddEdges(list);
+    AddLetters(list);
+    return list;
+}
+
 Result<Frame> DrawProbe(Backend backend)
 {
     Theme theme = Theme::Classic();
@@ -94,17 +105,6 @@ Result<Frame> DrawProbe(Backend backend)
     const Result<void> drawn =
         renderer->Draw(ProbeList(), {kProbeSide, kProbeSide, kMiddle, kMiddle, 1.0}, frame);
     return drawn ? Result<Frame>(std::move(frame)) : Result<Frame>(drawn.GetError());
-}
-
-} // namespace
-
-DrawList ProbeList()
-{
-    DrawList list;
-    AddBlending(list);
-    AddEdges(list);
-    AddLetters(list);
-    return list;
 }
 
 Result<std::string> ProbeFingerprint(Backend backend, const std::string& description)

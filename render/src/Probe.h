@@ -4,6 +4,7 @@
 #include <debugdraw/DrawList.h>
 #include <debugdraw/Result.h>
 #include <render/Backend.h>
+#include <render/Frame.h>
 
 #include <string>
 
@@ -18,6 +19,9 @@ inline constexpr int kProbeSide = 256;
 /// What the probe picture shows: 64 colours under 64 opacities of other colours, round and slanted
 /// edges, and text.
 DrawList ProbeList();
+
+/// The probe picture. Errors as of Renderer::Create.
+Result<Frame> DrawProbe(Backend backend);
 
 /// The hash of the probe picture as 16 hex digits. Drawn once per process and `description`, which
 /// is that of a renderer of this back end; any number of threads may ask at once. Errors as of

@@ -175,8 +175,10 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     const std::string named = options.output.empty() ? "" : " '" + output + "'";
     const std::string page =
         options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
+    const bool isOfOthersOnly = ofOthers > 0 && ofOthers == moments;
+    const CompareSettings held = isOfOthersOnly ? *ForOtherRenderer(settings) : settings;
     const Result<void> written =
-        WriteOutput((failures == 0 ? what + ": all as approved (" + DescribeLimits(settings) + ")\n"
+        WriteOutput((failures == 0 ? what + ": all as approved (" + DescribeLimits(held) + ")\n"
                                    : what + ": " + std::to_string(failures) +
                                          " not as approved, see '" + output + "'" + page + "\n") +
                     LimitsOfOthers(ofOthers, settings));

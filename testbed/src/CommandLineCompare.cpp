@@ -86,11 +86,11 @@ void AddIgnoredBodies(CLI::App& command, CompareChoice& choice)
         ->allow_extra_args(false);
 }
 
-void AddCompare(CLI::App& command, CompareChoice& choice)
+void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& usualPreset)
 {
     CLI::Option* preset =
         AddValue(command, "--preset", "NAME", choice.preset, CompareSettings::Preset,
-                 "exact, same-machine, cross-machine (same-machine)");
+                 "exact, same-machine, cross-machine\n(" + usualPreset + ")");
     Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
     AddValue(command, "--tolerance", "DISTANCE", choice.tolerance,
              NumberBetween(0.0, 1.0, "give an OKLab distance from 0 to 1, such as 0.01"),

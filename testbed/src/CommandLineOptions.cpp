@@ -151,7 +151,7 @@ void DeclareDiff(CLI::App& program, ParsedOptions& parsed)
     AddPath(*command, "-o,--output", "FILE", diff.output,
             "Write a picture of the differences, .png", {".png"});
     AddForce(*command, diff.force);
-    AddCompare(*command, diff.compare);
+    AddCompare(*command, diff.compare, "same-machine");
     command->footer("Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
                     "Examples:\n"
                     "  boxreel diff before.png after.png\n"
@@ -267,7 +267,8 @@ void DeclareGolden(CLI::App& program, ParsedOptions& parsed)
         AddBackend(*action, golden.backend);
         DeclareGoldenFilm(*action, golden);
     }
-    AddCompare(*verify, golden.compare);
+    AddCompare(*verify, golden.compare,
+               "cross-machine where another renderer drew the\nreference, else same-machine");
     AddIgnoredBodies(*verify, golden.compare);
     verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
                    "Examples:\n"

@@ -182,8 +182,9 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes);
 /// Options of a still: its moments, what shows motion in it, and what is written on it.
 void AddMotion(CLI::App& command, ShotOptions& shot);
 
-/// How pictures are compared: of diff and golden verify.
-void AddCompare(CLI::App& command, CompareChoice& choice);
+/// How pictures are compared: of diff and golden verify. `usualPreset`: what holds without
+/// --preset, as the help says it.
+void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& usualPreset);
 
 /// Which bodies are left out: of golden verify.
 void AddIgnoredBodies(CLI::App& command, CompareChoice& choice);

@@ -77,6 +77,19 @@ TEST_F(GoldenMacros, AFrameIsAcceptedPassesAndFailsWhenItChanges)
     EXPECT_TRUE(std::filesystem::exists(folder / "output/macro/frame.difference.png"));
 }
 
+TEST_F(GoldenMacros, AFrameIsComparedAcrossMachinesAfterAnotherRenderer)
+{
+    GoldenCandidate approved;
+    approved.name = "macro/other";
+    approved.frame = frame;
+    approved.fingerprint = "0123456789abcdef";
+    ASSERT_TRUE(ReferenceStore(folder / "approved", folder / "output").Accept(approved));
+    EXPECT_GOLDEN(Paint(SmallScene(), {.fillShift = 1}), "macro/other");
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(Paint(SmallScene(), {.fillShift = 1}), "macro/other",
+                                          CompareSettings::SameMachine()),
+                            "macro/other: other pixels");
+}
+
 TEST_F(GoldenMacros, AFrameMayHaveLimitsOfItsOwn)
 {
     Accept("missing");

@@ -299,6 +299,81 @@ TEST_F(ReferenceStoreTest, AcceptsAnewThePictureThatARendererIsComparedWith)
     EXPECT_EQ(Verify(here).status, GoldenStatus::Same) << "the one for all stays";
 }
 
+/// Two pictures of one scene that only another renderer may draw so differently.
+struct ReferenceOfARenderer : ReferenceStoreTest
+{
+    ReferenceOfARenderer()
+    {
+        drawn.fingerprint = "0123456789abcdef";
+        EXPECT_TRUE(m_store.Accept(drawn));
+        now.fingerprint = "fedcba9876543210";
+    }
+
+    GoldenCandidate drawn = m_candidate;
+    GoldenCandidate now = Candidate("pyramid/3s", SmallScene(), {.fillShift = 1});
+};
+
+TEST_F(ReferenceOfARenderer, IsComparedAcrossMachinesByAnother)
+{
+    const GoldenVerdict verdict = Verify(now);
+    EXPECT_EQ(verdict.status, GoldenStatus::Same) << verdict.message;
+    EXPECT_EQ(verdict.limits, LimitsChoice::OtherRenderer);
+    EXPECT_THAT(verdict.pixels.verdict, HasSubstr(CompareSettings::CrossMachine().preset));
+    EXPECT_THAT(ReadBytes(m_output / "pyramid/3s.verdict.json"),
+                HasSubstr("\"limitsChoice\": \"other renderer\""));
+}
+
+TEST_F(ReferenceOfARenderer, IsComparedStrictlyByTheSame)
+{
+    now.fingerprint = drawn.fingerprint;
+    const GoldenVerdict verdict = Verify(now);
+    EXPECT_EQ(verdict.status, GoldenStatus::Pixels);
+    EXPECT_EQ(verdict.limits, LimitsChoice::SameRenderer);
+    EXPECT_EQ(Verify(drawn).status, GoldenStatus::Same);
+}
+
+TEST_F(ReferenceOfARenderer, IsComparedStrictlyWhenEitherIsUnknown)
+{
+    now.fingerprint = "";
+    EXPECT_EQ(Verify(now).limits, LimitsChoice::AsGiven);
+    EXPECT_EQ(Verify(now).status, GoldenStatus::Pixels);
+    now.fingerprint = drawn.fingerprint;
+    drawn.fingerprint = "";
+    Accept(drawn);
+    EXPECT_EQ(Verify(now).limits, LimitsChoice::AsGiven);
+    EXPECT_EQ(Verify(now).status, GoldenStatus::Pixels);
+}
+
+TEST_F(ReferenceOfARenderer, IsComparedByThePresetThatIsGiven)
+{
+    EXPECT_EQ(Verify(now, CompareSettings::SameMachine()).status, GoldenStatus::Pixels);
+    EXPECT_EQ(Verify(now, CompareSettings::Exact()).status, GoldenStatus::Pixels);
+    EXPECT_EQ(Verify(now, CompareSettings::Exact()).limits, LimitsChoice::AsGiven);
+    now.fingerprint = drawn.fingerprint;
+    EXPECT_EQ(Verify(now, CompareSettings::CrossMachine()).status, GoldenStatus::Same);
+}
+
+TEST_F(ReferenceOfARenderer, IsComparedByASingleLimitThatIsGiven)
+{
+    CompareSettings settings;
+    settings.maxPixels = 5;
+    EXPECT_EQ(Verify(now, settings).status, GoldenStatus::Pixels);
+    EXPECT_EQ(Verify(now, settings).limits, LimitsChoice::AsGiven);
+}
+
+TEST_F(ReferenceOfARenderer, IsComparedWithoutWhatIsIgnored)
+{
+    FillRect(now.frame, 10, 10, 40, 40, kLight);
+    const GoldenVerdict found = Verify(now);
+    EXPECT_EQ(found.status, GoldenStatus::Pixels);
+    EXPECT_EQ(found.limits, LimitsChoice::OtherRenderer);
+    CompareSettings settings;
+    settings.ignored = {{10, 10, 40, 40}};
+    const GoldenVerdict verdict = Verify(now, settings);
+    EXPECT_EQ(verdict.status, GoldenStatus::Same) << verdict.message;
+    EXPECT_EQ(verdict.pixels.ignored, 900);
+}
+
 TEST_F(ReferenceStoreTest, AcceptsForOneRendererOnlyWhatSaysWhoDrewIt)
 {
     const Result<void> accepted = m_store.Accept(m_candidate, AcceptAs::ForThisRenderer);

@@ -307,6 +307,37 @@ TEST(WritePng, ClampsAColourBrighterThanItsAlpha)
     EXPECT_THAT(ReadPng(folder / "frame.png")->rgba, ElementsAre(100, 100, 50, 100, 0, 0, 0, 0));
 }
 
+TEST(PngText, IsReadAgainAndLeavesThePixelsAsTheyAre)
+{
+    const TemporaryFolder folder;
+    const Frame frame = RandomFrame(9, 7, false, 2);
+    const auto bytes = EncodePng(frame, 9, {{"First", "one"}, {"Who drew it", "0123abcd"}});
+    ASSERT_TRUE(bytes);
+    WriteBytes(folder / "a.png", std::string(bytes->begin(), bytes->end()));
+    EXPECT_EQ(*ReadPngText(folder / "a.png", "Who drew it"), "0123abcd");
+    EXPECT_EQ(*ReadPngText(folder / "a.png", "First"), "one");
+    EXPECT_THAT(*ReadPngText(folder / "a.png", "Who drew"), IsEmpty());
+    EXPECT_TRUE(*ReadPng(folder / "a.png") == frame);
+}
+
+TEST(PngText, IsEmptyWhereTheFileHasNone)
+{
+    const TemporaryFolder folder;
+    ASSERT_TRUE(WritePng(folder / "a.png", RandomFrame(4, 4, true, 3)));
+    EXPECT_THAT(*ReadPngText(folder / "a.png", "Who drew it"), IsEmpty());
+}
+
+TEST(PngText, IsRefusedWhenDamagedOrAbsent)
+{
+    const TemporaryFolder folder;
+    const auto bytes = EncodePng(RandomFrame(4, 4, true, 3), 3, {{"Who", "0123abcd"}});
+    std::string damaged(bytes->begin(), bytes->end());
+    damaged[damaged.find("0123abcd")] = 'x';
+    WriteBytes(folder / "a.png", damaged);
+    EXPECT_EQ(ReadPngText(folder / "a.png", "Who").GetError().kind, ErrorKind::Unusable);
+    EXPECT_EQ(ReadPngText(folder / "none.png", "Who").GetError().kind, ErrorKind::Unusable);
+}
+
 TEST(WritePng, MakesTheSameBytesEachTime)
 {
     const Frame frame = RandomFrame(64, 64, false, 2);

@@ -43,6 +43,19 @@ TEST(CommandLineCompare, TakesSameMachineUnlessToldOtherwise)
               CompareSettings::CrossMachine().edgeShift);
 }
 
+TEST(CommandLineCompare, AdaptsToARendererUnlessLimitsAreGiven)
+{
+    EXPECT_TRUE(DiffSettings("").adaptsToRenderer);
+    EXPECT_TRUE(DiffSettings("--ignore 1,2,3x4").adaptsToRenderer);
+    EXPECT_EQ(ForOtherRenderer(DiffSettings("--ignore 1,2,3x4"))->preset,
+              "cross-machine, with --ignore,");
+    for (const char* options : {"--preset same-machine", "--preset cross-machine", "--preset exact",
+                                "--tolerance 0.00025", "--window 16"})
+    {
+        EXPECT_FALSE(ForOtherRenderer(DiffSettings(options))) << options;
+    }
+}
+
 TEST(CommandLineCompare, ReplacesEveryLimitAndSaysSo)
 {
     const CompareSettings settings =

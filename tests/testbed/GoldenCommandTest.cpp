@@ -362,6 +362,26 @@ TEST_F(GoldenCommand, EndsAnotherProgramThatNeverStopsTalking)
     }
 }
 
+TEST_F(GoldenCommand, SaysWhichReferencesAnotherRendererDrew)
+{
+    ASSERT_EQ(RunIn({"accept", "bridge/2s"}).code, 0);
+    const Outcome same = RunIn({"verify", "bridge/2s"});
+    EXPECT_THAT(same.output, Not(HasSubstr("another renderer")));
+
+    const fs::path picture = folder / "r/frames/bridge/2s.png";
+    const std::string keyword = "Renderer fingerprint";
+    EXPECT_EQ(ReadPngText(picture, keyword)->size(), 16u);
+    const auto bytes = EncodePng(*ReadPng(picture), 3, {{keyword, "0123456789abcdef"}});
+    std::ofstream(picture, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes->data()), std::streamsize(bytes->size()));
+    const Outcome other = RunIn({"verify", "bridge/2s"});
+    EXPECT_EQ(other.code, 0) << other.output;
+    EXPECT_THAT(other.output,
+                HasSubstr("\n1 reference drawn by another renderer: cross-machine allows"));
+    const Outcome given = RunIn({"verify", "bridge/2s", "--preset", "same-machine"});
+    EXPECT_THAT(given.output, Not(HasSubstr("another renderer")));
+}
+
 TEST_F(GoldenCommand, SaysWhatWasAllowedThoughNothingDiffers)
 {
     ASSERT_EQ(RunIn({"accept", "bridge/2s"}).code, 0);
