@@ -22,6 +22,9 @@ void SetColors(ImGuiStyle& style)
     const auto set = [&](ImGuiCol color, const ImVec4& ink) { style.Colors[color] = ink; };
     const ImVec4 accent = Ink(64, 132, 198, 1.0f);
     set(ImGuiCol_Text, Ink(232, 235, 240, 1.0f));
+#if IMGUI_VERSION_NUM >= 19200 // has a colour of its own, which was the text's before
+    set(ImGuiCol_InputTextCursor, Ink(232, 235, 240, 1.0f));
+#endif
     set(ImGuiCol_TextDisabled, Ink(142, 150, 162, 1.0f));
     set(ImGuiCol_WindowBg, Ink(20, 22, 27, 0.94f));
     set(ImGuiCol_PopupBg, Ink(26, 29, 35, 0.98f));

@@ -2,6 +2,7 @@
 #include "Widgets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <render/PanelStroke.h>
 
 #include <algorithm>
@@ -30,6 +31,18 @@ void DrawTick()
     const std::array tick{place(0.18f, 0.53f), place(0.40f, 0.75f), place(0.83f, 0.32f)};
     AddStroke(*ImGui::GetWindowDrawList(), tick, false, double(side) * 0.14,
               StyleColor(ImGuiCol_CheckMark));
+}
+
+/// A header as wide as what lies below it. Dear ImGui draws it wider by half the window's padding,
+/// rounded in another way since 1.92; half of 1 px is none in either.
+bool Header(const char* name, bool opensFirst)
+{
+    float& padding = ImGui::GetCurrentWindow()->WindowPadding.x;
+    const float usual = std::exchange(padding, 1.0f);
+    const bool isOpen = ImGui::CollapsingHeader(name, opensFirst ? ImGuiTreeNodeFlags_DefaultOpen
+                                                                 : ImGuiTreeNodeFlags_None);
+    padding = usual;
+    return isOpen;
 }
 
 } // namespace
@@ -83,8 +96,7 @@ bool Widgets::Section(const char* name, bool opensFirst)
     {
         ImGui::SetNextItemOpen(isRevealed || m_opening->contains(name));
     }
-    const bool isOpen = ImGui::CollapsingHeader(name, opensFirst ? ImGuiTreeNodeFlags_DefaultOpen
-                                                                 : ImGuiTreeNodeFlags_None);
+    const bool isOpen = Header(name, opensFirst);
     m_panel = "Panels";
     Note(name);
     m_panel = name;
