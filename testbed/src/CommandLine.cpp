@@ -7,6 +7,7 @@
 #include <debugdraw/Nearest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace boxreel
 {
@@ -15,14 +16,62 @@ namespace
 
 constexpr const char* kWhat = "2D rigid bodies, drawn and recorded off-screen";
 
-/// The parser's help with a usage line that says which words are needed.
+/// Left of what an option or a command does; [characters].
+constexpr std::size_t kNameWidth = 32;
+
+/// A name and what it stands for, whose further lines stand below its first.
+std::string HelpRow(const std::string& name, const std::string& text)
+{
+    std::string row = "  " + name;
+    if (row.size() >= kNameWidth)
+    {
+        row += "\n" + std::string(kNameWidth, ' ');
+    }
+    row.resize(std::max(row.size(), kNameWidth), ' ');
+    for (const char c : text)
+    {
+        row += c;
+        row += c == '\n' ? std::string(kNameWidth, ' ') : "";
+    }
+    return row + "\n";
+}
+
+/// The parser's help with a usage line that says which words are needed. CLI11 2.5 and later would
+/// break lines and titles otherwise, so lines are set here.
 class HelpFormatter : public CLI::Formatter
 {
 public:
-    HelpFormatter()
+    std::string make_help(const CLI::App* command, std::string name,
+                          CLI::AppFormatMode mode) const override
     {
-        column_width(32);
-        label("Positionals", "Arguments");
+        return command->get_description() + "\n" + make_usage(command, std::move(name)) +
+               make_positionals(command) + make_groups(command, mode) +
+               make_subcommands(command, mode) + "\n" + command->get_footer() + "\n";
+    }
+
+    std::string make_group(std::string group, bool isPositional,
+                           std::vector<const CLI::Option*> options) const override
+    {
+        const bool isUsual = group == "OPTIONS" || group == "Options"; // by the version
+        std::string text = isPositional ? "\nArguments:\n"
+                           : isUsual    ? "\nOptions:\n"
+                                        : "\n" + group + ":\n";
+        for (const CLI::Option* option : options)
+        {
+            text += make_option(option, isPositional);
+        }
+        return text;
+    }
+
+    std::string make_option(const CLI::Option* option, bool isPositional) const override
+    {
+        return HelpRow(make_option_name(option, isPositional) + make_option_opts(option),
+                       make_option_desc(option));
+    }
+
+    std::string make_subcommand(const CLI::App* command) const override
+    {
+        return HelpRow(command->get_display_name(true), command->get_description());
     }
 
     std::string make_usage(const CLI::App* command, std::string name) const override

@@ -31,7 +31,17 @@ Overlay Copied(const std::function<void(ImDrawList&)>& draw)
     ImDrawList* lists[] = {&list};
     ImDrawData data;
     data.Valid = true;
-    data.CmdLists = lists;
+    const auto setLists = [&](auto& all) { // a vector since Dear ImGui 1.89.8
+        if constexpr (requires { all.push_back(&list); })
+        {
+            all.push_back(&list);
+        }
+        else
+        {
+            all = lists;
+        }
+    };
+    setLists(data.CmdLists);
     data.CmdListsCount = 1;
     Overlay overlay;
     CopyDrawData(data, 64, 64, overlay);
