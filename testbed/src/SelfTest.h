@@ -12,6 +12,6 @@ namespace boxreel
 std::uint64_t RunSelfTest();
 
 /// What it is on every machine.
-inline constexpr std::uint64_t kSelfTestState = 0x49f6d29692ad8ee0;
+inline constexpr std::uint64_t kSelfTestState = 0x57e85512fa51c2ac;
 
 } // namespace boxreel

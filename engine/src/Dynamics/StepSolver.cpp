@@ -95,7 +95,6 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
 void StepSolver::PrepareContacts()
 {
     m_arrays.colorCount = 0;
-    m_yieldingColors = 0;
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
         const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
@@ -104,12 +103,8 @@ void StepSolver::PrepareContacts()
         {
             m_arrays.colors[m_arrays.colorCount++] = color;
             m_arrays.contacts[color].Reserve(count, color == ConstraintGraph::kOverflow);
-            const bool isGround =
-                color >= ConstraintGraph::kFirstGround && color != ConstraintGraph::kOverflow;
-            m_yieldingColors += isGround ? 0 : 1;
         }
     }
-    m_turnedColors = m_arrays.colorCount;
     ParallelFor(m_threads, m_arrays.colorCount, 1, [this](int32 begin, int32 end) {
         for (int32 i = begin; i < end; ++i)
         {
@@ -192,10 +187,6 @@ void StepSolver::SolveVelocities(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         m_arrays.joints.SolveVelocities(m_context, m_threads);
-        // Only the second half: with all of them, what presses light bodies against the ground is
-        // thrown back. Small steps correct in other ways what is left over.
-        const bool groundIsLast = m_world.subStepCount == 1 && i >= iterations / 2;
-        m_turnedColors = groundIsLast ? m_yieldingColors : m_arrays.colorCount;
         const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
         // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
         if (!changed && m_arrays.joints.IsEmpty())
@@ -203,7 +194,6 @@ void StepSolver::SolveVelocities(int32 iterations)
             break;
         }
     }
-    m_turnedColors = m_arrays.colorCount;
     m_world.sweepsTurned = !m_world.sweepsTurned;
     m_arrays.joints.StoreImpulses(m_threads);
     ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });

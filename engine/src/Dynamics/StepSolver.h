@@ -40,7 +40,6 @@ public:
 
 private:
     void AssignBlocks(int32 color);
-    int32 ColorAt(int32 place, Direction direction) const;
     template <class Function>
     void ForColors(Direction direction, Function&& some);
     /// One block after the other, on the given threads.
@@ -75,19 +74,8 @@ private:
     SolverArrays& m_arrays;
     ThreadPool* m_threads; // may be null
     SolverContext m_context;
-    int32 m_kick = 0;           // number of the next, in a step of small ones
-    int32 m_yieldingColors = 0; // without the ground, which come first
-    int32 m_turnedColors = 0;   // the first so many change their order with the direction
+    int32 m_kick = 0; // number of the next, in a step of small ones
 };
-
-/// Of the order in which velocities are solved last, contacts with the ground are the end in either
-/// direction, for it does not yield: what an iteration leaves over stays between moving bodies.
-/// `m_turnedColors` is smaller than the number of colours only then.
-inline int32 StepSolver::ColorAt(int32 place, Direction direction) const
-{
-    const bool forward = direction == Direction::Forward || place >= m_turnedColors;
-    return m_arrays.colors[forward ? place : m_turnedColors - 1 - place];
-}
 
 /// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
 /// each on all threads. `some` is called with a colour's blocks and the part of them to work on.
@@ -97,7 +85,7 @@ void StepSolver::ForColors(Direction direction, Function&& some)
     const int32 count = m_arrays.colorCount;
     for (int32 i = 0; i < count; ++i)
     {
-        const int32 color = ColorAt(i, direction);
+        const int32 color = m_arrays.colors[direction == Direction::Forward ? i : count - 1 - i];
         ContactBlocks& blocks = m_arrays.contacts[color];
         ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
         ParallelFor(threads, blocks.Count(), kBlockGrain,
@@ -111,7 +99,7 @@ void StepSolver::ForEachBlock(Direction direction, ThreadPool* threads, Function
     const int32 count = m_arrays.colorCount;
     for (int32 i = 0; i < count; ++i)
     {
-        const int32 color = ColorAt(i, direction);
+        const int32 color = m_arrays.colors[direction == Direction::Forward ? i : count - 1 - i];
         ContactBlocks& blocks = m_arrays.contacts[color];
         ParallelFor(color == ConstraintGraph::kOverflow ? nullptr : threads, blocks.Count(),
                     kBlockGrain, [&](int32 begin, int32 end) {

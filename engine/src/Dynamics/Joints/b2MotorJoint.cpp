@@ -42,7 +42,8 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
                                                 .mostAngular = context.timeStep * m_maxTorque,
                                                 .armA = box2d::InLanes(armA),
                                                 .armB = box2d::InLanes(armB),
-                                                .inverse = box2d::InverseInLanes(matrix),
+                                                .matrix = box2d::InLanes(matrix),
+                                                .inverse = box2d::InverseDeterminant(matrix),
                                                 .angularMass = box2d::InverseOrZero(f.iA + f.iB)},
                                    .bias = box2d::InLanes(rate * error),
                                    .angularBias = rate * float32(angle)});
