@@ -54,7 +54,7 @@ endfunction()
 function(boxreel_compile_together target)
   cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 6)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # takes a source that is included for a header
       target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
     endif()
