@@ -60,7 +60,9 @@ if(CMAKE_DL_LIBS)
   set(BOXREEL_LOAD_LIBRARIES -l${CMAKE_DL_LIBS})
 endif()
 boxreel_install_library(engine HEADERS engine NAMES -2.4 DESCRIPTION "2D rigid bodies with the API of the Box2D 2.3 manual")
-boxreel_install_library(drawlist HEADERS debugdraw DESCRIPTION "What was asked to be drawn, and the camera")
+boxreel_install_library(base HEADERS base DESCRIPTION "Results, files and text that the toolkit shares"
+  LIBS ${BOXREEL_LOAD_LIBRARIES})
+boxreel_install_library(drawlist HEADERS debugdraw DESCRIPTION "What was asked to be drawn, and the camera" NEEDS base)
 boxreel_install_library(debugdraw HEADERS debugdraw DESCRIPTION "The engine's debug drawing as a draw list"
   NEEDS drawlist engine)
 boxreel_install_library(render HEADERS render DESCRIPTION "Draw lists become pixels and figures, off-screen"

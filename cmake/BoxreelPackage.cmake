@@ -64,7 +64,7 @@ include(CPack)
 add_custom_target(deb
   COMMAND ${CMAKE_CPACK_COMMAND} -G DEB --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake -B ${PROJECT_BINARY_DIR}
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
-foreach(target boxreel boxreel_engine boxreel_drawlist boxreel_debugdraw boxreel_render boxreel_recorder
+foreach(target boxreel boxreel_engine boxreel_base boxreel_drawlist boxreel_debugdraw boxreel_render boxreel_recorder
         boxreel_golden boxreel_goldenstate boxreel_goldenworld)
   add_dependencies(deb ${target})
 endforeach()

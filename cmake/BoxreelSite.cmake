@@ -15,7 +15,7 @@ function(boxreel_missing target package)
 endfunction()
 
 if(BOXREEL_DOXYGEN)
-  set(API_INPUT engine debugdraw render recorder golden)
+  set(API_INPUT engine base debugdraw render recorder golden)
   list(TRANSFORM API_INPUT REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/include")
   list(JOIN API_INPUT " " API_INPUT)
   file(MAKE_DIRECTORY ${BOXREEL_SITE_DIR})

@@ -19,7 +19,7 @@ endif()
 # boxreel_configure(TARGET): language level, warnings, exact floating point, sanitizers.
 function(boxreel_configure target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  # Whether sources are compiled together is no choice of a parent's: see boxreel_compile_together.
+  # Two sources may have the same names, so a parent's choice to compile sources together does not hold here.
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
   target_compile_options(${target} PRIVATE ${BOXREEL_COMPILE_OPTIONS})
   if(BOXREEL_WERROR)
@@ -46,20 +46,6 @@ endfunction()
 function(boxreel_precompile target)
   target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <limits> <memory> <optional>
                             <span> <string> <utility> <variant> <vector> ${ARGN})
-endfunction()
-
-# boxreel_compile_together(TARGET [ALONE SOURCES …]): six sources are one translation unit, for most of what a source
-# takes to compile are the templates of its headers. ALONE: those with names of their own that are also another's.
-# The matrix builds without; the engine, whose time is measured, is never compiled so.
-function(boxreel_compile_together target)
-  cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
-  if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 6)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # takes a source that is included for a header
-      target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
-    endif()
-    set_source_files_properties(${ARG_ALONE} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  endif()
 endfunction()
 
 # boxreel_add_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]): the library boxreel::NAME of the
@@ -97,11 +83,10 @@ set(BOXREEL_MESA_PROPERTIES
   ENVIRONMENT_MODIFICATION
     "TSAN_OPTIONS=set:suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp:print_suppressions=0")
 
-# boxreel_add_tests(NAME [MESA] SOURCES … [ALONE …] [LIBRARIES …] [LABELS …] [PROPERTIES …]): a GoogleTest program
-# whose cases become CTest tests with the given labels (quick unless said). MESA: they draw. ALONE: sources that are
-# not compiled together with others.
+# boxreel_add_tests(NAME [MESA] SOURCES … [LIBRARIES …] [LABELS …] [PROPERTIES …]): a GoogleTest program
+# whose cases become CTest tests with the given labels (quick unless said). MESA: they draw.
 function(boxreel_add_tests name)
-  cmake_parse_arguments(ARG "MESA" "" "SOURCES;ALONE;LIBRARIES;LABELS;PROPERTIES" ${ARGN})
+  cmake_parse_arguments(ARG "MESA" "" "SOURCES;LIBRARIES;LABELS;PROPERTIES" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS quick)
   endif()
@@ -112,10 +97,9 @@ function(boxreel_add_tests name)
   if(ARG_MESA)
     list(APPEND ARG_PROPERTIES ${BOXREEL_MESA_PROPERTIES})
   endif()
-  add_executable(boxreel_${name}_tests ${ARG_SOURCES} ${ARG_ALONE})
+  add_executable(boxreel_${name}_tests ${ARG_SOURCES})
   boxreel_configure(boxreel_${name}_tests)
   boxreel_build_fastest(boxreel_${name}_tests)
-  boxreel_compile_together(boxreel_${name}_tests ALONE ${ARG_ALONE})
   target_precompile_headers(boxreel_${name}_tests REUSE_FROM boxreel_test_headers)
   target_link_libraries(boxreel_${name}_tests PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
   if(BOXREEL_HAS_GOLD_LINKER AND NOT BOXREEL_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <golden/Compare.h>
-
 #include "DensityWindow.h"
 #include "DifferencePicture.h"
 #include "PixelMarks.h"
+#include <golden/Compare.h>
 
-#include <debugdraw/Nearest.h>
+#include <base/Nearest.h>
 
 #include <algorithm>
 #include <cassert>

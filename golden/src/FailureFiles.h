@@ -4,7 +4,7 @@
 #include "Moment.h"
 #include "VerdictFile.h"
 
-#include <debugdraw/Result.h>
+#include <base/Result.h>
 
 #include <filesystem>
 #include <string>

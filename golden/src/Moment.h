@@ -3,7 +3,7 @@
 
 #include "ReferenceFiles.h"
 
-#include <debugdraw/Result.h>
+#include <base/Result.h>
 #include <golden/ContactSheet.h>
 #include <golden/ReferenceStore.h>
 #include <render/Frame.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ReferenceFiles.h"
-
 #include "Gzip.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegCopy.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegFilm.h"
-
 #include "FFmpegCodec.h"
 #include "FFmpegCopy.h"
 #include "FFmpegMuxer.h"
@@ -8,7 +7,7 @@
 #include "FFmpegPackets.h"
 #include "FFmpegPicture.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <algorithm>
 #include <optional>

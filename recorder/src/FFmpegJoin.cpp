@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegJoin.h"
-
 #include "FFmpegCodec.h"
 #include "FFmpegCopy.h"
 #include "FrameTimes.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegLibrary.h"
 
-#include "SharedLibrary.h"
+#include <base/SharedLibrary.h>
 
 #include <cassert>
 #include <mutex>

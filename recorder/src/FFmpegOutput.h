@@ -3,7 +3,7 @@
 
 #include "FFmpegLibrary.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <cstdint>
 #include <optional>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "GifFilm.h"
-
 #include "FrameTimes.h"
 #include "GifLzw.h"
 #include "GifPalette.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "PngSequence.h"
-
 #include "SequenceName.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 #include <render/Png.h>
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "VideoFormat.h"
-
 #include "SequenceName.h"
 #include "VideoPlan.h"
 
-#include <debugdraw/Nearest.h>
+#include <base/Nearest.h>
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <recorder/VideoWriter.h>
-
 #include "AnimationCopy.h"
 #include "FFmpegFilm.h"
 #include "GifFilm.h"
@@ -8,8 +6,9 @@
 #include "VideoFormat.h"
 #include "VideoSink.h"
 #include "WebPFilm.h"
+#include <recorder/VideoWriter.h>
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <cassert>
 #include <string>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "WebPFilm.h"
 
-#include "SharedLibrary.h"
-
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
+#include <base/SharedLibrary.h>
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "WebPReader.h"
 
-#include "SharedLibrary.h"
+#include <base/SharedLibrary.h>
 
 #include <cstdint>
 #include <cstring>

@@ -5,7 +5,7 @@
 #include "OverlayMesh.h"
 #include "Shaders.h"
 
-#include <debugdraw/Result.h>
+#include <base/Result.h>
 #include <render/Frame.h>
 #include <render/Overlay.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Context.h"
 
-#include <debugdraw/Nearest.h>
+#include <base/Nearest.h>
 
 #include <cstdlib>
 #include <span>

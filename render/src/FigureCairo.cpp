@@ -2,12 +2,11 @@
 // PDF through Cairo, with the renderer's own font by its file, so that the bytes do not depend on
 // what else is installed. Both libraries are opened when a PDF is asked for.
 #include "FigureCairo.h"
-
 #include "FigureCanvas.h"
 #include "FigureLetters.h"
 #include "FontAtlas.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <cmath>
 #include <memory>

@@ -4,7 +4,7 @@
 #include "FigureCanvas.h"
 #include "FigureLetters.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 #include <debugdraw/DrawListText.h>
 #include <debugdraw/TextWidth.h>
 

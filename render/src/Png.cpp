@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <render/Png.h>
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <algorithm>
 #include <cassert>

@@ -3,7 +3,7 @@
 
 #include "RubeScene.h"
 
-#include <debugdraw/Result.h>
+#include <base/Result.h>
 
 #include <string>
 #include <string_view>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Script.h"
-
 #include "ScriptSettings.h"
 #include "ScriptWords.h"
-#include "ViewChoice.h"
 
-#include <debugdraw/Nearest.h>
+#include <base/Nearest.h>
+#include <options/ViewChoice.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "Values.h"
-
 #include <Box2D/Common/b2Math.h>
-
-#include <debugdraw/Result.h>
+#include <base/Result.h>
+#include <options/Values.h>
 
 #include <cstdint>
 #include <filesystem>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ScriptSettings.h"
 
-#include "Values.h"
-
-#include <debugdraw/Nearest.h>
+#include <base/Nearest.h>
+#include <options/Values.h>
 
 #include <algorithm>
 #include <iterator>

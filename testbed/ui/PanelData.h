@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <SceneLayers.h>
-
+#include <options/SceneLayers.h>
 #include <scenes/Scene.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "UiSettings.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 #include <debugdraw/Theme.h>
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 
 #include "PanelData.h"
 
-#include <debugdraw/Result.h>
+#include <base/Result.h>
 
 #include <filesystem>
 #include <set>

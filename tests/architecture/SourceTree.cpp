@@ -18,42 +18,59 @@ namespace
 struct Layer
 {
     std::string_view name;
-    std::vector<std::string_view> mayUse; ///< itself is understood
+    std::vector<std::string_view> mayUse; ///< the names of other layers; each may use itself
 };
 
-// The arrows of ARCHITECTURE.md. What is missing here is forbidden.
-const std::vector<Layer>& Layers()
+/// The arrows of ARCHITECTURE.md. What is missing here is forbidden.
+std::vector<Layer> MakeLayers()
 {
-    static const std::vector<Layer> layers{
+    std::vector<Layer> layers{
         {"engine/Common", {}},
         {"engine/Collision", {"engine/Common"}},
         {"engine/Dynamics", {"engine/Common", "engine/Collision"}},
         {"engine/Rope", {"engine/Common"}},
         {"engine", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine/Rope"}},
-        {"drawlist", {}},
-        {"collector",
-         {"drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
-        {"render", {"drawlist"}},
-        {"recorder", {"render", "drawlist"}},
-        {"golden", {"recorder", "render", "drawlist"}},
-        {"golden state",
-         {"golden", "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
+        {"base", {}},
+        {"drawlist", {"base"}},
+        {"collector", {"drawlist", "base", "engine"}},
+        {"render", {"drawlist", "base"}},
+        {"recorder", {"render", "drawlist", "base"}},
+        {"golden", {"recorder", "render", "drawlist", "base"}},
+        {"golden state", {"golden", "drawlist", "base", "engine"}},
         {"golden world",
-         {"golden state", "golden", "recorder", "render", "collector", "drawlist", "engine/Common",
-          "engine/Collision", "engine/Dynamics", "engine"}},
-        {"scenes", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
-        {"testbed",
-         {"scenes", "golden world", "golden state", "golden", "recorder", "render", "collector",
-          "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics", "engine"}},
-        // The programs that docs/ shows, as a user of the libraries writes them.
-        {"docs",
-         {"golden", "recorder", "render", "collector", "drawlist", "engine/Common",
-          "engine/Collision", "engine/Dynamics", "engine"}},
-        {"tests",
-         {"testbed", "scenes", "golden world", "golden state", "golden", "recorder", "render",
-          "collector", "drawlist", "engine/Common", "engine/Collision", "engine/Dynamics",
+         {"golden state", "golden", "recorder", "render", "collector", "drawlist", "base",
           "engine"}},
+        {"testbed/scenes", {"engine"}},
+        {"testbed/rube", {"testbed/scenes", "drawlist", "base", "engine"}},
     };
+    // The other rooms of the program: each may use the libraries and the rooms before it.
+    const std::vector<std::string_view> libraries{"golden world", "golden state", "golden",
+                                                  "recorder",     "render",       "collector",
+                                                  "drawlist",     "base",         "engine"};
+    std::vector<std::string_view> below = libraries;
+    below.insert(below.end(), {"testbed/scenes", "testbed/rube"});
+    for (const std::string_view room :
+         {"testbed/options", "testbed/script", "testbed/ui", "testbed/session", "testbed/film",
+          "testbed/workbench", "testbed/cli", "tests"})
+    {
+        layers.push_back({room, below});
+        below.push_back(room);
+    }
+    layers.push_back({"docs", libraries}); // the programs that the pages show use the libraries
+    for (Layer& layer : layers)            // whoever may use the engine's front may use its modules
+    {
+        if (std::ranges::count(layer.mayUse, "engine") > 0)
+        {
+            layer.mayUse.insert(layer.mayUse.end(),
+                                {"engine/Common", "engine/Collision", "engine/Dynamics"});
+        }
+    }
+    return layers;
+}
+
+const std::vector<Layer>& Layers()
+{
+    static const std::vector<Layer> layers = MakeLayers();
     return layers;
 }
 
@@ -79,9 +96,9 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"imgui",
          {"render/src/ImGui", "render/src/FontAtlas", "testbed/ui/", "tests/render/ImGui"}},
         {"stb", {"render/src/FontAtlas"}},
-        {"CLI/", {"testbed/src/CommandLine"}},
+        {"CLI/", {"testbed/cli/CommandLine"}},
         {"nlohmann/",
-         {"testbed/report/Verdicts.", "testbed/rube/", "testbed/src/FilmPapers",
+         {"golden/src/report/Verdicts.", "testbed/rube/", "testbed/film/FilmPapers",
           "testbed/ui/UiSettings"}},
         {"cairo", {"render/src/FigureCairo."}},
         {"ft2build.h", {"render/src/FigureCairo."}},
@@ -154,11 +171,13 @@ std::string_view LayerOf(std::string_view path)
                : file.starts_with("StateHash") ? "golden state"
                                                : "golden";
     }
-    if (path.starts_with("testbed/scenes/"))
+    if (path.starts_with("testbed/"))
     {
-        return "scenes";
+        const std::string_view room = path.substr(0, path.find('/', sizeof "testbed"));
+        const auto known = std::ranges::find(Layers(), room, &Layer::name);
+        return known == Layers().end() ? "" : known->name;
     }
-    for (std::string_view folder : {"render", "recorder", "testbed", "docs", "tests"})
+    for (std::string_view folder : {"base", "render", "recorder", "docs", "tests"})
     {
         if (path.starts_with(folder) && path.substr(folder.size()).starts_with('/'))
         {
@@ -229,11 +248,11 @@ std::vector<Include> IncludesOf(const fs::path& file)
 std::string Resolve(const fs::path& root, const std::string& from, const std::string& text)
 {
     static const std::vector<std::string> searched{"engine/include",
+                                                   "base/include",
                                                    "debugdraw/include",
                                                    "render/include",
                                                    "recorder/include",
                                                    "golden/include",
-                                                   "testbed/include",
                                                    ".",
                                                    "testbed",
                                                    "tests"};
@@ -252,7 +271,8 @@ std::string Resolve(const fs::path& root, const std::string& from, const std::st
             return normal.generic_string();
         }
     }
-    for (const std::string_view folder : {"Box2D", "debugdraw", "render", "recorder", "golden"})
+    for (const std::string_view folder :
+         {"Box2D", "base", "debugdraw", "render", "recorder", "golden"})
     {
         if (text.starts_with(folder) && text.substr(folder.size()).starts_with('/'))
         {

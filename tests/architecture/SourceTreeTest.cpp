@@ -100,7 +100,10 @@ TEST_F(PlantedTree, UpwardIncludesAreFound)
     Plant("render/src/Png.cpp", "#include <recorder/VideoWriter.h>\n");
     Plant("golden/src/Compare.cpp", "#include <golden/StateHash.h>\n");
     Plant("testbed/scenes/Pyramid.cpp", "#include <render/Frame.h>\n");
-    Plant("testbed/src/Main.cpp", "#include \"../../tests/Helper.h\"\n");
+    Plant("testbed/cli/Main.cpp", "#include \"../../tests/Helper.h\"\n");
+    Plant("testbed/session/Condition.cpp", "#include <film/FilmRun.h>\n");
+    Plant("testbed/film/FilmRun.h", "");
+    Plant("testbed/other/Thing.cpp", "");
     Plant("tests/Helper.h", "");
     EXPECT_THAT(
         CheckLayers(m_root),
@@ -113,9 +116,10 @@ TEST_F(PlantedTree, UpwardIncludesAreFound)
             StartsWith("engine/src/Rope/b2Rope.cpp:1: engine/Rope must not include"),
             StartsWith("golden/src/Compare.cpp:1: golden must not include golden/StateHash.h"),
             StartsWith("render/src/Png.cpp:1: render must not include recorder/VideoWriter.h"),
-            StartsWith("testbed/scenes/Pyramid.cpp:1: scenes must not include render/Frame.h"),
-            StartsWith(
-                "testbed/src/Main.cpp:1: testbed must not include ../../tests/Helper.h of tests")));
+            StartsWith("testbed/cli/Main.cpp:1: testbed/cli must not include ../../tests/Helper.h"),
+            StartsWith("testbed/other/Thing.cpp:1: lies in no layer"),
+            StartsWith("testbed/scenes/Pyramid.cpp:1: testbed/scenes must not include render"),
+            StartsWith("testbed/session/Condition.cpp:1: testbed/session must not include film")));
 }
 
 TEST_F(PlantedTree, DownwardIncludesAreNoFinding)
@@ -125,7 +129,7 @@ TEST_F(PlantedTree, DownwardIncludesAreNoFinding)
           "#include <Box2D/Common/b2Math.h>\n#include <vector>\n");
     Plant("debugdraw/src/DrawCollector.cpp", "#include <Box2D/Box2D.h>\n");
     Plant("golden/src/StateHash.cpp", "#include <Box2D/Box2D.h>\n#include <golden/StateHash.h>\n");
-    Plant("testbed/src/Main.cpp", "#include \"scenes/Scene.h\"\n#include <recorder/Recording.h>\n");
+    Plant("testbed/cli/Main.cpp", "#include \"scenes/Scene.h\"\n#include <recorder/Recording.h>\n");
     Plant("testbed/scenes/Scene.h", "#include <Box2D/Box2D.h>\n");
     Plant("tests/render/PngTest.cpp",
           "#include \"Png.h\"\n#include <render/Frame.h>\n#include <png.h>\n");

@@ -8,7 +8,7 @@ format=$(command -v clang-format-14 || command -v clang-format) && "$format" --v
     echo 'skipped: there is no clang-format 14; install the package clang-format-14'
     exit 77
 }
-folders='debugdraw docs engine golden recorder render testbed tests'
+folders='base debugdraw docs engine golden recorder render testbed tests'
 # shellcheck disable=SC2086 # a list of words
 find $folders -type f \( -name '*.cpp' -o -name '*.h' \) -print0 |
     xargs -0 -n 40 -P "$(nproc)" "$format" --dry-run -Werror

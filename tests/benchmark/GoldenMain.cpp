@@ -4,7 +4,7 @@
 // EXPECTED ACTUAL …` compares such files, decoded before. Output is JSON, one object per line.
 #include "PlantedChanges.h"
 
-#include <debugdraw/Result.h>
+#include <base/Result.h>
 #include <golden/Compare.h>
 #include <render/Png.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <Box2D/Common/b2Draw.h>
+#include <base/Result.h>
 #include <debugdraw/Camera.h>
-#include <debugdraw/Result.h>
 
 #include <cstdint>
 #include <memory>

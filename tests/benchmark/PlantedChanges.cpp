@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "PlantedChanges.h"
 
-#include <SceneSession.h>
+#include <session/SceneSession.h>
 
 #include <algorithm>
 #include <cstring>

@@ -7,11 +7,11 @@
 #include "ImmediateDraw.h"
 #include "RecordCases.h"
 
-#include <SceneSession.h>
-#include <Values.h>
-#include <debugdraw/Result.h>
+#include <base/Result.h>
+#include <options/Values.h>
 #include <recorder/VideoReader.h>
 #include <render/Renderer.h>
+#include <session/SceneSession.h>
 
 #include <algorithm>
 #include <cerrno>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The program of docs/figures.md.
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "Shown.h"
 
 #include <render/Png.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programs, files and pictures of the pages of docs/examples.
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "Shown.h"
 
 #include <recorder/VideoReader.h>

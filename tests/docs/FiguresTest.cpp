@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The drawings of the manual are what their program draws today, and no others lie beside them.
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programs of docs/recording.md.
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "Shown.h"
 
 #include <recorder/VideoReader.h>

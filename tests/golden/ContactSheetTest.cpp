@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Films as contact sheets, and as golden tests.
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "Environment.h"
 #include "TestPictures.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <golden/GoldenTest.h>
 
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "Environment.h"
 #include "TestPictures.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies that a golden test leaves out, in worlds that differ in one body.
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 
 #include <golden/GoldenWorld.h>
 #include <golden/StateHash.h>

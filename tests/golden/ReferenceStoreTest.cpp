@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <golden/ReferenceStore.h>
 
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "TestPictures.h"
 
 #include <debugdraw/DrawListText.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What each preset finds of changes planted into real scenes, as the renderer draws them.
-#include "GoldenScenes.h"
-#include "SceneSession.h"
-
 #include <golden/Compare.h>
+#include <session/GoldenScenes.h>
+#include <session/SceneSession.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a reference store writes for `boxreel golden report`, which reads it (tests/testbed/report).
-#include "../debugdraw/TemporaryFolder.h"
+// What a reference store writes for `boxreel golden report`, which reads it (tests/golden/report).
+#include "../base/TemporaryFolder.h"
 #include "TestPictures.h"
 
 #include <debugdraw/Camera.h>

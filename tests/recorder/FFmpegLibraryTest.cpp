@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "SharedLibrary.h"
-
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "TestFilm.h"
 
+#include <base/SharedLibrary.h>
 #include <recorder/VideoReader.h>
 #include <recorder/VideoWriter.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Films in parts: interrupted and continued, made by several and joined, frames held.
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "ShownFrames.h"
 #include "TestFilm.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "ShownFrames.h"
 #include "TestFilm.h"
 

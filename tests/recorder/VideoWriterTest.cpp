@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 #include "TestFilm.h"
 
 #include <recorder/VideoReader.h>

@@ -3,7 +3,7 @@
 #include "Pictures.h"
 #include "Truth.h"
 
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 
 #include <debugdraw/TextWidth.h>
 #include <render/Figure.h>

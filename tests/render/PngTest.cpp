@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <render/Png.h>
 
-#include "../debugdraw/TemporaryFolder.h"
+#include "../base/TemporaryFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // unless some are named, each for light and for dark pages.
 #include "FigureTable.h"
 
-#include <debugdraw/AtomicFile.h>
+#include <base/AtomicFile.h>
 
 #include <algorithm>
 #include <csignal>

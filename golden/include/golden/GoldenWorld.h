@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <base/Result.h>
 #include <debugdraw/Camera.h>
-#include <debugdraw/Result.h>
 #include <golden/ReferenceStore.h>
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <base/Result.h>
 #include <debugdraw/Camera.h>
 #include <debugdraw/DrawList.h>
-#include <debugdraw/Result.h>
 #include <golden/Compare.h>
 #include <golden/ContactSheet.h>
 #include <golden/WorldState.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <debugdraw/Result.h>
+#include <base/Result.h>
 #include <recorder/FrameClock.h>
 #include <render/Frame.h>
 

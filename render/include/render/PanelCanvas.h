@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <base/Result.h>
 #include <debugdraw/DrawList.h>
-#include <debugdraw/Result.h>
 #include <render/Keys.h>
 #include <render/Overlay.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <base/Result.h>
 #include <debugdraw/Camera.h>
 #include <debugdraw/DrawList.h>
-#include <debugdraw/Result.h>
 #include <debugdraw/Theme.h>
 #include <render/Backend.h>
 #include <render/Frame.h>

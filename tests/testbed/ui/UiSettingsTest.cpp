@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../Subprocess.h"
+#include "../cli/Subprocess.h"
 
 #include <ui/UiSettings.h>
 

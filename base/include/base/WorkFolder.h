@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <base/Result.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+/// Where a command puts what it makes for itself, below TMPDIR.
+namespace boxreel
+{
+
+/// A folder of its own, removed with what is in it.
+class WorkFolder
+{
+public:
+    static Result<WorkFolder> Create()
+    {
+        std::error_code error;
+        const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+        std::string pattern = (parent / "boxreel-XXXXXX").string();
+        if (error || mkdtemp(pattern.data()) == nullptr)
+        {
+            return Error{ErrorKind::Failed, "There is no folder for temporary files; name "
+                                            "one by TMPDIR."};
+        }
+        return WorkFolder(pattern);
+    }
+    WorkFolder(WorkFolder&& other) noexcept : m_path(std::exchange(other.m_path, {})) {}
+    WorkFolder& operator=(WorkFolder&&) = delete;
+    ~WorkFolder()
+    {
+        std::error_code ignored;
+        if (!m_path.empty())
+        {
+            std::filesystem::remove_all(m_path, ignored);
+        }
+    }
+    const std::filesystem::path& Path() const { return m_path; }
+
+private:
+    explicit WorkFolder(std::filesystem::path path) : m_path(std::move(path)) {}
+    std::filesystem::path m_path;
+};
+
+} // namespace boxreel

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#include "PageTexts.h"
+#include <golden/ReportPage.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+namespace boxreel
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct StatusLook
+{
+    const char* status;
+    const char* label;
+    const char* meaning;
+};
+
+constexpr StatusLook kLooks[] = {
+    {"error", "not compared", "the reference is damaged, or a body to leave out is not there"},
+    {"state", "state", "the worlds differ: some body is elsewhere or moves otherwise"},
+    {"drawlist", "geometry", "the same world draws something else"},
+    {"pixels", "pixels", "the same geometry, other pixels"},
+    {"missing", "missing", "never approved"},
+    {"accepted", "accepted", "became the reference in this run; look at it before you commit it"},
+    {"same", "as approved", "within the limits"},
+};
+
+std::string LabelOf(const std::string& status)
+{
+    for (const StatusLook& look : kLooks)
+    {
+        if (status == look.status)
+        {
+            return look.label;
+        }
+    }
+    return status;
+}
+
+std::string Count(std::size_t number, const std::string& things)
+{
+    return std::to_string(number) + " " + things + (number == 1 ? "" : "s");
+}
+
+bool IsFailure(const ReportedMoment& moment)
+{
+    return moment.shown.status != "same" && moment.shown.status != "accepted";
+}
+
+/// Empty when there is none.
+Result<std::string> ReadIfThere(const fs::path& path)
+{
+    std::error_code code;
+    if (!fs::exists(path, code))
+    {
+        return std::string();
+    }
+    const bool isFile = fs::is_regular_file(path, code);
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes = isFile && in ? std::string(std::istreambuf_iterator<char>(in), {}) : "";
+    if (!isFile || !in)
+    {
+        return Error{ErrorKind::Unusable,
+                     "'" + path.string() + "' cannot be read; make it readable."};
+    }
+    return bytes;
+}
+
+std::string Png(const std::string& bytes)
+{
+    return "\"data:image/png;base64," + Base64(bytes) + "\"";
+}
+
+std::string StripJson(const FilmStrip& strip)
+{
+    std::string text = "{\"note\":" + JsonText(strip.note) +
+                       ",\"earlier\":" + JsonText(strip.earlier) +
+                       ",\"width\":" + std::to_string(strip.width) +
+                       ",\"height\":" + std::to_string(strip.height) + ",\"pictures\":[";
+    for (const FilmStrip::Picture& picture : strip.pictures)
+    {
+        text += (&picture == strip.pictures.data() ? "" : ",") + std::string("{\"step\":") +
+                std::to_string(picture.step) + ",\"actual\":" + Png(picture.actual);
+        text += picture.closeUp.empty() ? "" : ",\"closeUp\":" + Png(picture.closeUp);
+        text += picture.expected.empty() ? "" : ",\"expected\":" + Png(picture.expected);
+        text += picture.expectedCloseUp.empty()
+                    ? ""
+                    : ",\"expectedCloseUp\":" + Png(picture.expectedCloseUp);
+        text += ",\"mark\":[";
+        for (std::size_t i = 0; i < picture.mark.size(); ++i)
+        {
+            text += (i > 0 ? "," : "") + std::to_string(picture.mark[i]);
+        }
+        text += "]}";
+    }
+    return text + "]}";
+}
+
+/// What the script shows of a moment, as JSON.
+Result<std::string> DataOf(const ReportedMoment& moment, const FilmStrip* strip)
+{
+    struct Part
+    {
+        const char* name;
+        const char* end;
+        bool isPicture;
+    };
+    constexpr Part kParts[] = {
+        {"expectedPicture", ".expected.png", true},
+        {"actualPicture", ".actual.png", true},
+        {"differencePicture", ".difference.png", true},
+        {"expectedList", ".expected.txt", false},
+        {"actualList", ".actual.txt", false},
+        {"expectedState", ".expected.state.txt", false},
+        {"actualState", ".actual.state.txt", false},
+    };
+    std::string text = "{\"verdict\":" + moment.shown.json;
+    for (const Part& part : kParts)
+    {
+        const Result<std::string> bytes = ReadIfThere(moment.shown.base.string() + part.end);
+        if (!bytes)
+        {
+            return bytes.GetError();
+        }
+        if (!bytes->empty())
+        {
+            text += std::string(",\"") + part.name +
+                    "\":" + (part.isPicture ? Png(*bytes) : JsonText(*bytes));
+        }
+    }
+    return text + (strip != nullptr ? ",\"strip\":" + StripJson(*strip) : "") + "}";
+}
+
+/// A verdict's clauses, which "; " parts outside of parentheses and quotes, without the name before
+/// them.
+std::vector<std::string> ClausesOf(const ReportedVerdict& verdict)
+{
+    std::string_view rest = verdict.message;
+    if (rest.starts_with(verdict.name + ": "))
+    {
+        rest.remove_prefix(verdict.name.size() + 2);
+    }
+    std::vector<std::string> clauses(1);
+    int depth = 0;
+    bool isQuoted = false;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+    {
+        isQuoted = isQuoted != (rest[i] == '"');
+        depth += isQuoted ? 0 : rest[i] == '(' ? 1 : rest[i] == ')' ? -1 : 0;
+        if (depth == 0 && !isQuoted && rest.substr(i).starts_with("; "))
+        {
+            clauses.emplace_back();
+            ++i;
+            continue;
+        }
+        clauses.back() += rest[i];
+    }
+    return clauses;
+}
+
+std::string Message(const ReportedVerdict& verdict)
+{
+    std::string text = "<ul class=\"message\">\n";
+    for (const std::string& clause : ClausesOf(verdict))
+    {
+        text += "<li>" + HtmlText(clause) + "</li>\n";
+    }
+    return text + "</ul>\n";
+}
+
+Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
+{
+    const Result<std::string> data = DataOf(moment, strip);
+    if (!data)
+    {
+        return data.GetError();
+    }
+    const ReportedVerdict& shown = moment.shown;
+    const std::string name = HtmlText(shown.name);
+    std::string text = "<article class=\"moment\" id=\"" + name +
+                       "\" tabindex=\"-1\" data-status=\"" + shown.status + "\" data-name=\"" +
+                       name + "\">\n<h2><a href=\"#" + name + "\">" + name +
+                       "</a> <span class=\"badge " + shown.status + "\">" +
+                       HtmlText(LabelOf(shown.status)) + "</span></h2>\n" + Message(shown);
+    if (!shown.accept.empty() && IsFailure(moment))
+    {
+        const char* const which = shown.status == "missing" ? "missing" : "changed";
+        text += "<p>If the picture is right, accept it: <code>" + HtmlText(shown.accept) +
+                "</code>, or run the test with <code>BOXREEL_GOLDEN_ACCEPT=" + which +
+                "</code>.</p>\n";
+    }
+    for (const ReportedVerdict& other : moment.others)
+    {
+        text += "<p class=\"other\">This is of " + HtmlText(shown.folder) + "; " +
+                HtmlText(other.folder) + " says <b>" + HtmlText(LabelOf(other.status)) +
+                "</b>: " + HtmlText(other.message) + "</p>\n";
+    }
+    return text + "<div class=\"views\"></div>\n<script type=\"application/json\">" + *data +
+           "</script>\n</article>\n";
+}
+
+std::string Buttons(const std::vector<ReportedMoment>& moments)
+{
+    std::string text;
+    for (const StatusLook& look : kLooks)
+    {
+        std::size_t number = 0;
+        for (const ReportedMoment& moment : moments)
+        {
+            number += moment.shown.status == look.status ? 1 : 0;
+        }
+        if (number > 0)
+        {
+            text += std::string("<button type=\"button\" class=\"badge ") + look.status +
+                    "\" data-status=\"" + look.status + "\" aria-pressed=\"true\" title=\"" +
+                    look.meaning + "\">" + std::to_string(number) + " " + look.label +
+                    "</button>\n";
+        }
+    }
+    return text;
+}
+
+std::string Terms(const char* what, const std::set<std::string>& values)
+{
+    std::string text;
+    for (const std::string& value : values)
+    {
+        text += value.empty() ? "" : "<dd>" + HtmlText(value) + "</dd>";
+    }
+    return text.empty() ? "" : std::string("<dt>") + what + "</dt>" + text + "\n";
+}
+
+std::string Facts(const std::vector<ReportedMoment>& moments)
+{
+    std::set<std::string> renderers;
+    std::set<std::string> limits;
+    for (const ReportedMoment& moment : moments)
+    {
+        renderers.insert(moment.shown.renderer);
+        limits.insert(moment.shown.limits);
+    }
+    return Terms("Drawn by", renderers) + Terms("Limits", limits);
+}
+
+std::string Passed(const std::vector<ReportedMoment>& moments)
+{
+    std::string list;
+    std::size_t number = 0;
+    for (const ReportedMoment& moment : moments)
+    {
+        if (moment.shown.Passed())
+        {
+            ++number;
+            const std::string name = HtmlText(moment.shown.name);
+            list += "<li data-name=\"" + name + "\">" + name + "</li>\n";
+        }
+    }
+    return number == 0
+               ? ""
+               : "<details id=\"passed\"" + std::string(number == moments.size() ? " open" : "") +
+                     "><summary>" + Count(number, "moment") + " as approved</summary>\n<ul>\n" +
+                     list + "</ul>\n</details>\n";
+}
+
+/// The template with each {{word}} replaced, once: what is put in is not looked at again.
+std::string Fill(std::string_view page, const std::map<std::string_view, std::string_view>& parts)
+{
+    std::string text;
+    for (;;)
+    {
+        const std::size_t begin = page.find("{{");
+        const std::size_t end = page.find("}}", begin);
+        text += page.substr(0, begin);
+        if (begin == std::string_view::npos || end == std::string_view::npos)
+        {
+            return text;
+        }
+        text += parts.at(page.substr(begin + 2, end - begin - 2));
+        page.remove_prefix(end + 2);
+    }
+}
+
+} // namespace
+
+std::string HtmlText(const std::string& text)
+{
+    std::string escaped;
+    for (const char c : text)
+    {
+        switch (c)
+        {
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '>':
+            escaped += "&gt;";
+            break;
+        case '"':
+            escaped += "&quot;";
+            break;
+        case '\'':
+            escaped += "&#39;";
+            break;
+        default:
+            escaped += c;
+        }
+    }
+    return escaped;
+}
+
+std::string Base64(const std::string& bytes)
+{
+    constexpr std::string_view kLetters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3)
+    {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            group = group << 8 | (k < count ? std::uint8_t(bytes[i + k]) : 0u);
+        }
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+            text += k <= count ? kLetters[group >> (18 - 6 * k) & 63] : '=';
+        }
+    }
+    return text;
+}
+
+std::string DescribeOutcome(const std::vector<ReportedMoment>& moments)
+{
+    const auto failures = std::count_if(moments.begin(), moments.end(), IsFailure);
+    const auto accepted =
+        std::count_if(moments.begin(), moments.end(), [](const ReportedMoment& moment) {
+            return moment.shown.status == "accepted";
+        });
+    return Count(moments.size(), "moment") + ": " +
+           (failures == 0 ? "all as approved" : std::to_string(failures) + " not as approved") +
+           (accepted == 0 ? "" : ", " + std::to_string(accepted) + " accepted just now");
+}
+
+Result<std::string> ReportPage(const std::vector<ReportedMoment>& moments,
+                               const std::map<std::string, FilmStrip>& strips)
+{
+    std::string cards;
+    for (const ReportedMoment& moment : moments)
+    {
+        // One that passed here and there says nothing that differs.
+        if (moment.shown.Passed())
+        {
+            continue;
+        }
+        const auto strip = strips.find(moment.shown.name);
+        const Result<std::string> card =
+            Card(moment, strip == strips.end() ? nullptr : &strip->second);
+        if (!card)
+        {
+            return card.GetError();
+        }
+        cards += *card;
+    }
+    const std::string outcome = DescribeOutcome(moments);
+    const std::string buttons = Buttons(moments);
+    const std::string facts = Facts(moments);
+    const std::string passed = Passed(moments);
+    return Fill(kPageHtml, {{"outcome", outcome},
+                            {"class", cards.empty() ? "good" : "bad"},
+                            {"style", kPageCss},
+                            {"script", kPageJs},
+                            {"buttons", buttons},
+                            {"facts", facts},
+                            {"cards", cards},
+                            {"passed", passed}});
+}
+
+} // namespace boxreel

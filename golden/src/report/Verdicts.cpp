@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include <golden/Verdicts.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <system_error>
+
+namespace boxreel
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kEnd = ".verdict.json";
+constexpr std::uintmax_t kLargest = 1024 * 1024; // a message quotes a line or two of a draw list
+
+// The worst first: what is shown when shards disagree.
+constexpr const char* kSeverity[] = {"error",   "state",    "drawlist", "pixels",
+                                     "missing", "accepted", "same"};
+
+std::ptrdiff_t RankOf(const std::string& status)
+{
+    return std::find(std::begin(kSeverity), std::end(kSeverity), status) - std::begin(kSeverity);
+}
+
+/// What is no UTF-8 becomes U+FFFD; a line of a draw list may hold any bytes.
+std::string Dumped(const json& value)
+{
+    std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+    // A page's script ends at "</script", wherever that stands.
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+    {
+        text.replace(at, 1, "\\u003c");
+    }
+    return text;
+}
+
+/// What was allowed, in the words of the comparison, and how much was not compared.
+std::string LimitsOf(const json& file)
+{
+    const std::size_t regions = file.value("ignored", json::array()).size();
+    const std::size_t bodies = file.value("ignoredBodies", json::array()).size();
+    return file.value("limits", "") + (bodies > 0 ? "; bodies left out: " + std::to_string(bodies)
+                                       : regions > 0
+                                           ? "; rectangles left out: " + std::to_string(regions)
+                                           : "");
+}
+
+ReportedVerdict FromJson(const json& file)
+{
+    ReportedVerdict verdict;
+    if (file.at("verdict") != 1)
+    {
+        throw std::runtime_error("it has another version");
+    }
+    verdict.name = file.at("name");
+    verdict.status = file.at("status");
+    verdict.message = file.at("message");
+    verdict.accept = file.value("accept", "");
+    verdict.renderer = file.value("renderer", "");
+    verdict.limits = LimitsOf(file);
+    if (RankOf(verdict.status) == std::ssize(kSeverity))
+    {
+        throw std::runtime_error("its status is none that there is");
+    }
+    if (file.value("accepted", false))
+    {
+        verdict.status = "accepted";
+    }
+    if (file.contains("firstStep"))
+    {
+        verdict.firstStep = file.at("firstStep").get<std::int64_t>();
+        verdict.firstBodies = file.at("firstBodies").get<std::vector<int>>();
+        verdict.firstHash = file.value("firstHash", "");
+    }
+    if (file.contains("step"))
+    {
+        verdict.lastStep = file.at("step").get<std::int64_t>();
+    }
+    verdict.json = Dumped(file);
+    return verdict;
+}
+
+Error Unusable(const fs::path& path, const std::string& why)
+{
+    return Error{ErrorKind::Unusable, "'" + path.string() + "' " + why};
+}
+
+Result<ReportedVerdict> ReadVerdict(const fs::path& path)
+{
+    const std::string remedy = "; remove it, or run the test again that left it.";
+    std::error_code code;
+    if (fs::file_size(path, code) > kLargest || code)
+    {
+        return Unusable(path, "cannot be read" + remedy);
+    }
+    std::ifstream in(path, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    try // the parser's way to say that a file is not what it should be
+    {
+        // Twice, so that what is no UTF-8 does not make the whole file unreadable.
+        return FromJson(json::parse(json::parse(Dumped(bytes)).get<std::string>()));
+    }
+    catch (const std::exception&)
+    {
+        return Unusable(path, "is no verdict of a golden test" + remedy);
+    }
+}
+
+/// The rest of the page is worth having: what cannot be read is told like what could not be
+/// compared.
+ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const Error& error)
+{
+    std::string name = path.lexically_relative(folder).generic_string();
+    name.resize(name.size() - std::string_view(kEnd).size());
+    return FromJson(
+        {{"verdict", 1}, {"name", name}, {"status", "error"}, {"message", error.message}});
+}
+
+/// The files of a folder, sorted, so that the same folders make the same page.
+Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
+{
+    std::error_code code;
+    if (!fs::is_directory(folder, code))
+    {
+        return Unusable(folder,
+                        "is no folder that golden tests have written to; run `boxreel golden "
+                        "verify` first, or name the folder of your tests' output.");
+    }
+    std::vector<fs::path> paths;
+    for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
+         entry.increment(code))
+    {
+        std::error_code ignored;
+        if (entry->path().filename().string().ends_with(kEnd) && entry->is_regular_file(ignored))
+        {
+            paths.push_back(entry->path());
+        }
+    }
+    if (code)
+    {
+        return Unusable(folder, "cannot be read: " + code.message() + "; make it readable.");
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+/// What of the path is the folder that was written to: the rest is the name.
+std::string FolderOf(const fs::path& path, const std::string& name)
+{
+    std::string folder = path.generic_string();
+    const std::string end = name + kEnd;
+    if (folder.ends_with(end))
+    {
+        folder.resize(folder.size() - end.size());
+    }
+    while (folder.size() > 1 && folder.ends_with('/'))
+    {
+        folder.pop_back();
+    }
+    return folder.empty() ? "." : folder;
+}
+
+void Merge(ReportedMoment& moment, ReportedVerdict verdict)
+{
+    if (RankOf(verdict.status) < RankOf(moment.shown.status))
+    {
+        std::swap(moment.shown, verdict);
+    }
+    if (verdict.status != moment.shown.status || verdict.message != moment.shown.message)
+    {
+        moment.others.push_back(std::move(verdict));
+    }
+}
+
+} // namespace
+
+std::string JsonText(const std::string& bytes)
+{
+    return Dumped(bytes);
+}
+
+Result<std::vector<ReportedMoment>> CollectVerdicts(const std::vector<fs::path>& folders)
+{
+    std::map<std::string, ReportedMoment> moments;
+    for (const fs::path& folder : folders)
+    {
+        const Result<std::vector<fs::path>> paths = FindVerdicts(folder);
+        if (!paths)
+        {
+            return paths.GetError();
+        }
+        if (paths->empty())
+        {
+            return Unusable(folder,
+                            "holds no verdict of a golden test; run `boxreel golden verify`, "
+                            "or your tests, and name the folder they write to.");
+        }
+        for (const fs::path& path : *paths)
+        {
+            Result<ReportedVerdict> verdict = ReadVerdict(path);
+            if (!verdict)
+            {
+                verdict = Unreadable(path, folder, verdict.GetError());
+            }
+            verdict->folder = FolderOf(path, verdict->name);
+            const std::string whole = path.string();
+            verdict->base = whole.substr(0, whole.size() - std::string_view(kEnd).size());
+            const auto [place, isNew] = moments.try_emplace(verdict->name);
+            if (isNew)
+            {
+                place->second.shown = *std::move(verdict);
+            }
+            else
+            {
+                Merge(place->second, *std::move(verdict));
+            }
+        }
+    }
+    std::vector<ReportedMoment> sorted;
+    sorted.reserve(moments.size());
+    for (auto& [name, moment] : moments)
+    {
+        sorted.push_back(std::move(moment));
+    }
+    return sorted;
+}
+
+} // namespace boxreel

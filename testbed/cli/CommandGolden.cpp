@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include "CommandGoldenReport.h"
+#include "CommandGoldenState.h"
+#include "Commands.h"
+
+#include <base/Terminal.h>
+#include <session/GoldenScenes.h>
+
+#include <algorithm>
+#include <set>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct Folders
+{
+    fs::path references;
+    fs::path output;
+};
+
+/// The nearest folder around the current one that holds golden/references; empty when there is
+/// none.
+fs::path FindCheckout()
+{
+    std::error_code error;
+    fs::path folder = fs::current_path(error);
+    while (!folder.empty() && !fs::is_directory(folder / "golden" / "references", error))
+    {
+        folder = folder == folder.parent_path() ? fs::path() : folder.parent_path();
+    }
+    return folder;
+}
+
+Result<Folders> ChooseFolders(const GoldenOptions& options)
+{
+    const fs::path checkout = FindCheckout();
+    std::error_code error;
+    if (options.references.empty() && checkout.empty())
+    {
+        return Error{ErrorKind::Unusable, "There is no golden/references in this folder or above "
+                                          "it; name the folder with --references DIR."};
+    }
+    if (!options.references.empty() && !options.accept &&
+        !fs::is_directory(options.references, error))
+    {
+        return Error{ErrorKind::Unusable,
+                     "There is no folder '" + options.references.string() +
+                         "' with references; `boxreel golden accept --references DIR` makes one."};
+    }
+    Folders folders;
+    folders.references =
+        options.references.empty() ? checkout / "golden" / "references" : options.references;
+    folders.output = options.output.empty() ? DefaultGoldenOutput() : options.output;
+    return folders;
+}
+
+Result<GoldenSelection> SelectFilm(const GoldenOptions& options)
+{
+    if (options.names.size() > 1)
+    {
+        return Error{ErrorKind::Unusable,
+                     "One film has one name; '" + options.names[1] + "' is one too many."};
+    }
+    GoldenFilm film{options.film, "films/" + options.film.stem().string(), options.sheet};
+    if (!options.names.empty())
+    {
+        film.name = options.names.front();
+    }
+    return GoldenSelection{.film = std::move(film)};
+}
+
+/// A moment that is named twice, by itself or with all of its scene, is looked at once.
+void AddOnce(std::vector<GoldenSelection>& selections, const GoldenSelection& more)
+{
+    const auto covers = [](const GoldenSelection& a, const GoldenSelection& b) {
+        return a.scene == b.scene && (a.moment.empty() || a.moment == b.moment);
+    };
+    if (std::none_of(selections.begin(), selections.end(),
+                     [&](const GoldenSelection& known) { return covers(known, more); }))
+    {
+        std::erase_if(selections,
+                      [&](const GoldenSelection& known) { return covers(more, known); });
+        selections.push_back(more);
+    }
+}
+
+Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
+{
+    std::vector<GoldenSelection> selections;
+    if (!options.film.empty())
+    {
+        const Result<GoldenSelection> film = SelectFilm(options);
+        return film ? Result<std::vector<GoldenSelection>>(std::vector{*film})
+                    : Result<std::vector<GoldenSelection>>(film.GetError());
+    }
+    const std::vector<std::string>& names = options.names;
+    for (const std::string& name : names)
+    {
+        const Result<GoldenSelection> selection = SelectGolden(name);
+        if (!selection)
+        {
+            return selection.GetError();
+        }
+        AddOnce(selections, *selection);
+    }
+    if (names.empty())
+    {
+        for (const SceneEntry& entry : AllScenes())
+        {
+            selections.push_back({.scene = &entry});
+        }
+    }
+    return selections;
+}
+
+std::string Count(std::size_t number, const std::string& things)
+{
+    return std::to_string(number) + " " + things + (number == 1 ? "" : "s");
+}
+
+/// A line when references of another renderer were compared by other limits, else nothing.
+std::string LimitsOfOthers(std::size_t moments, const CompareSettings& settings)
+{
+    const std::optional<CompareSettings> others = ForOtherRenderer(settings);
+    return moments == 0 || !others
+               ? ""
+               : Count(moments, "reference") +
+                     " drawn by another renderer: " + DescribeLimits(*others) + "\n";
+}
+
+Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders& folders,
+                   Renderer& renderer, const GoldenOptions& options)
+{
+    const CompareSettings settings = Effective(options.compare);
+    const ReferenceStore store(folders.references, folders.output);
+    std::size_t moments = 0;
+    std::size_t failures = 0;
+    std::size_t ofOthers = 0; // whose reference another renderer drew
+    std::set<std::string> names;
+    std::string warning; // the first: where one file cannot be written, none can
+    for (const GoldenSelection& selection : selections)
+    {
+        const Result<std::vector<GoldenVerdict>> verdicts =
+            VerifyGolden(selection, store, renderer, settings);
+        if (!verdicts)
+        {
+            return verdicts.GetError();
+        }
+        for (const GoldenVerdict& verdict : *verdicts)
+        {
+            const bool isSame = verdict.status == GoldenStatus::Same;
+            names.insert(verdict.name);
+            warning = warning.empty() ? verdict.warning : warning;
+            ++moments;
+            failures += isSame ? 0 : 1;
+            ofOthers += verdict.limits == LimitsChoice::OtherRenderer ? 1 : 0;
+            const Result<void> written =
+                WriteOutput(isSame ? "same  " + verdict.name + "\n"
+                                   : Red("FAIL", stdout) + "  " + verdict.message + "\n");
+            if (!written)
+            {
+                return written.GetError();
+            }
+        }
+    }
+    if (!warning.empty())
+    {
+        WriteMessage("boxreel: no verdict is kept of what passed: " + warning);
+    }
+    const std::string what = Count(moments, "moment");
+    const std::string output = folders.output.string();
+    const std::string named = options.output.empty() ? "" : " '" + output + "'";
+    const std::string page =
+        options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
+    const bool isOfOthersOnly = ofOthers > 0 && ofOthers == moments;
+    const CompareSettings held = isOfOthersOnly ? *ForOtherRenderer(settings) : settings;
+    const Result<void> written =
+        WriteOutput((failures == 0 ? what + ": all as approved (" + DescribeLimits(held) + ")\n"
+                                   : what + ": " + std::to_string(failures) +
+                                         " not as approved, see '" + output + "'" + page + "\n") +
+                    LimitsOfOthers(ofOthers, settings));
+    if (!written)
+    {
+        return written.GetError();
+    }
+    if (!options.report.empty())
+    {
+        GoldenReportOptions report;
+        report.folders = {folders.output};
+        report.output = options.report;
+        report.backend = options.backend;
+        if (const Result<void> reported = WriteGoldenReport(report, names); !reported)
+        {
+            return reported.GetError();
+        }
+    }
+    return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders& folders,
+                   const GoldenAcceptance& acceptance, Renderer& renderer)
+{
+    const ReferenceStore store(folders.references, folders.output);
+    std::size_t moments = 0;
+    std::size_t same = 0;
+    for (const GoldenSelection& selection : selections)
+    {
+        const Result<std::vector<GoldenVerdict>> accepted =
+            AcceptGolden(selection, store, renderer, acceptance);
+        if (!accepted)
+        {
+            return accepted.GetError();
+        }
+        moments += accepted->size();
+        for (const GoldenVerdict& verdict : *accepted)
+        {
+            const bool isSame = verdict.status == GoldenStatus::Same;
+            same += isSame ? 1 : 0;
+            const Result<void> written = WriteOutput(
+                isSame ? "same  " + verdict.name + "\n" : "accepted  " + verdict.message + "\n");
+            if (!written)
+            {
+                return written.GetError();
+            }
+        }
+    }
+    const Result<void> written = WriteOutput(
+        Count(moments, "moment") + " accepted in '" + folders.references.string() + "'" +
+        (same == 0 ? "" : ", " + std::to_string(same) + " of them as they were") + "\n");
+    if (!written)
+    {
+        return written.GetError();
+    }
+    return 0;
+}
+
+Result<int> VerifyAgainst(const std::filesystem::path& given,
+                          const std::vector<GoldenSelection>& selections)
+{
+    const Result<fs::path> program = FindOtherProgram(given);
+    if (!program)
+    {
+        return program.GetError();
+    }
+    std::size_t failures = 0;
+    for (const GoldenSelection& selection : selections)
+    {
+        const Result<std::string> difference = CompareWith(*program, selection);
+        if (!difference)
+        {
+            return difference.GetError();
+        }
+        failures += difference->empty() ? 0 : 1;
+        const Result<void> written =
+            WriteOutput(difference->empty() ? "same  " + SceneSlug(selection.scene->name) + "\n"
+                                            : Red("FAIL", stdout) + "  " + *difference + "\n");
+        if (!written)
+        {
+            return written.GetError();
+        }
+    }
+    const std::string what = Count(selections.size(), "scene");
+    const Result<void> written =
+        WriteOutput(what + (failures == 0 ? ": each step as " + given.string() + " does it\n"
+                                          : ": " + std::to_string(failures) + " not as " +
+                                                given.string() + " does them\n"));
+    if (!written)
+    {
+        return written.GetError();
+    }
+    return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+} // namespace
+
+fs::path DefaultGoldenOutput()
+{
+    const fs::path checkout = FindCheckout();
+    return checkout.empty() ? "golden-output" : checkout / "build" / "golden-output";
+}
+
+Result<int> RunGolden(const GoldenOptions& options)
+{
+    const Result<std::vector<GoldenSelection>> selections = Select(options);
+    if (!selections)
+    {
+        return selections.GetError();
+    }
+    if (!options.against.empty() && !options.film.empty())
+    {
+        return Error{ErrorKind::Unusable, "--against compares what worlds do, and a film shows no "
+                                          "world; leave out --against or --film."};
+    }
+    if (!options.film.empty() && !options.compare.ignoredBodies.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "--ignore-body names bodies of a world, and of a film nobody "
+                     "knows where they are; leave out rectangles by --ignore."};
+    }
+    if (!options.against.empty() && Effective(options.compare).preset != CompareSettings().preset)
+    {
+        return Error{ErrorKind::Unusable, "--against compares all bodies of each step, bit by bit; "
+                                          "leave out --against, or what '" +
+                                              Effective(options.compare).preset + "' stands for."};
+    }
+    if (!options.against.empty() && !options.report.empty())
+    {
+        return Error{ErrorKind::Unusable,
+                     "--report shows what differs from the references, and --against leaves them "
+                     "out; verify first, then run `boxreel golden report --against " +
+                         options.against.string() + "`."};
+    }
+    if (!options.against.empty())
+    {
+        return VerifyAgainst(options.against, *selections);
+    }
+    if (!options.report.empty())
+    {
+        const Result<void> usable = CheckGoldenReportPath(options.report, false);
+        if (!usable)
+        {
+            return usable.GetError();
+        }
+    }
+    const Result<Folders> folders = ChooseFolders(options);
+    if (!folders)
+    {
+        return folders.GetError();
+    }
+    Result<Renderer> renderer = CreateGoldenRenderer(options.backend);
+    if (!renderer)
+    {
+        return renderer.GetError();
+    }
+    return options.accept ? Accept(*selections, *folders, options.acceptance, *renderer)
+                          : Verify(*selections, *folders, *renderer, options);
+}
+
+} // namespace boxreel

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "CommandGoldenState.h"
+#include "ChildProcess.h"
+#include "Commands.h"
+
+#include <base/Terminal.h>
+
+namespace boxreel
+{
+namespace
+{
+
+std::string StateText(const GoldenRun& run)
+{
+    return run.stateHash + "\n" + ToText(run.state);
+}
+
+/// What the longest trace takes a hundred times over, and a scene in a build for debugging.
+constexpr ChildBounds kAgainst{64u << 20, 300.0};
+
+/// What another program says of a scene.
+class OtherProgram
+{
+public:
+    OtherProgram(std::filesystem::path program, std::string scene)
+        : m_program(std::move(program)), m_scene(std::move(scene))
+    {}
+
+    Result<StateTrace> Trace(std::int64_t step) const
+    {
+        const Result<std::string> text = Ask({"--trace", "--step", std::to_string(step)});
+        if (!text)
+        {
+            return text.GetError();
+        }
+        Result<StateTrace> trace = ParseStateTrace(*text);
+        return trace ? std::move(trace) : Result<StateTrace>(Odd(trace.GetError()));
+    }
+
+    Result<WorldState> State(std::int64_t step) const
+    {
+        const Result<std::string> text = Ask({"--step", std::to_string(step)});
+        if (!text)
+        {
+            return text.GetError();
+        }
+        const std::size_t hashEnd = std::min(text->find('\n'), text->size() - 1) + 1;
+        Result<WorldState> state = ParseWorldState(std::string_view(*text).substr(hashEnd));
+        return state ? std::move(state) : Result<WorldState>(Odd(state.GetError()));
+    }
+
+private:
+    Result<std::string> Ask(std::vector<std::string> more) const
+    {
+        more.insert(more.begin(), {"golden", "state", m_scene});
+        Result<std::string> text = OutputOf(m_program, more, kAgainst);
+        if (!text)
+        {
+            return Error{ErrorKind::Unusable, "--against: " + text.GetError().message +
+                                                  " Give another build of boxreel."};
+        }
+        if (text->empty())
+        {
+            return Odd({ErrorKind::Unusable, "it printed nothing"});
+        }
+        return text;
+    }
+
+    Error Odd(const Error& error) const
+    {
+        return Error{ErrorKind::Unusable, "--against " + m_program.string() +
+                                              ": it is no boxreel that can say its states (" +
+                                              error.message +
+                                              "); give one that knows `golden state`."};
+    }
+
+    std::filesystem::path m_program;
+    std::string m_scene;
+};
+
+} // namespace
+
+Result<std::filesystem::path> FindOtherProgram(const std::filesystem::path& program)
+{
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(program, ignored))
+    {
+        const bool isFolder = std::filesystem::is_directory(program, ignored);
+        return Error{ErrorKind::Unusable,
+                     "--against " + program.string() +
+                         (isFolder ? ": it is a folder" : ": there is no such file") +
+                         "; give the program of another build, such as build/boxreel."};
+    }
+    // A name without a folder would be looked for along PATH, where another program may have it.
+    return std::filesystem::absolute(program);
+}
+
+Result<std::string> CompareWith(const std::filesystem::path& program,
+                                const GoldenSelection& selection)
+{
+    const std::string scene = SceneSlug(selection.scene->name);
+    const Result<GoldenRun> ours = SimulateGolden(selection);
+    if (!ours)
+    {
+        return ours.GetError();
+    }
+    const OtherProgram other(program, scene);
+    const std::int64_t last = ours->trace.steps.empty() ? 0 : ours->trace.steps.back().step;
+    const Result<StateTrace> theirs = other.Trace(last);
+    if (!theirs)
+    {
+        return theirs.GetError();
+    }
+    const std::optional<TraceDifference> parted = FirstDifference(*theirs, ours->trace);
+    if (!parted)
+    {
+        return std::string();
+    }
+    if (parted->isOfOne)
+    {
+        return scene + ": " + program.string() + " goes other steps than this program, " +
+               Describe(*parted) + ".";
+    }
+    const Result<WorldState> before = other.State(parted->step);
+    const Result<GoldenRun> now = SimulateGolden(selection, parted->step);
+    if (!before || !now)
+    {
+        return !before ? before.GetError() : now.GetError();
+    }
+    return scene + ": differs from " + program.string() + " " + Describe(*parted) + " (" +
+           DescribeDifference(*before, now->state) + ").";
+}
+
+Result<int> RunGoldenState(const GoldenStateOptions& options)
+{
+    const Result<GoldenSelection> selection = SelectGolden(options.scene);
+    if (!selection)
+    {
+        return selection.GetError();
+    }
+    const Result<GoldenRun> run = SimulateGolden(*selection, options.step);
+    if (!run)
+    {
+        return run.GetError();
+    }
+    const Result<void> written = WriteOutput(options.trace ? ToText(run->trace) : StateText(*run));
+    return written ? Result<int>(0) : Result<int>(written.GetError());
+}
+
+} // namespace boxreel

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "Commands.h"
+
+#include <base/Terminal.h>
+#include <film/FilmPapers.h>
+#include <film/StopSignals.h>
+#include <recorder/JoinFilms.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+namespace
+{
+
+/// A part and what its papers say.
+struct NamedPart
+{
+    std::filesystem::path path;
+    FilmPapers papers;
+};
+
+Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path>& paths)
+{
+    std::vector<NamedPart> parts;
+    for (const std::filesystem::path& path : paths)
+    {
+        std::error_code ignored;
+        const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+        if (!std::filesystem::exists(status))
+        {
+            return Error{ErrorKind::Unusable, path.string() + " does not exist; check the path."};
+        }
+        if (!std::filesystem::is_regular_file(status))
+        {
+            return Error{ErrorKind::Unusable, path.string() + " is no film; name the parts that "
+                                                              "`boxreel record --frame-range` "
+                                                              "made."};
+        }
+        Result<FilmPapers> papers =
+            ReadPapers(path, "it lies beside each part, bring it along or make that part anew");
+        if (!papers)
+        {
+            return papers.GetError();
+        }
+        if (papers->checksum.empty() || ChecksumOfFilm(path) != papers->checksum)
+        {
+            return Error{ErrorKind::Unusable,
+                         path.string() + " is not the film that " + PapersPath(path).string() +
+                             " speaks of: it is cut off or was altered; make that part anew."};
+        }
+        parts.push_back({path, std::move(*papers)});
+    }
+    std::sort(parts.begin(), parts.end(), [](const NamedPart& a, const NamedPart& b) {
+        return a.papers.first < b.papers.first;
+    });
+    return parts;
+}
+
+/// Whether `after` goes on where `before` ends.
+Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
+{
+    const auto refused = [&](const std::string& why) {
+        return Error{ErrorKind::Unusable, before.path.string() + " and " + after.path.string() +
+                                              " cannot be joined: " + why + "."};
+    };
+    const std::string difference = DifferenceOf(before.papers, after.papers);
+    if (!difference.empty())
+    {
+        return refused(difference);
+    }
+    const std::int64_t end = before.papers.end;
+    const std::int64_t next = after.papers.first;
+    if (next != end)
+    {
+        return refused(next < end ? "frame " + std::to_string(next) + " is in both"
+                                  : "frames " + std::to_string(end) + " to " +
+                                        std::to_string(next - 1) + " are missing");
+    }
+    if (end % before.papers.groupFrames != 0)
+    {
+        return refused("they meet at frame " + std::to_string(end) +
+                       ", within a group of frames; make parts that begin with multiples of " +
+                       std::to_string(before.papers.groupFrames));
+    }
+    const auto left = before.papers.states.find(end);
+    const auto right = after.papers.states.find(end);
+    if (left == before.papers.states.end() || right == after.papers.states.end() ||
+        left->second != right->second)
+    {
+        return refused("the world is in another state at frame " + std::to_string(end) +
+                       " in each; make both with the same build of this program");
+    }
+    return {};
+}
+
+std::string FramesText(std::int64_t first, std::int64_t last)
+{
+    return std::to_string(first) + (last > first ? " to " + std::to_string(last) : "");
+}
+
+/// Whether the first and the last part are those of the film.
+Result<void> CheckWhole(const std::vector<NamedPart>& parts)
+{
+    const std::int64_t first = parts.front().papers.first;
+    const std::int64_t end = parts.back().papers.end;
+    const std::int64_t count = parts.back().papers.frameCount;
+    std::string missing = first > 0 ? FramesText(0, first - 1) : "";
+    if (end < count)
+    {
+        missing += (missing.empty() ? "" : " and ") + FramesText(end, count - 1);
+    }
+    if (missing.empty())
+    {
+        return {};
+    }
+    return Error{ErrorKind::Unusable,
+                 "These parts are not the whole film: of its " + std::to_string(count) +
+                     " frames, " + missing +
+                     " are missing; name the parts that have them, or ask for a piece of the film "
+                     "with --partial."};
+}
+
+/// What is replaced by the film cannot be read for it.
+Result<void> CheckOutput(const MergeOptions& options)
+{
+    for (const std::filesystem::path& part : options.parts)
+    {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(part, options.output, ignored))
+        {
+            return Error{ErrorKind::Unusable, options.output.string() +
+                                                  " is one of the parts; give the film another "
+                                                  "name."};
+        }
+    }
+    return {};
+}
+
+/// How many of the frames that it keeps a film encodes together: a GIF's groups hold more.
+int GroupOf(const FilmPapers& papers, const std::filesystem::path& film)
+{
+    const VideoSettings ofOne{.framesPerSecond = papers.framesPerSecond, .groupFrames = 1};
+    const std::int64_t length = PartLength(film, ofOne);
+    return static_cast<int>(length > 0 ? papers.groupFrames / length : papers.groupFrames);
+}
+
+} // namespace
+
+Result<int> RunMerge(const MergeOptions& options)
+{
+    if (Result<void> usable = CheckOutput(options); !usable)
+    {
+        return usable.GetError();
+    }
+    const Result<std::vector<NamedPart>> parts = ReadParts(options.parts);
+    if (!parts)
+    {
+        return parts.GetError();
+    }
+    std::vector<FilmPart> films;
+    for (std::size_t i = 0; i < parts->size(); ++i)
+    {
+        if (i > 0)
+        {
+            if (Result<void> seam = CheckSeam((*parts)[i - 1], (*parts)[i]); !seam)
+            {
+                return seam.GetError();
+            }
+        }
+        const FilmPapers& papers = (*parts)[i].papers;
+        films.push_back({(*parts)[i].path, papers.first, papers.end - papers.first});
+    }
+    if (Result<void> whole = options.partial ? Result<void>() : CheckWhole(*parts); !whole)
+    {
+        return whole.GetError();
+    }
+    const FilmPapers& first = parts->front().papers;
+    VideoSettings settings;
+    settings.framesPerSecond = first.framesPerSecond;
+    settings.overwrite = options.force;
+    settings.plays = first.plays;
+    settings.groupFrames = GroupOf(first, options.output);
+    const StopSignals stopSignals;
+    const Result<bool> joined =
+        JoinFilms(films, options.output, settings, [] { return StopSignals::Caught() != 0; });
+    if (!joined)
+    {
+        return joined.GetError();
+    }
+    if (!*joined)
+    {
+        WriteMessage("Stopped; nothing of " + options.output.string() + " is left.");
+        return StopSignals::kExitCode;
+    }
+    const std::int64_t frames = parts->back().papers.end - first.first;
+    WriteMessage(options.output.string() + ": " + std::to_string(frames) +
+                 (frames == 1 ? " frame of " : " frames of ") + std::to_string(films.size()) +
+                 (films.size() == 1 ? " part" : " parts"));
+    return 0;
+}
+
+} // namespace boxreel

@@ -1,0 +1,607 @@
+// SPDX-License-Identifier: MIT
+#include "CommandLine.h"
+#include "Commands.h"
+#include "OutputPath.h"
+
+#include <base/Terminal.h>
+#include <golden/ReferenceStore.h>
+#include <golden/StateHash.h>
+#include <render/Renderer.h>
+#include <script/Script.h>
+#include <session/SessionPanels.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A product whose options are understood.
+struct Expectation
+{
+    int line = 0;
+    ScriptMoment at;
+    std::optional<Condition> condition; ///< none: it is the world's state that is expected
+    std::string state{};                ///< its hash, 16 hex digits
+};
+struct GoldenPicture
+{
+    int line = 0;
+    std::string name;
+    ShotOptions shot;
+};
+struct StillPicture
+{
+    int line = 0;
+    ShotOptions shot;
+};
+struct Film
+{
+    int line = 0;
+    RecordOptions record;
+};
+
+struct Play
+{
+    Script script;
+    SceneLook look; ///< of the scene's line
+    std::vector<Expectation> expectations;
+    std::vector<GoldenPicture> goldens;
+    std::vector<StillPicture> stills;
+    std::vector<Film> films;
+};
+
+Error Unusable(std::string message)
+{
+    return Error{ErrorKind::Unusable, std::move(message)};
+}
+
+/// A file is meant from where the script is.
+std::string SceneOf(const Script& script)
+{
+    const fs::path scene = script.scene;
+    return scene.extension() == ".json" && scene.is_relative()
+               ? (script.file.parent_path() / scene).string()
+               : script.scene;
+}
+
+/// The command line that makes a product, understood as if it had been typed.
+template <class Options>
+Result<Options> Understood(const Script& script, const char* command,
+                           const std::vector<std::string>& options, const fs::path& output)
+{
+    std::vector<std::string> words{command, SceneOf(script)};
+    const std::vector<std::string> shared = script.SceneOptions();
+    words.insert(words.end(), shared.begin(), shared.end());
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.end(), {"-o", output.string()});
+    Result<Request> request = ParseCommandLine(words);
+    if (!request)
+    {
+        return request.GetError();
+    }
+    Options* const understood = std::get_if<Options>(&*request);
+    if (understood == nullptr)
+    {
+        return Unusable("--help has no place in a script; leave it out.");
+    }
+    return std::move(*understood);
+}
+
+bool& Overwrite(ShotOptions& shot)
+{
+    return shot.force;
+}
+
+bool& Overwrite(RecordOptions& record)
+{
+    return record.film.overwrite;
+}
+
+class Planner
+{
+public:
+    Planner(Play& play, const PlayOptions& options) : m_play(play), m_options(options) {}
+
+    Result<void> Plan();
+
+private:
+    Result<void> Add(const ScriptProduct& product);
+    Result<void> AddExpectation(const ScriptProduct& product);
+    Result<void> AddGolden(const ScriptProduct& product);
+    Result<void> AddStill(const ScriptProduct& product);
+    Result<void> AddFilm(const ScriptProduct& product);
+    Result<fs::path> OutputOf(const ScriptProduct& product) const;
+    template <class Options>
+    Result<void> Claim(const ScriptProduct& product, Options options, bool overwrites);
+
+    Play& m_play;
+    const PlayOptions& m_options;
+    std::shared_ptr<const Script> m_actions;
+    std::vector<std::pair<fs::path, int>> m_files; ///< that are made, and by which line
+};
+
+Result<void> Planner::Plan()
+{
+    const Script& script = m_play.script;
+    m_actions = std::make_shared<const Script>(script);
+    // With options that every picture has: what is wrong is the scene's line.
+    const Result<ShotOptions> any =
+        Understood<ShotOptions>(script, "shot", {"--step", "0"}, "any.png");
+    if (!any)
+    {
+        return script.At(script.sceneLine, any.GetError());
+    }
+    m_play.look = any->look;
+    m_play.look.script = m_actions;
+    for (const ScriptProduct& product : script.products)
+    {
+        if (const Result<void> added = Add(product); !added)
+        {
+            return script.At(product.line, added.GetError());
+        }
+    }
+    return {};
+}
+
+Result<void> Planner::Add(const ScriptProduct& product)
+{
+    switch (product.kind)
+    {
+    case ScriptProduct::Kind::Expect:
+        return AddExpectation(product);
+    case ScriptProduct::Kind::Golden:
+        return AddGolden(product);
+    case ScriptProduct::Kind::Shot:
+        return AddStill(product);
+    case ScriptProduct::Kind::Record:
+        break;
+    }
+    return AddFilm(product);
+}
+
+Result<void> Planner::AddExpectation(const ScriptProduct& product)
+{
+    if (product.name.starts_with("state "))
+    {
+        const std::string hash = product.name.substr(6);
+        const bool isHash =
+            hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+        if (!isHash)
+        {
+            return Unusable("'" + hash +
+                            "' is no state; give the 16 digits and letters a to f "
+                            "that the window and verdicts say.");
+        }
+        m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});
+        return {};
+    }
+    const Result<Condition> condition = Condition::Parse("expect", product.name);
+    if (!condition)
+    {
+        return condition.GetError();
+    }
+    m_play.expectations.push_back({product.line, product.at, *condition});
+    return {};
+}
+
+Result<void> Planner::AddGolden(const ScriptProduct& product)
+{
+    if (const Result<void> named = CheckReferenceName(product.name); !named)
+    {
+        return named;
+    }
+    std::vector<std::string> options = product.options;
+    const std::vector<std::string> moment = product.at.AsOption();
+    options.insert(options.end(), moment.begin(), moment.end());
+    Result<ShotOptions> shot = Understood<ShotOptions>(m_play.script, "shot", options, "any.png");
+    if (!shot)
+    {
+        return shot.GetError();
+    }
+    shot->look.script = m_actions;
+    shot->look.collectEverything = true;
+    m_play.goldens.push_back({product.line, product.name, std::move(*shot)});
+    return {};
+}
+
+Result<fs::path> Planner::OutputOf(const ScriptProduct& product) const
+{
+    if (product.name == "-")
+    {
+        return Unusable("a script writes files; give one instead of -.");
+    }
+    return m_options.into.empty() ? fs::path(product.name) : m_options.into / product.name;
+}
+
+/// Film or picture can be made: nobody else makes these files, and what can be wrong with them is
+/// not.
+template <class Options>
+Result<void> Planner::Claim(const ScriptProduct& product, Options options, bool overwrites)
+{
+    const bool mayBeThere = overwrites || m_options.resume || m_options.check || m_options.test;
+    for (const fs::path& file : FilesOf(options))
+    {
+        for (const auto& [other, line] : m_files)
+        {
+            if (IsSameFile(file, other))
+            {
+                return Unusable("'" + file.string() + "' is made by line " + std::to_string(line) +
+                                " already; give each file its own name.");
+            }
+        }
+        m_files.emplace_back(file, product.line);
+        std::error_code ignored;
+        if (!mayBeThere && fs::exists(file, ignored))
+        {
+            return Unusable(file.string() +
+                            " exists already; name another file, or allow overwriting (--force).");
+        }
+    }
+    if (m_options.test)
+    {
+        return {}; // nothing is made
+    }
+    Overwrite(options) = mayBeThere;
+    return Prepare(options);
+}
+
+Result<void> Planner::AddStill(const ScriptProduct& product)
+{
+    const Result<fs::path> output = OutputOf(product);
+    if (!output)
+    {
+        return output.GetError();
+    }
+    Result<ShotOptions> shot =
+        Understood<ShotOptions>(m_play.script, "shot", product.options, *output);
+    if (!shot)
+    {
+        return shot.GetError();
+    }
+    shot->look.script = m_actions;
+    shot->force = shot->force || m_options.force;
+    shot->backend = m_options.backend;
+    if (const Result<void> usable = Claim(product, *shot, shot->force); !usable)
+    {
+        return usable;
+    }
+    m_play.stills.push_back({product.line, std::move(*shot)});
+    return {};
+}
+
+Result<void> Planner::AddFilm(const ScriptProduct& product)
+{
+    const Result<fs::path> output = OutputOf(product);
+    if (!output)
+    {
+        return output.GetError();
+    }
+    Result<RecordOptions> record =
+        Understood<RecordOptions>(m_play.script, "record", product.options, *output);
+    if (!record)
+    {
+        return record.GetError();
+    }
+    if (m_play.script.UsesPanels() && !record->snapshots.folder.empty())
+    {
+        return Unusable("--snapshots keeps states of the scene, but not of the panels that the "
+                        "script uses; leave it out.");
+    }
+    record->look.script = m_actions;
+    record->film.overwrite = record->film.overwrite || m_options.force;
+    record->film.resume = record->film.resume || m_options.resume;
+    record->backend = m_options.backend;
+    if (const Result<void> usable = Claim(product, *record, record->film.overwrite); !usable)
+    {
+        return usable;
+    }
+    // A film that was stopped is gone on with if all of this is the same.
+    record->arguments.push_back("actions:" + m_actions->actionText);
+    m_play.films.push_back({product.line, std::move(*record)});
+    return {};
+}
+
+Result<SceneSession> OpenSession(const Play& play, const SceneLook& look)
+{
+    Result<SceneSource> source = OpenScene(SceneOf(play.script));
+    if (!source)
+    {
+        return play.script.At(play.script.sceneLine, source.GetError());
+    }
+    return OpenSession(std::move(*source), look);
+}
+
+std::string NumberText(double value)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// A body that is not there and cannot come either is a mistake.
+Result<void> CheckBody(const Play& play, const Expectation& expectation,
+                       const SceneSession& session)
+{
+    const std::string missing =
+        expectation.condition ? expectation.condition->MissingBody(session.World(), session.Names())
+                              : "";
+    return missing.empty() || session.MakesBodiesLater()
+               ? Result<void>()
+               : play.script.At(expectation.line, Unusable(missing));
+}
+
+/// What an expectation says now.
+struct Answer
+{
+    bool holds = false;
+    std::string expected;
+    std::string found; ///< empty: there is no one value
+};
+
+Answer AnswerOf(const Expectation& expectation, const SceneSession& session)
+{
+    if (!expectation.condition)
+    {
+        const std::string state = StateHashText(session.World());
+        return {state == expectation.state, "state " + expectation.state, state};
+    }
+    const Condition& condition = *expectation.condition;
+    const auto value = condition.ValueIn(session.World(), session.Names(), session.Time());
+    return {condition.Holds(session.World(), session.Names(), session.Time()), condition.Text(),
+            value ? NumberText(*value) : ""};
+}
+
+/// How many do not hold, each in a line.
+Result<int> Expect(const Play& play, SceneSession& session)
+{
+    std::vector<const Expectation*> inOrder;
+    for (const Expectation& expectation : play.expectations)
+    {
+        inOrder.push_back(&expectation);
+    }
+    const auto stepOf = [&session](const Expectation* e) {
+        return e->at.Step(session.StepsPerSecond());
+    };
+    std::stable_sort(
+        inOrder.begin(), inOrder.end(),
+        [&](const Expectation* a, const Expectation* b) { return stepOf(a) < stepOf(b); });
+    int failures = 0;
+    for (const Expectation* expectation : inOrder)
+    {
+        if (const Result<void> known = CheckBody(play, *expectation, session); !known)
+        {
+            return known.GetError();
+        }
+    }
+    for (const Expectation* expectation : inOrder)
+    {
+        session.AdvanceTo(stepOf(expectation));
+        const Answer answer = AnswerOf(*expectation, session);
+        failures += answer.holds ? 0 : 1;
+        std::string line = answer.holds ? "ok    " : Red("FAIL", stdout) + "  ";
+        line += play.script.file.string() + ":" + std::to_string(expectation->line) + ": " +
+                answer.expected;
+        line += answer.found.empty() ? "" : " (" + answer.found + ")";
+        if (const Result<void> written = WriteOutput(line + "\n"); !written)
+        {
+            return written.GetError();
+        }
+    }
+    // A click on what is not there is to be known before anything is made.
+    for (const ScriptAction& action : play.script.actions)
+    {
+        if (action.IsForPanels())
+        {
+            session.AdvanceTo(action.at.Step(session.StepsPerSecond()) + 1);
+        }
+    }
+    if (const Result<void> played = session.CheckCompanion(); !played)
+    {
+        return played.GetError();
+    }
+    return failures;
+}
+
+Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golden, Backend backend)
+{
+    Result<SceneSession> session = OpenSession(play, golden.shot.look);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    const SceneLook& look = golden.shot.look;
+    Result<Renderer> renderer = Renderer::Create(
+        {.width = look.width, .height = look.height, .theme = look.theme, .backend = backend});
+    if (!renderer)
+    {
+        return renderer.GetError();
+    }
+    session->AdvanceTo(golden.shot.steps.empty()
+                           ? StepAt(golden.shot.at.front(), session->StepsPerSecond())
+                           : golden.shot.steps.front());
+    FrameContent content;
+    session->Fill(content);
+    GoldenCandidate candidate;
+    candidate.name = golden.name;
+    candidate.stateHash = StateHashText(session->World());
+    candidate.state = ReadWorldState(session->World());
+    candidate.renderer = renderer->Description();
+    const Result<std::string> fingerprint = renderer->Fingerprint();
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    candidate.fingerprint = *fingerprint;
+    const Overlay* const panel = look.hud || look.panels ? &content.overlay : nullptr;
+    if (const Result<void> drawn =
+            renderer->Draw(content.list, content.camera, candidate.frame, panel);
+        !drawn)
+    {
+        return drawn.GetError();
+    }
+    candidate.list = std::move(content.list);
+    return candidate;
+}
+
+/// How many are not as approved, each in a line.
+Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
+{
+    const fs::path folder = play.script.file.parent_path();
+    const fs::path output = options.into / "golden-output";
+    const ReferenceStore store(folder / "references", output);
+    int failures = 0;
+    for (const GoldenPicture& golden : play.goldens)
+    {
+        const Result<GoldenCandidate> candidate = CandidateOf(play, golden, options.backend);
+        if (!candidate)
+        {
+            return candidate.GetError();
+        }
+        std::string line = "accepted  " + golden.name;
+        if (options.accept)
+        {
+            const AcceptAs as =
+                options.forThisRenderer ? AcceptAs::ForThisRenderer : AcceptAs::TheOneCompared;
+            if (const Result<void> accepted = store.Accept(*candidate, as); !accepted)
+            {
+                return play.script.At(golden.line, accepted.GetError());
+            }
+        }
+        else
+        {
+            Result<GoldenVerdict> verdict = store.Judge(*candidate);
+            const bool isSame = verdict && verdict->status == GoldenStatus::Same;
+            if (!isSame) // only a failure leaves files to look at
+            {
+                verdict = store.Verify(*candidate);
+            }
+            if (!verdict)
+            {
+                return play.script.At(golden.line, verdict.GetError());
+            }
+            failures += isSame ? 0 : 1;
+            const std::string why = WithRemedy(*verdict, "play it again with --accept.");
+            line = isSame ? "same  " + golden.name
+                          : Red("FAIL", stdout) + "  " + play.script.file.string() + ":" +
+                                std::to_string(golden.line) + ": " + why;
+        }
+        if (const Result<void> written = WriteOutput(line + "\n"); !written)
+        {
+            return written.GetError();
+        }
+    }
+    return failures;
+}
+
+/// Of a script that is gone on with: a file that is whole stays, and what makes it is passed over.
+template <class Options>
+bool IsDone(const Options& options, bool resumes)
+{
+    const std::vector<fs::path> files = FilesOf(options);
+    const auto isThere = [](const fs::path& file) {
+        std::error_code ignored;
+        return fs::exists(file, ignored);
+    };
+    const bool isDone = resumes && std::all_of(files.begin(), files.end(), isThere);
+    if (isDone)
+    {
+        WriteMessage("boxreel: " + files.front().string() +
+                     " is there already and stays; --force makes it anew.");
+    }
+    return isDone;
+}
+
+Result<int> MakeFiles(const Play& play, bool resumes)
+{
+    for (const StillPicture& still : play.stills)
+    {
+        const Result<int> taken =
+            IsDone(still.shot, resumes && !still.shot.force) ? 0 : RunShot(still.shot);
+        if (!taken)
+        {
+            return play.script.At(still.line, taken.GetError());
+        }
+    }
+    for (const Film& film : play.films)
+    {
+        const Result<int> recorded = IsDone(film.record, resumes && !film.record.film.overwrite)
+                                         ? 0
+                                         : RunRecord(film.record);
+        if (!recorded)
+        {
+            return play.script.At(film.line, recorded.GetError());
+        }
+        if (*recorded != 0)
+        {
+            return recorded; // stopped by a signal
+        }
+    }
+    return 0;
+}
+
+std::string Count(std::size_t number, const std::string& thing)
+{
+    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
+} // namespace
+
+Result<int> RunPlay(const PlayOptions& options)
+{
+    if (options.forThisRenderer && !options.accept)
+    {
+        return Error{ErrorKind::Unusable,
+                     "--for-this-renderer says for whom pictures are accepted; "
+                     "give --accept as well."};
+    }
+    Result<Script> script = ReadScript(options.script);
+    if (!script)
+    {
+        return script.GetError();
+    }
+    Play play;
+    play.script = std::move(*script);
+    if (const Result<void> planned = Planner(play, options).Plan(); !planned)
+    {
+        return planned.GetError();
+    }
+    Result<SceneSession> session = OpenSession(play, play.look);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    if (options.check)
+    {
+        const Result<void> written =
+            WriteOutput(play.script.file.string() + ": " + session->Title() + ", " +
+                        Count(play.script.actions.size(), "action") + ", " +
+                        Count(play.expectations.size(), "expectation") + ", " +
+                        Count(play.goldens.size() + play.stills.size(), "picture") + ", " +
+                        Count(play.films.size(), "film") + "\n");
+        return written ? Result<int>(0) : written.GetError();
+    }
+    const Result<int> unmet = Expect(play, *session);
+    if (!unmet)
+    {
+        return unmet;
+    }
+    const Result<int> different = CompareGoldens(play, options);
+    if (!different)
+    {
+        return different;
+    }
+    const Result<int> made = options.test ? 0 : MakeFiles(play, options.resume);
+    if (!made || *made != 0)
+    {
+        return made;
+    }
+    return *unmet + *different == 0 ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+} // namespace boxreel

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// `boxreel check` and `boxreel export`: scene files looked at and made.
+#include "Commands.h"
+
+#include <base/AtomicFile.h>
+#include <base/Terminal.h>
+#include <rube/RubeExport.h>
+#include <rube/RubeFile.h>
+#include <rube/RubeScene.h>
+#include <rube/RubeText.h>
+#include <rube/RubeWriter.h>
+#include <session/SceneSession.h>
+
+namespace boxreel
+{
+namespace
+{
+
+std::string Count(std::size_t number, const std::string& thing)
+{
+    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
+} // namespace
+
+Result<int> RunCheck(const CheckOptions& options)
+{
+    std::vector<std::string> leftOut;
+    const Result<std::unique_ptr<Scene>> scene = LoadRubeScene(options.file, leftOut);
+    if (!scene)
+    {
+        return scene.GetError();
+    }
+    const Result<std::vector<std::string>> traps = TrapsOfFile(options.file);
+    if (!traps)
+    {
+        return traps.GetError();
+    }
+    const RubeScene& content = *ContentOfFile(**scene);
+    std::string text;
+    for (const std::string& sentence : leftOut)
+    {
+        text += "left out: " + sentence + "\n";
+    }
+    for (const std::string& sentence : *traps)
+    {
+        text += "note: " + sentence + "\n";
+    }
+    text += options.file.string() + ": " + std::to_string(content.bodies.size()) +
+            (content.bodies.size() == 1 ? " body, " : " bodies, ") +
+            Count(content.joints.size(), "joint") + ", " + Count(content.images.size(), "image") +
+            ", " + Count(traps->size(), "note") + ", " + std::to_string(leftOut.size()) +
+            " left out\n";
+    if (const Result<void> written = WriteOutput(text); !written)
+    {
+        return written.GetError();
+    }
+    return leftOut.empty() ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+Result<int> RunExport(const ExportOptions& options)
+{
+    Result<SceneSource> source = OpenScene(options.scene);
+    if (!source)
+    {
+        return source.GetError();
+    }
+    Result<SceneSession> session = SceneSession::Open(std::move(*source), options.look);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    session->AdvanceTo(options.at ? StepAt(*options.at, session->StepsPerSecond()) : options.step);
+    std::vector<std::string> leftOut;
+    const RubeScene said = ExportScene(session->CurrentScene(), session->Steps(),
+                                       float32(session->StepsPerSecond().ToDouble()), leftOut);
+    const std::string text = WriteRubeText(said);
+    if (const Result<RubeScene> back = ParseRubeScene(text, session->Title()); !back)
+    {
+        return Error{ErrorKind::Unusable,
+                     "The scene cannot be a scene file at this moment: " + back.GetError().message};
+    }
+    for (const std::string& sentence : leftOut)
+    {
+        WriteMessage("boxreel: " + sentence);
+    }
+    const Result<void> written =
+        options.output == "-" ? WriteOutput(text) : WriteWhole(options.output, text, options.force);
+    return written ? Result<int>(0) : written.GetError();
+}
+
+} // namespace boxreel

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "Commands.h"
+#include "OutputPath.h"
+
+#include <base/Terminal.h>
+#include <debugdraw/NiceNumbers.h>
+#include <film/RenderReport.h>
+#include <render/FigureFrame.h>
+#include <render/FigureSheet.h>
+#include <render/Png.h>
+#include <render/Renderer.h>
+#include <session/SceneMotion.h>
+#include <session/SessionPanels.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+namespace
+{
+
+/// One of the files that a shot writes.
+struct Picture
+{
+    std::filesystem::path path;
+    Theme theme;
+};
+
+/// dir/bridge.svg becomes dir/bridge-dark.svg.
+std::filesystem::path WithSuffix(std::filesystem::path path, const char* suffix)
+{
+    const std::filesystem::path extension = path.extension();
+    path.replace_filename(path.stem() += suffix);
+    return path += extension;
+}
+
+std::vector<Picture> PicturesOf(const ShotOptions& options)
+{
+    if (!options.bothThemes)
+    {
+        return {{options.output, options.look.theme}};
+    }
+    return {{WithSuffix(options.output, "-light"), Theme::Print()},
+            {WithSuffix(options.output, "-dark"), Theme::Dark()}};
+}
+
+/// The steps at which pictures are taken.
+std::vector<std::int64_t> MomentsOf(const ShotOptions& options, const Rational& stepsPerSecond)
+{
+    std::vector<std::int64_t> moments = options.steps;
+    for (const Duration time : options.at)
+    {
+        moments.push_back(StepAt(time, stepsPerSecond));
+    }
+    return moments;
+}
+
+/// `pictures`: one a moment, with a title when there are several.
+Figure MakeFigure(const ShotOptions& options, const Theme& theme,
+                  std::vector<SheetPicture> pictures, const std::string& title)
+{
+    return SheetOf(std::move(pictures), {.columns = options.motion.columns,
+                                         .axes = options.motion.axes,
+                                         .scaleBar = options.motion.scaleBar,
+                                         .caption = options.motion.caption,
+                                         .theme = theme,
+                                         .scale = options.look.scale,
+                                         .title = title});
+}
+
+/// The figure with the bodies' names in its groups.
+Figure Named(Figure figure, const BodyNames& names)
+{
+    for (FigurePanel& panel : figure.panels)
+    {
+        panel.bodyNames = names;
+    }
+    return figure;
+}
+
+/// Whether all moments fit on one sheet. Asked before anything is simulated, with empty pictures.
+Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
+{
+    const std::size_t count = options.at.size() + options.steps.size();
+    SheetPicture picture;
+    picture.camera.width = options.look.width;
+    picture.camera.height = options.look.height;
+    picture.title = count > 1 ? "0 s" : "";
+    const Figure figure =
+        MakeFigure(options, options.look.theme, std::vector<SheetPicture>(count, picture), "");
+    const bool isPixels = format == PictureFormat::Png;
+    const Camera size = Scaled(Camera{.width = figure.width, .height = figure.height},
+                               isPixels ? options.look.scale : 1.0);
+    const int most = isPixels ? 8192 : kLargestFigure;
+    if (std::max(size.width, size.height) > most)
+    {
+        return Error{ErrorKind::Unusable,
+                     "All of it together is " + std::to_string(size.width) + "x" +
+                         std::to_string(size.height) + " pixels, and " + std::to_string(most) +
+                         " is the most each way; lower --size" + (isPixels ? " or --scale" : "") +
+                         ", give fewer moments or other --columns" +
+                         (isPixels ? ", or write an .svg or a .pdf." : ".")};
+    }
+    return {};
+}
+
+/// At most so many of them.
+std::string Listed(const std::vector<std::string>& letters)
+{
+    constexpr std::size_t kMost = 20;
+    std::string named;
+    for (std::size_t i = 0; i < std::min(letters.size(), kMost); ++i)
+    {
+        named += letters[i];
+    }
+    return named + (letters.size() > kMost ? "..." : "");
+}
+
+Result<void> TellMissingLetters(const Figure& figure, PictureFormat format)
+{
+    if (format == PictureFormat::Svg)
+    {
+        return {}; // its viewer has the fonts
+    }
+    const bool isPdf = format == PictureFormat::Pdf;
+    const Result<std::vector<std::string>> letters =
+        isPdf ? LettersWithoutPdf(figure) : LettersWithoutPixels(figure);
+    if (!letters)
+    {
+        return letters.GetError();
+    }
+    if (!letters->empty())
+    {
+        WriteMessage(isPdf ? "boxreel: A PDF cannot show " + Listed(*letters) +
+                                 ": its font has empty boxes instead, or does not join them; an "
+                                 ".svg leaves letters to its viewer."
+                           : "boxreel: The font of pictures has no " + Listed(*letters) +
+                                 ", and shows ? instead; an .svg leaves letters to its viewer.");
+    }
+    return {};
+}
+
+/// What was drawn for it is added to `totals`.
+Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, const Figure& figure,
+                         RenderTotals& totals)
+{
+    const FigureFileSettings settings{.overwrite = options.force};
+    switch (*PictureFormatOf(picture.path))
+    {
+    case PictureFormat::Svg:
+        return WriteSvg(picture.path, figure, settings);
+    case PictureFormat::Pdf:
+        return WritePdf(picture.path, figure, settings);
+    case PictureFormat::Png:
+        break;
+    }
+    RenderTotals drawn;
+    const Result<Frame> frame = ToFrame(figure, options.backend, &drawn);
+    if (!frame)
+    {
+        return frame.GetError();
+    }
+    totals += drawn;
+    return WritePng(picture.path, *frame, {.overwrite = options.force});
+}
+
+/// A picture under the panel, which only pixels can show.
+Result<void> WriteWithPanel(const ShotOptions& options, const Picture& picture,
+                            const DrawList& list, const Camera& camera, const Overlay& panel,
+                            RenderTotals& totals)
+{
+    Result<Renderer> renderer = Renderer::Create({.width = camera.width,
+                                                  .height = camera.height,
+                                                  .theme = picture.theme,
+                                                  .backend = options.backend,
+                                                  .scale = options.look.scale});
+    if (!renderer)
+    {
+        return renderer.GetError();
+    }
+    Frame frame;
+    if (const Result<void> drawn = renderer->Draw(list, camera, frame, &panel); !drawn)
+    {
+        return drawn;
+    }
+    totals += renderer->Totals();
+    return WritePng(picture.path, frame, {.overwrite = options.force});
+}
+
+Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>& pictures,
+                          SceneSource source)
+{
+    if (PictureFormatOf(pictures.front().path) == PictureFormat::Png)
+    {
+        if (const Result<void> draws = PrepareFrames(options.backend); !draws)
+        {
+            return draws;
+        }
+    }
+    Result<SceneSession> session = OpenSession(std::move(source), options.look);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    const std::vector<std::int64_t> moments = MomentsOf(options, session->StepsPerSecond());
+    Result<SceneMotion> motion = SceneMotion::Create(options.motion, *session, moments);
+    if (!motion)
+    {
+        return motion.GetError();
+    }
+    std::vector<SheetPicture> parts;
+    FrameContent content;
+    for (const std::int64_t moment : moments)
+    {
+        motion->AdvanceTo(*session, moment);
+        content = {};
+        session->Fill(content, motion->Notes(*session));
+        parts.push_back({motion->Picture(*session, content.list), session->CurrentCamera(),
+                         moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
+    }
+    for (const Result<void>& came : {motion->CheckBodiesCame(), session->CheckView()})
+    {
+        if (!came)
+        {
+            return came;
+        }
+    }
+    const Figure anyTheme = MakeFigure(options, options.look.theme, parts, "");
+    const PictureFormat format = *PictureFormatOf(pictures.front().path);
+    if (const Result<void> told = TellMissingLetters(anyTheme, format); !told)
+    {
+        return told;
+    }
+    RenderTotals totals;
+    for (const Picture& picture : pictures)
+    {
+        const Result<void> written =
+            options.look.hud || options.look.panels
+                ? WriteWithPanel(options, picture, parts.front().list, content.camera,
+                                 content.overlay, totals)
+                : WriteFigure(options, picture,
+                              Named(MakeFigure(options, picture.theme, parts, session->Title()),
+                                    session->Names()),
+                              totals);
+        if (!written)
+        {
+            return written;
+        }
+    }
+    if (options.stats)
+    {
+        WriteMessage(DescribeDrawing(totals));
+    }
+    return {};
+}
+
+/// Asked before anything is simulated.
+Result<void> CheckPictures(const ShotOptions& options, const std::vector<Picture>& pictures)
+{
+    for (const Picture& picture : pictures)
+    {
+        if (const Result<void> usable = CheckFigurePath(picture.path, options.force); !usable)
+        {
+            return usable;
+        }
+    }
+    const PictureFormat format = *PictureFormatOf(pictures.front().path);
+    if (const Result<void> fits = CheckSheet(options, format); !fits)
+    {
+        return fits;
+    }
+    return format == PictureFormat::Pdf ? PreparePdf() : Result<void>();
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> FilesOf(const ShotOptions& options)
+{
+    std::vector<std::filesystem::path> files;
+    for (const Picture& picture : PicturesOf(options))
+    {
+        files.push_back(picture.path);
+    }
+    return files;
+}
+
+Result<void> Prepare(const ShotOptions& options)
+{
+    return CheckPictures(options, PicturesOf(options));
+}
+
+Result<int> RunShot(const ShotOptions& options)
+{
+    const std::vector<Picture> pictures = PicturesOf(options);
+    if (const Result<void> usable = CheckPictures(options, pictures); !usable)
+    {
+        return usable.GetError();
+    }
+    Result<SceneSource> source = OpenScene(options.scene);
+    if (!source)
+    {
+        return source.GetError();
+    }
+    for (const std::string& line : source->leftOut)
+    {
+        WriteMessage(line);
+    }
+    const Result<void> taken = TakePictures(options, pictures, std::move(*source));
+    return taken ? Result<int>(0) : taken.GetError();
+}
+
+} // namespace boxreel

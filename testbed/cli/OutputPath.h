@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <base/Result.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Asked before long work is done for a file that could not be written in the end.
+namespace boxreel
+{
+
+/// What the names of pictures of scenes may end in.
+std::vector<std::string> FigureEnds();
+
+/// Whether a picture can be written there: the name ends in .png, its folder exists and takes
+/// a file, and no file is in the way unless `force`. Leaves everything as it was.
+Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
+
+/// Whether the folder that a file is to be in exists and takes files.
+Result<void> CheckFolderOf(const std::filesystem::path& path);
+
+/// Whether two names are of one file, whatever the spelling, or one is of a frame of the other, a
+/// numbered film.
+bool IsSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Whether a picture has the name of one that a numbered film, frames-####.png, may write.
+bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path& film);
+
+enum class PictureFormat
+{
+    Png,
+    Svg,
+    Pdf,
+};
+
+/// By the name's end; none when it is another.
+std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path);
+
+/// The same for a picture of a scene, whose name ends in .png, .svg or .pdf.
+Result<void> CheckFigurePath(const std::filesystem::path& path, bool force);
+
+} // namespace boxreel

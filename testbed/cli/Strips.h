@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <base/Result.h>
+#include <golden/ReportPage.h>
+#include <render/Backend.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// The steps around the first that differs, simulated again by this program, for those of our
+/// scenes whose worlds parted. Called by `boxreel golden report`.
+namespace boxreel
+{
+
+/// Which steps a strip shows: two before `first`, it, and further and further behind it up to
+/// `last`, ten at most; sorted.
+std::vector<std::int64_t> StepsAround(std::int64_t first, std::int64_t last);
+
+/// By name. A name that is none of our scenes has none. `against`: another build of the program,
+/// by its whole path, whose pictures become the expected ones; empty: none.
+Result<std::map<std::string, FilmStrip>> MakeStrips(const std::vector<ReportedMoment>& moments,
+                                                    const std::filesystem::path& against,
+                                                    Backend backend);
+
+} // namespace boxreel

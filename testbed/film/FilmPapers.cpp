@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "FilmPapers.h"
+
+#include <base/AtomicFile.h>
+#include <base/Bytes.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <span>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace boxreel
+{
+namespace
+{
+
+using nlohmann::json;
+
+struct Exempt
+{
+    std::string_view option;
+    bool hasValue;
+};
+
+constexpr std::array<Exempt, 13> kExempt = {{
+    {"-o", true},
+    {"--output", true},
+    {"--frame-range", true},
+    {"--progress", true},
+    {"--snapshots", true},
+    {"--snapshot-every", true},
+    {"--thumbnail", true},
+    {"--thumbnail-at", true},
+    {"--backend", true},
+    {"--resume", false},
+    {"--skip-done", false},
+    {"--force", false},
+    {"--stats", false},
+}};
+
+/// -oFILE, the only option of one letter that has a value.
+bool IsAttachedOutput(std::string_view word)
+{
+    return word.size() > 2 && word.starts_with("-o");
+}
+
+const Exempt* ExemptionOf(std::string_view word)
+{
+    const bool isAttached = IsAttachedOutput(word);
+    const std::string_view option = isAttached ? "-o" : word.substr(0, word.find('='));
+    const auto* found = std::find_if(kExempt.begin(), kExempt.end(),
+                                     [option](const Exempt& e) { return e.option == option; });
+    return found == kExempt.end() ? nullptr : found;
+}
+
+std::string Joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+    {
+        text += (text.empty() ? "" : " ") + word;
+    }
+    return text;
+}
+
+json ToJson(const FilmPapers& papers)
+{
+    json states = json::object();
+    for (const auto& [frame, state] : papers.states)
+    {
+        states[std::to_string(frame)] = state;
+    }
+    return {{"boxreel", papers.version},
+            {"command", papers.command},
+            {"fps", {papers.framesPerSecond.num, papers.framesPerSecond.den}},
+            {"group", papers.groupFrames},
+            {"loop", papers.plays},
+            {"frames", papers.frameCount},
+            {"first", papers.first},
+            {"end", papers.end},
+            {"checksum", papers.checksum},
+            {"states", states}};
+}
+
+FilmPapers FromJson(const json& object)
+{
+    FilmPapers papers;
+    papers.version = object.at("boxreel").get<std::string>();
+    papers.command = object.at("command").get<std::vector<std::string>>();
+    papers.framesPerSecond = {object.at("fps").at(0).get<std::int64_t>(),
+                              object.at("fps").at(1).get<std::int64_t>()};
+    papers.groupFrames = object.at("group").get<std::int64_t>();
+    papers.plays = object.at("loop").get<int>();
+    papers.frameCount = object.at("frames").get<std::int64_t>();
+    papers.first = object.at("first").get<std::int64_t>();
+    papers.end = object.at("end").get<std::int64_t>();
+    papers.checksum = object.at("checksum").get<std::string>();
+    for (const auto& [frame, state] : object.at("states").items())
+    {
+        papers.states[std::stoll(frame)] = state.get<std::string>();
+    }
+    return papers;
+}
+
+/// Whether the numbers can be those of a film.
+bool IsSound(const FilmPapers& papers)
+{
+    const Rational& rate = papers.framesPerSecond;
+    return rate.num >= 1 && rate.den >= 1 && papers.groupFrames >= 1 && papers.plays >= 0 &&
+           papers.first >= 0 && papers.end > papers.first && papers.frameCount >= papers.end;
+}
+
+} // namespace
+
+std::filesystem::path PapersPath(const std::filesystem::path& film)
+{
+    std::filesystem::path path = film;
+    path += ".json";
+    return path;
+}
+
+Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers)
+{
+    return WriteWhole(PapersPath(film), ToJson(papers).dump(1) + "\n", true);
+}
+
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy)
+{
+    const std::filesystem::path path = PapersPath(film);
+    std::ifstream file(path);
+    if (!file)
+    {
+        return Error{ErrorKind::Unusable, path.string() + ", which says how " + film.string() +
+                                              " was made, cannot be read; " + remedy + "."};
+    }
+    try
+    {
+        FilmPapers papers = FromJson(json::parse(file));
+        if (IsSound(papers))
+        {
+            return papers;
+        }
+    }
+    catch (const std::exception&)
+    {
+        // Said below, as what has other faults.
+    }
+    return Error{ErrorKind::Unusable, path.string() +
+                                          " is damaged, or of another version of this program; " +
+                                          remedy + "."};
+}
+
+std::string WriterOfPapers(const std::filesystem::path& film)
+{
+    std::ifstream file(PapersPath(film));
+    const json object = json::parse(file, nullptr, false);
+    const bool isOurs = object.is_object() && object.contains("boxreel") &&
+                        object["boxreel"].is_string() && object.contains("command");
+    return isOurs ? object["boxreel"].get<std::string>() : "";
+}
+
+std::string ChecksumOfFilm(const std::filesystem::path& film)
+{
+    std::error_code ignored;
+    std::ifstream file(film, std::ios::binary);
+    if (!std::filesystem::is_regular_file(film, ignored) || !file)
+    {
+        return "";
+    }
+    std::vector<char> buffer(std::size_t(1) << 20);
+    std::uint64_t checksum = ChecksumOf(std::span<const std::uint8_t>());
+    std::uint64_t size = 0;
+    while (file)
+    {
+        file.read(buffer.data(), std::streamsize(buffer.size()));
+        const std::size_t count = std::size_t(file.gcount());
+        checksum =
+            ChecksumOf({reinterpret_cast<const std::uint8_t*>(buffer.data()), count}, checksum);
+        size += count;
+    }
+    return file.bad() ? "" : HexText(checksum) + " of " + std::to_string(size) + " bytes";
+}
+
+std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> command;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+    {
+        const Exempt* exempt = ExemptionOf(arguments[i]);
+        if (exempt == nullptr)
+        {
+            command.push_back(arguments[i]);
+        }
+        else if (exempt->hasValue && arguments[i].find('=') == std::string::npos &&
+                 !IsAttachedOutput(arguments[i]))
+        {
+            ++i; // its value
+        }
+    }
+    return command;
+}
+
+std::string DifferenceOf(const FilmPapers& a, const FilmPapers& b)
+{
+    if (a.command != b.command)
+    {
+        return "the commands differ: `" + Joined(a.command) + "` and `" + Joined(b.command) + "`";
+    }
+    if (a.version != b.version)
+    {
+        return "versions " + a.version + " and " + b.version + " of this program made them";
+    }
+    return "";
+}
+
+} // namespace boxreel

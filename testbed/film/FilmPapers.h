@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <base/Result.h>
+#include <recorder/FrameClock.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// What is written beside a film that is not whole, FILE.json: which command makes it, and the
+/// state of its world where it may be continued or joined to another part. Whoever goes on checks
+/// that it is the same film and the same simulation. Used by record and merge.
+namespace boxreel
+{
+
+struct FilmPapers
+{
+    std::string version;              ///< of this program
+    std::vector<std::string> command; ///< what the user asked for, without where it goes
+    Rational framesPerSecond;
+    std::int64_t groupFrames = 100;
+    int plays = 0;               ///< how often an animation plays; 0: for ever
+    std::int64_t frameCount = 0; ///< of the whole film
+    std::int64_t first = 0;      ///< number of this part's first frame
+    std::int64_t end = 0;        ///< one more than that of its last
+    /// Of the film's file, once it is closed: what was cut off, altered or put in its place since
+    /// then is not what these papers speak of.
+    std::string checksum;
+    /// State hashes by number of the frame that shows them: where groups begin, and at `end`.
+    std::map<std::int64_t, std::string> states;
+};
+
+/// film.mkv becomes film.mkv.json.
+std::filesystem::path PapersPath(const std::filesystem::path& film);
+
+/// Replaces what is there.
+Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers);
+
+/// An Error (Unusable) when there are none, or they are not readable. `remedy`: what to do then.
+Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy);
+
+/// The version of this program that left what lies where the papers go, whether they are readable
+/// or not; empty when it is nothing of this program's.
+std::string WriterOfPapers(const std::filesystem::path& film);
+
+/// Of all bytes of a film and their number; nothing when it cannot be read or is no file.
+std::string ChecksumOfFilm(const std::filesystem::path& film);
+
+/// The command without the options that do not change a frame: where it goes, how it is reported,
+/// which part it is, that it goes on.
+std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments);
+
+/// Nothing when both make the same film; else what differs, as a clause.
+std::string DifferenceOf(const FilmPapers& a, const FilmPapers& b);
+
+} // namespace boxreel

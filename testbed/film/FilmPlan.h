@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "RecordOptions.h"
+
+/// Which frames a recording makes, and how they are encoded. Writes nothing.
+namespace boxreel
+{
+
+/// What the options come to before anything is opened.
+struct FilmPlan
+{
+    VideoSettings film;
+    std::int64_t frameCount = 0;  ///< of the whole film, or the most when it ends earlier
+    FrameRange frames;            ///< those that are made
+    std::int64_t groupFrames = 0; ///< from a frame that a part may begin with to the next
+};
+
+/// Unusable when the options contradict each other.
+Result<FilmPlan> PlanFilm(const RecordOptions& options);
+
+/// Whether the part that is to be made is there, whole. An Error (Unusable) when what is there is
+/// another film, or no longer what its papers speak of.
+Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan);
+
+/// Unusable when a file of somebody else lies where the papers go, or papers of another film or
+/// another version of this program, and may not be replaced.
+Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan);
+
+/// A film that may be stopped and continued, or be a part of another, has papers beside it.
+bool HasPapers(const RecordOptions& options, const FilmPlan& plan);
+
+} // namespace boxreel

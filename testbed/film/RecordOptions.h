@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Progress.h"
+
+#include <options/Values.h>
+#include <recorder/VideoWriter.h>
+#include <render/Backend.h>
+#include <session/Condition.h>
+#include <session/SceneSession.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a recording is asked for, as plain data.
+namespace boxreel
+{
+
+/// Which frames a film has.
+struct FilmLength
+{
+    std::optional<Duration> seconds;    ///< length of the film
+    std::optional<std::int64_t> frames; ///< number of frames; neither: 10 s
+    std::optional<Duration> from;       ///< simulated time before the first frame
+    std::vector<Condition> until;       ///< the film ends when one becomes true; at most 10 min
+    std::optional<FrameRange> range;    ///< only these frames are made
+};
+
+/// How simulated time becomes film time.
+struct FilmPace
+{
+    Rational speed{1, 1};     ///< simulated seconds per second of film
+    bool interpolate = false; ///< show poses between steps
+};
+
+/// A picture of one frame beside the film.
+struct ThumbnailOptions
+{
+    std::filesystem::path file; ///< empty: none
+    std::optional<Duration> at; ///< time in the film; none: its middle
+};
+
+/// States of the simulation that are kept, so that a part need not simulate what is before it.
+struct SnapshotOptions
+{
+    std::filesystem::path folder;      ///< empty: none
+    std::optional<std::int64_t> every; ///< [steps]; none: as IsSnapshotDue says
+};
+
+/// What a recording writes to the terminal.
+struct FilmMessages
+{
+    bool stats = false; ///< rendering statistics and a timing breakdown when done
+    ProgressMode progress = ProgressMode::Auto;
+};
+
+struct RecordOptions
+{
+    std::string scene; ///< a name or a file
+    std::filesystem::path output;
+    SceneLook look;
+    VideoSettings film; ///< without its size, which is the look's
+    FilmLength length;
+    FilmPace pace;
+    ThumbnailOptions thumbnail;
+    SnapshotOptions snapshots;
+    FilmMessages messages;
+    bool skipDone = false; ///< a part that is complete is not made again
+    Backend backend = Backend::Auto;
+    std::vector<std::string> arguments; ///< of the command line, for the manifest
+};
+
+} // namespace boxreel

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "GoldenScenes.h"
+
+#include <golden/StateHash.h>
+#include <options/Values.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace boxreel
+{
+namespace
+{
+
+struct Moment
+{
+    const char* name;
+    Duration time;
+};
+
+// While it starts, while it is busy, and when most scenes have shown what they are known for.
+constexpr Moment kMoments[] = {
+    {"0.5s", Duration{500'000'000}},
+    {"2s", Duration{2'000'000'000}},
+    {"5s", Duration{5'000'000'000}},
+};
+
+std::int64_t LastStep(const GoldenSelection& selection, const Rational& stepsPerSecond)
+{
+    const auto named =
+        std::find_if(std::begin(kMoments), std::end(kMoments),
+                     [&](const Moment& moment) { return selection.moment == moment.name; });
+    return StepAt((named != std::end(kMoments) ? *named : *std::rbegin(kMoments)).time,
+                  stepsPerSecond);
+}
+
+// Simulates up to `step`, one step at a time.
+StateTrace Advance(SceneSession& session, std::int64_t step)
+{
+    StateTrace trace;
+    while (session.Step() < step)
+    {
+        session.AdvanceTo(session.Step() + 1);
+        trace.steps.push_back(ReadTraceStep(session.World(), session.Step()));
+    }
+    return trace;
+}
+
+// `trace`: what it did since the moment before.
+Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& session,
+                                    StateTrace trace, Renderer& renderer)
+{
+    FrameContent content;
+    session.Fill(content);
+    GoldenCandidate candidate;
+    candidate.name = name;
+    candidate.stateHash = StateHashText(session.World());
+    candidate.state = ReadWorldState(session.World());
+    candidate.trace = std::move(trace);
+    candidate.renderer = renderer.Description();
+    const Result<std::string> fingerprint = renderer.Fingerprint();
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    candidate.fingerprint = *fingerprint;
+    candidate.camera = content.camera;
+    const Result<void> drawn = renderer.Draw(content.list, content.camera, candidate.frame);
+    if (!drawn)
+    {
+        return drawn.GetError();
+    }
+    candidate.list = std::move(content.list);
+    return candidate;
+}
+
+/// A film does not say who drew it; it is taken for one that was recorded here.
+Result<void> VisitFilm(const GoldenFilm& film, const Renderer& renderer,
+                       const std::function<Result<void>(const GoldenCandidate&)>& visit)
+{
+    Result<ContactSheet> sheet = ContactSheetOf(film.path, film.sheet);
+    if (!sheet)
+    {
+        return sheet.GetError();
+    }
+    const Result<std::string> fingerprint = renderer.Fingerprint();
+    if (!fingerprint)
+    {
+        return fingerprint.GetError();
+    }
+    GoldenCandidate candidate = CandidateOf(*std::move(sheet), film.name);
+    candidate.fingerprint = *fingerprint;
+    return visit(candidate);
+}
+
+} // namespace
+
+Result<Renderer> CreateGoldenRenderer(Backend backend)
+{
+    return Renderer::Create({.width = kGoldenWidth, .height = kGoldenHeight, .backend = backend});
+}
+
+Result<SceneSession> OpenGolden(const GoldenSelection& selection, int width, int height)
+{
+    SceneLook look;
+    look.width = width;
+    look.height = height;
+    look.collectEverything = true;
+    SceneSource source;
+    source.entry = selection.scene;
+    source.title = selection.scene->name;
+    return SceneSession::Open(std::move(source), look);
+}
+
+Result<GoldenSelection> SelectGolden(const std::string& name)
+{
+    // The name of a scene may have a slash of its own.
+    if (const Result<const SceneEntry*> scene = FindScene(name))
+    {
+        return GoldenSelection{.scene = *scene};
+    }
+    const std::size_t slash = name.rfind('/');
+    const Result<const SceneEntry*> scene = FindScene(name.substr(0, slash));
+    if (!scene)
+    {
+        return scene.GetError();
+    }
+    GoldenSelection selection{.scene = *scene, .moment = name.substr(slash + 1)};
+    std::string moments;
+    for (const Moment& moment : kMoments)
+    {
+        if (selection.moment == moment.name)
+        {
+            return selection;
+        }
+        moments += (moments.empty() ? "" : ", ") + std::string(moment.name);
+    }
+    return Error{ErrorKind::Unusable, "There is no moment '" + selection.moment + "' of '" +
+                                          name.substr(0, slash) + "'; give one of " + moments +
+                                          "."};
+}
+
+Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,
+                                const std::function<Result<void>(const GoldenCandidate&)>& visit)
+{
+    if (selection.film)
+    {
+        return VisitFilm(*selection.film, renderer, visit);
+    }
+    Result<SceneSession> session = OpenGolden(selection);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    for (const Moment& moment : kMoments)
+    {
+        StateTrace trace = Advance(*session, StepAt(moment.time, session->StepsPerSecond()));
+        if (!selection.moment.empty() && selection.moment != moment.name)
+        {
+            continue;
+        }
+        const Result<GoldenCandidate> candidate =
+            CandidateAt(SceneSlug(selection.scene->name) + "/" + moment.name, *session,
+                        std::move(trace), renderer);
+        if (!candidate)
+        {
+            return candidate.GetError();
+        }
+        Result<void> visited = visit(*candidate);
+        if (!visited)
+        {
+            return visited;
+        }
+    }
+    return {};
+}
+
+Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection,
+                                                const ReferenceStore& store, Renderer& renderer,
+                                                const CompareSettings& settings)
+{
+    std::vector<GoldenVerdict> verdicts;
+    const auto verify = [&](const GoldenCandidate& candidate) -> Result<void> {
+        Result<GoldenVerdict> verdict = store.Verify(candidate, settings);
+        if (!verdict)
+        {
+            return verdict.GetError();
+        }
+        verdicts.push_back(std::move(*verdict));
+        return {};
+    };
+    const Result<void> visited = VisitGoldenMoments(selection, renderer, verify);
+    if (!visited)
+    {
+        return visited.GetError();
+    }
+    return verdicts;
+}
+
+Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection,
+                                                const ReferenceStore& store, Renderer& renderer,
+                                                const GoldenAcceptance& acceptance)
+{
+    std::vector<GoldenVerdict> accepted;
+    const auto accept = [&](const GoldenCandidate& candidate) -> Result<void> {
+        Result<GoldenVerdict> verdict = store.Judge(candidate);
+        if (!verdict)
+        {
+            return verdict.GetError();
+        }
+        if (acceptance.forThisRenderer && verdict->status == GoldenStatus::Same &&
+            !store.HasOwnPicture(candidate.name, candidate.renderer))
+        {
+            verdict->status = GoldenStatus::Missing;
+            verdict->message = candidate.name + ": this renderer had no picture of its own.";
+        }
+        const bool isMissing = verdict->status == GoldenStatus::Missing;
+        const bool isSame = verdict->status == GoldenStatus::Same;
+        const GoldenFilter only = acceptance.only;
+        if ((only == GoldenFilter::Missing && !isMissing) ||
+            (only == GoldenFilter::Changed && (isMissing || isSame)))
+        {
+            return {};
+        }
+        accepted.push_back(*std::move(verdict));
+        return store.Accept(candidate, acceptance.forThisRenderer ? AcceptAs::ForThisRenderer
+                                                                  : AcceptAs::TheOneCompared);
+    };
+    const Result<void> visited = VisitGoldenMoments(selection, renderer, accept);
+    if (!visited)
+    {
+        return visited.GetError();
+    }
+    return accepted;
+}
+
+Result<std::int64_t> LastStepOf(const GoldenSelection& selection)
+{
+    const Result<SceneSession> session = OpenGolden(selection);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    return LastStep(selection, session->StepsPerSecond());
+}
+
+Result<GoldenRun> SimulateGolden(const GoldenSelection& selection,
+                                 std::optional<std::int64_t> lastStep)
+{
+    Result<SceneSession> session = OpenGolden(selection);
+    if (!session)
+    {
+        return session.GetError();
+    }
+    GoldenRun run;
+    run.trace =
+        Advance(*session, lastStep ? *lastStep : LastStep(selection, session->StepsPerSecond()));
+    run.stateHash = StateHashText(session->World());
+    run.state = ReadWorldState(session->World());
+    return run;
+}
+
+} // namespace boxreel

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Box2D.h>
+#include <base/Result.h>
+
+#include <string>
+#include <vector>
+
+/// Which body is meant by a number: its place in the order of creation, as it is in draw lists and
+/// figures too.
+namespace boxreel
+{
+
+/// All bodies, the oldest first.
+std::vector<const b2Body*> OldestFirst(const b2World& world);
+
+/// How many bodies there have been: one more than the number of the newest.
+int CountMade(const b2World& world);
+
+/// Unusable when a number that `option` named is none of the `made` bodies that a scene has, or has
+/// had by the moment that is meant.
+Result<void> CheckBodies(const std::string& option, int made, const std::vector<int>& numbers);
+
+/// The bodies of these numbers, one for each; null where the world has none, or none any more.
+std::vector<const b2Body*> FindBodies(const b2World& world, const std::vector<int>& numbers);
+
+} // namespace boxreel

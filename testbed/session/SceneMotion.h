@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "SceneSession.h"
+
+#include <options/MotionChoice.h>
+
+#include <map>
+#include <set>
+#include <vector>
+
+/// Watches a scene step by step and adds to its stills what a MotionLook asks for: trails, earlier
+/// poses, dimensions, the origin. Knows no files; never prints.
+namespace boxreel
+{
+
+class SceneMotion
+{
+public:
+    /// For pictures at these steps, before the first step. Unusable when a body that the look names
+    /// is not there and cannot come, or when there are too many poses.
+    static Result<SceneMotion> Create(const MotionLook& look, SceneSession& session,
+                                      const std::vector<std::int64_t>& moments);
+
+    /// Takes the session on to `step`, looking at every step on the way.
+    void AdvanceTo(SceneSession& session, std::int64_t step);
+
+    /// What lies over the picture of the session's step, but for labels: dimensions and the origin.
+    DrawList Notes(SceneSession& session);
+
+    /// What the picture of the session's step shows: `scene`, which is drawn at scale 1 and has the
+    /// notes already, with trails and earlier poses beneath it. The step is one of the moments.
+    DrawList Picture(SceneSession& session, const DrawList& scene) const;
+
+    /// After the last picture: Unusable when a body that the look names has never been there, or,
+    /// of those between which it measures, in none of the pictures.
+    Result<void> CheckBodiesCame() const;
+
+private:
+    /// How bodies stood at a step.
+    struct Pose
+    {
+        DrawList list;
+        std::set<std::uint32_t> bodies; // those that are shown
+    };
+    /// Where a body's centre of mass was, step by step.
+    struct Way
+    {
+        std::int64_t firstStep = 0;
+        std::vector<Vec2> places; // [m]
+    };
+
+    explicit SceneMotion(const MotionLook& look) : m_look(look) {}
+    std::vector<std::int64_t> PosesFor(std::int64_t moment, const Rational& stepsPerSecond) const;
+    void Observe(SceneSession& session);
+    void AddDimensions(const SceneSession& session, DrawList& list) const;
+    DrawList Dimensions(SceneSession& session) const;
+    void AddTrails(const SceneSession& session, DrawList& list) const;
+    void AddPoses(SceneSession& session, DrawList& list) const;
+
+    MotionLook m_look;
+    std::map<std::int64_t, Pose> m_poses; // by the steps that pictures need
+    std::map<int, Way> m_ways;            // by the bodies' numbers
+    int m_made = 0;                       // bodies so far
+    std::set<int> m_measured;             // bodies that were there when they were to be measured
+};
+
+} // namespace boxreel

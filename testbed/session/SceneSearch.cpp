@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "SceneSearch.h"
+
+#include <base/Nearest.h>
+#include <rube/RubeFile.h>
+
+#include <filesystem>
+
+namespace boxreel
+{
+namespace
+{
+
+bool IsLetterOrDigit(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+}
+
+/// Plain ASCII, so that no locale changes what a name matches.
+char Lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+Error UnknownScene(std::string_view name)
+{
+    std::vector<std::string> keys;
+    for (const SceneEntry& entry : AllScenes())
+    {
+        keys.push_back(SceneKey(entry.name));
+    }
+    std::string message = "There is no scene '" + std::string(name) + "'";
+    const int nearest = NearestWord(SceneKey(name), keys);
+    if (nearest >= 0)
+    {
+        const SceneEntry& entry = AllScenes()[static_cast<std::size_t>(nearest)];
+        message += "; did you mean '" + SceneSlug(entry.name) + "'?";
+    }
+    else
+    {
+        message += ";";
+    }
+    return Error{ErrorKind::Unusable, message + " `boxreel list` shows them all."};
+}
+
+const SceneEntry* SceneOfKey(const std::string& key)
+{
+    for (const SceneEntry& entry : AllScenes())
+    {
+        if (SceneKey(entry.name) == key)
+        {
+            return &entry;
+        }
+    }
+    return nullptr;
+}
+
+Result<SceneSource> OpenFile(const std::filesystem::path& file)
+{
+    SceneSource source;
+    Result<std::unique_ptr<Scene>> scene = LoadRubeScene(file, source.leftOut);
+    if (!scene)
+    {
+        return scene.GetError();
+    }
+    source.scene = std::move(*scene);
+    source.asked = file.string();
+    source.title = file.stem().string();
+    return source;
+}
+
+} // namespace
+
+std::string SceneKey(std::string_view name)
+{
+    std::string key;
+    for (const char c : name)
+    {
+        if (IsLetterOrDigit(Lower(c)))
+        {
+            key += Lower(c);
+        }
+    }
+    return key;
+}
+
+std::string SceneSlug(std::string_view name)
+{
+    std::string slug;
+    for (const char c : name)
+    {
+        if (IsLetterOrDigit(Lower(c)))
+        {
+            slug += Lower(c);
+        }
+        else if (c != '\'' && !slug.empty() && slug.back() != '-')
+        {
+            slug += '-';
+        }
+    }
+    while (!slug.empty() && slug.back() == '-')
+    {
+        slug.pop_back();
+    }
+    return slug;
+}
+
+Result<const SceneEntry*> FindScene(std::string_view name)
+{
+    if (const SceneEntry* entry = SceneOfKey(SceneKey(name)))
+    {
+        return entry;
+    }
+    return UnknownScene(name);
+}
+
+Result<SceneSource> OpenScene(const std::string& nameOrFile)
+{
+    const bool isNamedAsFile = nameOrFile.ends_with(".json");
+    const SceneEntry* entry = isNamedAsFile ? nullptr : SceneOfKey(SceneKey(nameOrFile));
+    if (entry != nullptr)
+    {
+        SceneSource source;
+        source.entry = entry;
+        source.asked = entry->name;
+        source.title = entry->name;
+        return source;
+    }
+    std::error_code ignored;
+    if (isNamedAsFile || std::filesystem::is_regular_file(nameOrFile, ignored))
+    {
+        return OpenFile(nameOrFile);
+    }
+    return UnknownScene(nameOrFile);
+}
+
+} // namespace boxreel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <base/Result.h>
+#include <scenes/Scene.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// From what a user typed to a scene: a name whatever its case, spaces and punctuation, or a
+/// R.U.B.E. file. Never prints; what a file asked for and could not be built is handed back in
+/// words.
+namespace boxreel
+{
+
+/// Letters and digits only, lower case: what two spellings of a name have in common.
+std::string SceneKey(std::string_view name);
+
+/// A name for files: "Newton's Cradle" becomes "newtons-cradle".
+std::string SceneSlug(std::string_view name);
+
+/// The scene of that name, or an Error (Unusable) that suggests the nearest.
+Result<const SceneEntry*> FindScene(std::string_view name);
+
+/// Something that can be simulated: a scene of the table or of a file, not created yet.
+struct SceneSource
+{
+    const SceneEntry* entry = nullptr; ///< null: `scene` was loaded from a file
+    std::unique_ptr<Scene> scene;
+    std::string asked; ///< what OpenScene was given
+    std::string title;
+    std::vector<std::string> leftOut; ///< one line each: what the file asked for and is not there
+};
+
+/// Finds the scene, loads it when it is a file. Names of scenes come first; anything that ends in
+/// .json or is an existing file is read as a file.
+Result<SceneSource> OpenScene(const std::string& nameOrFile);
+
+} // namespace boxreel

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "SceneCamera.h"
+#include "SceneSearch.h"
+
+#include <base/Result.h>
+#include <debugdraw/Theme.h>
+#include <options/SceneLayers.h>
+#include <recorder/FrameClock.h>
+#include <recorder/Recording.h>
+#include <render/Overlay.h>
+#include <script/ScriptInput.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// A scene being shown: simulated step by step, looked at by a camera, described by a panel. Films,
+/// stills and golden candidates all come from here, which is why a still has the very pixels that a
+/// film has at that time. Knows no files and no pixels of its own; never prints.
+namespace boxreel
+{
+
+/// How a scene is simulated and what its picture shows.
+struct SceneLook
+{
+    int width = 1280;   ///< [px]
+    int height = 720;   ///< [px]
+    double scale = 1.0; ///< of all lengths in pixels, width and height too
+    Theme theme = Theme::Classic();
+    std::optional<Rational> stepsPerSecond; ///< none of these three: as the scene prefers,
+    std::optional<int> velocityIterations;  ///< which is 60, 8 and 3 unless it says otherwise
+    std::optional<int> positionIterations;
+    std::uint32_t seed = 1;
+    std::shared_ptr<const Script> script; ///< whose actions are done to it; null: none
+    ViewChoice view;
+    SceneLayers layers;
+    ArrowScales arrows;
+    /// What lies outside of the picture is collected too: for lists that are kept and compared.
+    bool collectEverything = false;
+    bool labels = false;          ///< the number of each body at its centre of mass
+    bool hud = false;             ///< a panel with time, step and counts
+    bool panels = false;          ///< those of the testbed's window
+    bool hudMilliseconds = false; ///< and the time a step took, which no two runs share
+    int covered = 0; ///< of the picture's right side, by panels: views keep clear of it [px]
+};
+
+class SceneSession;
+
+/// What goes along with a session and may change it between two steps: panels that a script clicks.
+class SessionCompanion
+{
+public:
+    virtual ~SessionCompanion() = default;
+    /// `actions`: what the script does with the panels before this step.
+    virtual void BeforeStep(SceneSession& session, const std::vector<ScriptAction>& actions) = 0;
+    virtual void AfterStep(SceneSession& session) = 0;
+    /// What lies over the picture.
+    virtual Overlay OverPicture(SceneSession& session) = 0;
+    /// What went wrong.
+    virtual Result<void> Check() const = 0;
+};
+
+class SceneSession
+{
+public:
+    static Result<SceneSession> Open(SceneSource source, const SceneLook& look);
+
+    /// Simulates up to `step` (0: as created). Steps that lie behind are no mistake: nothing
+    /// happens.
+    void AdvanceTo(std::int64_t step);
+
+    /// Simulates the step after `step` too, to show `fraction` of its way: 0 to below 1, where 0 is
+    /// AdvanceTo. Moments must not go back.
+    void AdvanceBetween(std::int64_t step, double fraction);
+
+    /// What the picture of this moment shows, with `notes` over all but labels, which keep clear of
+    /// them. Expects an empty list.
+    void Fill(FrameContent& content, const DrawList& notes = {});
+
+    std::int64_t Step() const
+    {
+        return m_step;
+    } ///< the last that was simulated, or passed by
+      ///< while it was paused
+    std::int64_t SceneStep() const { return m_sceneStep; } ///< the scene's own count
+    const Rational& StepsPerSecond() const { return m_stepsPerSecond; }
+    const std::string& Title() const { return m_title; }
+    const std::string& Asked() const { return m_asked; } ///< finds the scene again (OpenScene)
+    const BodyNames& Names() const { return m_scene->Names(); }
+    const b2World& World() const { return m_scene->World(); }
+    b2World& World() { return m_scene->World(); } ///< whose debug drawing may be borrowed
+    Scene& CurrentScene() { return *m_scene; }
+    const StepSettings& Steps() const { return m_stepSettings; }
+    StepSettings& Steps() { return m_stepSettings; } ///< but for the time step
+    Camera CurrentCamera() const;                    ///< at scale 1
+    double Time() const; ///< that is shown, simulated since the scene began [s]
+    /// Bodies may come that are not there yet.
+    bool MakesBodiesLater() const;
+    /// Unusable while a body that the camera should show has never been there.
+    Result<void> CheckView() const;
+    /// What went wrong in what goes along.
+    Result<void> CheckCompanion() const
+    {
+        return m_companion ? m_companion->Check() : Result<void>();
+    }
+
+    // What a person changes while it goes on.
+    const SceneLook& Look() const { return m_look; }
+    void SetLayers(const SceneLayers& layers, bool labels);
+    /// Paused, steps pass by and nothing is simulated.
+    void Pause(bool isPaused) { m_isPaused = isPaused; }
+    bool IsPaused() const { return m_isPaused; }
+    /// The next step is simulated although it is paused.
+    void StepOnceThough() { m_stepsOnce = true; }
+    /// This point in the middle of what no panel covers, at so many pixels a metre, from now on.
+    void LookAt(const b2Vec2& center, double pixelsPerMeter);
+    /// As its look says, again.
+    void LookAsBefore() { m_ownView.reset(); }
+    /// The view goes with bodies by itself.
+    bool Follows() const { return !m_ownView && m_camera.Follows(); }
+    bool HasOwnView() const { return m_ownView.has_value(); }
+    /// What panels leave of the picture's width [px].
+    int UncoveredWidth() const;
+    /// Of another size from now on, and covered so far by panels; the view shows as much as it did.
+    void Resize(int width, int height, int covered);
+    /// Another scene, or the same anew, in the place of this one: steps go on being counted, and
+    /// what goes along stays. It is as it was when there is an Error.
+    Result<void> Replace(SceneSource source, const SceneLook& look);
+    void SetCompanion(std::shared_ptr<SessionCompanion> companion)
+    {
+        m_companion = std::move(companion);
+    }
+
+    /// All that decides which states it goes through, as lines of text: before the first step. A
+    /// state that was saved may be restored wherever the text is the same.
+    std::string DescribeOrigin();
+    /// All that a step leaves to the next one and to pictures.
+    std::vector<std::uint8_t> SaveState();
+    /// False when the bytes are not such a state; the session is then as it was.
+    bool RestoreState(std::span<const std::uint8_t> bytes);
+    /// From which step on, at the latest, what has been restored must be simulated so that the
+    /// picture of `step` has all that it shows.
+    std::int64_t LatestStateFor(std::int64_t step) const;
+
+private:
+    SceneSession(SceneSource source, const SceneLook& look, const SceneCamera& camera);
+    void StepOnce();
+    void Simulate();
+    Camera Placed(const Camera& view) const;
+    void Collect(double farthest, DrawList& list, const DrawList& notes);
+    HudContent DescribeState() const;
+    boxreel::View CollectedView(double farthest) const;
+
+    std::unique_ptr<Scene> m_scene;
+    std::string m_title;
+    std::string m_asked;
+    SceneLook m_look;
+    ScriptInput m_input;
+    Rational m_stepsPerSecond;
+    StepSettings m_stepSettings;
+    SceneCamera m_camera;
+    LayerCollector m_layers;
+    BodyNames m_shownNames;
+    std::optional<Hud> m_hud;
+    std::int64_t m_step = 0;
+    std::int64_t m_sceneStep = 0;
+    bool m_isPaused = false;
+    bool m_stepsOnce = false;
+    std::optional<Camera> m_ownView; // that a person has chosen; its middle is the uncovered part's
+    std::shared_ptr<SessionCompanion> m_companion;
+    b2PoseRecord m_posesBefore; // the last step, while what lies before its end is shown
+    Camera m_viewBefore;
+    std::optional<double> m_fraction; // of the last step's way that is shown; none: its end
+    double m_stepMilliseconds = 0.0;  // of the last step, smoothed
+};
+
+} // namespace boxreel

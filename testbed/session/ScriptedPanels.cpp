@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// Panels without a window: what a script does with them, step by step.
+#include "SessionPanels.h"
+
+#include <base/Nearest.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace boxreel
+{
+namespace
+{
+
+// Frames after which everything that was opened or scrolled to stands still.
+constexpr int kFramesToSettle = 4;
+
+/// "ctrl+o": a key, and whether Control is down.
+struct Hit
+{
+    Key key = Key::None;
+    bool control = false;
+};
+
+std::optional<Hit> ParseHit(std::string text)
+{
+    Hit hit;
+    if (text.starts_with("ctrl+"))
+    {
+        hit.control = true;
+        text = text.substr(5);
+    }
+    static const std::vector<std::pair<std::string, Key>> kNamed{
+        {"tab", Key::Tab},     {"enter", Key::Enter},        {"escape", Key::Escape},
+        {"space", Key::Space}, {"left", Key::Left},          {"right", Key::Right},
+        {"up", Key::Up},       {"down", Key::Down},          {"home", Key::Home},
+        {"end", Key::End},     {"backspace", Key::Backspace}};
+    for (const auto& [name, key] : kNamed)
+    {
+        hit.key = text == name ? key : hit.key;
+    }
+    if (text.size() == 1)
+    {
+        hit.key = KeyOf(text.front());
+    }
+    return hit.key == Key::None ? std::nullopt : std::optional(hit);
+}
+
+class ScriptedPanels final : public SessionCompanion
+{
+public:
+    ScriptedPanels(Panels panels, const SceneLook& look) : m_panels(std::move(panels))
+    {
+        m_isDrawn = look.panels;
+        m_isTimed = look.hudMilliseconds;
+        m_scriptFile = look.script ? look.script->file.string() : "";
+    }
+
+    void Begin(const SceneSession& session);
+    void BeforeStep(SceneSession& session, const std::vector<ScriptAction>& actions) override;
+    void AfterStep(SceneSession& session) override
+    {
+        m_panels.Observe(FactsOf(session, m_isTimed));
+    }
+    Overlay OverPicture(SceneSession& session) override;
+    Result<void> Check() const override { return m_failure; }
+
+private:
+    void Frame(SceneSession& session, const PanelInput& input);
+    void Settle(SceneSession& session);
+    void Answer(SceneSession& session, const PanelAnswer& answer);
+    void Change(SceneSession& session, const std::string& scene);
+    void Press(SceneSession& session, const ScriptAction& action);
+    void Strike(SceneSession& session, const ScriptAction& action);
+    void Shortcut(SceneSession& session, const Hit& hit);
+    void Fail(const ScriptAction& action, const std::string& message);
+
+    Panels m_panels;
+    PanelChoices m_choices;
+    SolverChoices m_solver; // that the session has
+    Vec2 m_pointer{-1.0f, -1.0f};
+    bool m_isDrawn = true;
+    bool m_isTimed = false;
+    std::string m_scriptFile;
+    Result<void> m_failure;
+};
+
+/// With the choices as the session has them.
+void ScriptedPanels::Begin(const SceneSession& session)
+{
+    m_solver = SolverOf(session);
+    m_choices.solver = m_solver;
+    m_choices.layers = session.Look().layers;
+    m_choices.labels = session.Look().labels;
+    m_choices.isPaused = session.IsPaused();
+}
+
+void ScriptedPanels::Frame(SceneSession& session, const PanelInput& input)
+{
+    // A script may have set what the panels show.
+    const SolverChoices now = SolverOf(session);
+    m_choices.solver = now;
+    PanelFacts facts = FactsOf(session, m_isTimed);
+    facts.isWindow = false;
+    const PanelAnswer answer = m_panels.Build(facts, m_choices, input);
+    session.Pause(m_choices.isPaused);
+    session.SetLayers(m_choices.layers, m_choices.labels);
+    const int hertz = m_choices.solver.hertz;
+    if (m_choices.solver != now)
+    {
+        Apply(m_choices.solver, session);
+    }
+    if (hertz != now.hertz)
+    {
+        m_choices.solver.hertz = now.hertz; // a film and its script count by one rate
+    }
+    Answer(session, answer);
+}
+
+void ScriptedPanels::Settle(SceneSession& session)
+{
+    for (int i = 0; i < kFramesToSettle; ++i)
+    {
+        PanelInput input;
+        input.pointer = m_pointer;
+        Frame(session, input);
+    }
+}
+
+void ScriptedPanels::Change(SceneSession& session, const std::string& scene)
+{
+    Result<SceneSource> source = OpenScene(scene);
+    const Result<void> changed =
+        source ? session.Replace(std::move(*source), session.Look()) : source.GetError();
+    if (changed)
+    {
+        Begin(session);
+    }
+    else if (m_failure)
+    {
+        m_failure = changed;
+    }
+}
+
+void ScriptedPanels::Answer(SceneSession& session, const PanelAnswer& answer)
+{
+    if (!answer.scene.empty())
+    {
+        Change(session, answer.scene);
+    }
+    for (const PanelWish wish : answer.wishes)
+    {
+        switch (wish)
+        {
+        case PanelWish::Step:
+            m_choices.isPaused = true;
+            session.Pause(true);
+            session.StepOnceThough();
+            break;
+        case PanelWish::Restart:
+            Change(session, session.Asked());
+            break;
+        case PanelWish::ResetView:
+            session.LookAsBefore();
+            break;
+        case PanelWish::Bomb:
+            session.CurrentScene().ThrowBomb();
+            break;
+        default:
+            break; // a window's
+        }
+    }
+}
+
+void ScriptedPanels::Fail(const ScriptAction& action, const std::string& message)
+{
+    if (m_failure)
+    {
+        m_failure = Error{ErrorKind::Unusable,
+                          m_scriptFile + ":" + std::to_string(action.line) + ": " + message};
+    }
+}
+
+void ScriptedPanels::Press(SceneSession& session, const ScriptAction& action)
+{
+    m_panels.Controls().Reveal(action.name);
+    Settle(session);
+    const std::optional<Vec2> place = m_panels.Controls().Find(action.name);
+    if (!place)
+    {
+        const std::vector<std::string> names = m_panels.Controls().Names();
+        const int nearest = NearestWord(action.name, names);
+        Fail(action, "no control is called '" + action.name + "' at that moment" +
+                         (nearest < 0 ? "; give one such as Solver/Sleep or Run/Pause."
+                                      : "; did you mean '" + names[std::size_t(nearest)] + "'?"));
+        return;
+    }
+    m_pointer = *place;
+    for (const bool isDown : {false, true, false})
+    {
+        PanelInput input;
+        input.pointer = m_pointer;
+        input.buttons[0] = isDown;
+        Frame(session, input);
+    }
+}
+
+/// A key that the window knows, or one for the control that has the keyboard.
+void ScriptedPanels::Strike(SceneSession& session, const ScriptAction& action)
+{
+    const std::optional<Hit> hit = ParseHit(action.name);
+    if (!hit)
+    {
+        Fail(action, "'" + action.name +
+                         "' is no key; give one such as enter, escape, down, tab, p or ctrl+o.");
+        return;
+    }
+    if (!m_panels.WantsKeys(m_choices))
+    {
+        Shortcut(session, *hit);
+        Settle(session);
+        return;
+    }
+    for (const bool isDown : {true, false})
+    {
+        PanelInput input;
+        input.pointer = m_pointer;
+        input.control = hit->control;
+        if (isDown)
+        {
+            input.keys.push_back(hit->key);
+        }
+        Frame(session, input);
+    }
+    Settle(session);
+}
+
+void ScriptedPanels::Shortcut(SceneSession& session, const Hit& hit)
+{
+    if (hit.key == Key::Tab)
+    {
+        m_choices.showsPanels = !m_choices.showsPanels;
+    }
+    else if (hit.control && hit.key == Key::O)
+    {
+        m_choices.showsPicker = true;
+    }
+    else if (hit.key == Key::P)
+    {
+        m_choices.isPaused = !m_choices.isPaused;
+    }
+    else if (hit.key == Key::O)
+    {
+        Answer(session, {.wishes = {PanelWish::Step}, .scene = {}});
+    }
+    else if (hit.key == Key::R)
+    {
+        Answer(session, {.wishes = {PanelWish::Restart}, .scene = {}});
+    }
+}
+
+void ScriptedPanels::BeforeStep(SceneSession& session, const std::vector<ScriptAction>& actions)
+{
+    for (const ScriptAction& action : actions)
+    {
+        switch (action.kind)
+        {
+        case ScriptAction::Kind::Click:
+            Press(session, action);
+            break;
+        case ScriptAction::Kind::Type: {
+            PanelInput input;
+            input.pointer = m_pointer;
+            input.text = action.name;
+            Frame(session, input);
+            Settle(session);
+            break;
+        }
+        default:
+            Strike(session, action);
+            break;
+        }
+    }
+}
+
+Overlay ScriptedPanels::OverPicture(SceneSession& session)
+{
+    PanelInput input;
+    input.pointer = m_pointer;
+    Frame(session, input);
+    return m_isDrawn ? m_panels.Picture() : Overlay();
+}
+
+} // namespace
+
+Result<std::shared_ptr<SessionCompanion>> CreateScriptedPanels(const SceneLook& look,
+                                                               const SceneSession& session)
+{
+    const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
+    Result<Panels> panels = Panels::Create(size.width, size.height, look.scale);
+    if (!panels)
+    {
+        return panels.GetError();
+    }
+    auto companion = std::make_shared<ScriptedPanels>(std::move(*panels), look);
+    companion->Begin(session);
+    return std::shared_ptr<SessionCompanion>(std::move(companion));
+}
+
+} // namespace boxreel

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "SnapshotFolder.h"
+
+#include <base/AtomicFile.h>
+#include <base/Bytes.h>
+#include <base/Terminal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <unistd.h>
+
+namespace boxreel
+{
+namespace
+{
+
+// Of the file, with its heading. To be raised with every change of what a state holds.
+constexpr const char* kFormat = "boxreel snapshot 1";
+
+// Parts of a film begin with a group of frames, 100 unless the user says otherwise.
+constexpr std::int64_t kFirstGap = 100;
+// A gap is doubled when the way has so many of it. More: more files; fewer: more is simulated
+// again.
+constexpr std::int64_t kGapsInWay = 32;
+
+// What says that it is larger is no snapshot: 100,000 bodies in a pile have some 100 MB.
+constexpr std::uintmax_t kMostBytes = 4'000'000'000;
+
+constexpr const char* kExtension = ".snapshot";
+constexpr int kStepDigits = 10;
+
+/// How files that are not whole yet are marked on this machine.
+std::string HostMark()
+{
+    char host[256] = "";
+    ::gethostname(host, sizeof host - 1);
+    return "part-" + SceneSlug(host) + "-";
+}
+
+/// A name that no other process has, wherever it runs.
+std::string OwnMark()
+{
+    return HostMark() + std::to_string(::getpid());
+}
+
+/// What a run left that was killed while it wrote. Whether a file is being written is only known on
+/// the same machine, and only a moment after it was made.
+bool IsLeftover(const std::filesystem::directory_entry& entry)
+{
+    constexpr std::chrono::minutes kMoment{1};
+    const std::string name = entry.path().filename().string();
+    std::error_code error;
+    const auto age = std::filesystem::file_time_type::clock::now() - entry.last_write_time(error);
+    return !error && name.ends_with(kExtension) &&
+           name.find("." + HostMark()) != std::string::npos && age > kMoment &&
+           !IsBeingWritten(entry.path());
+}
+
+void RemoveLeftovers(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    std::vector<std::filesystem::path> leftovers;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+    {
+        if (IsLeftover(*entry))
+        {
+            leftovers.push_back(entry->path());
+        }
+    }
+    for (const std::filesystem::path& leftover : leftovers)
+    {
+        std::filesystem::remove(leftover, error);
+    }
+}
+
+std::string WithDigits(std::int64_t step)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%0*lld", kStepDigits, static_cast<long long>(step));
+    return text;
+}
+
+/// Empty when there is no such file, or it cannot be read.
+std::string ReadWhole(const std::filesystem::path& path)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error) ||
+        std::filesystem::file_size(path, error) > kMostBytes || error)
+    {
+        return "";
+    }
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::span<const std::uint8_t> BytesOf(std::string_view text)
+{
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// The last line of the heading.
+std::string SumLine(std::span<const std::uint8_t> state)
+{
+    return "bytes " + std::to_string(state.size()) + " " + HexText(ChecksumOf(state)) + "\n";
+}
+
+} // namespace
+
+bool IsSnapshotDue(std::int64_t step, std::optional<std::int64_t> every)
+{
+    std::int64_t gap = every.value_or(kFirstGap);
+    while (!every && gap <= step / kGapsInWay)
+    {
+        gap *= 2;
+    }
+    return step > 0 && step % gap == 0;
+}
+
+Result<SnapshotFolder> SnapshotFolder::Open(const std::filesystem::path& folder,
+                                            std::optional<std::int64_t> every)
+{
+    std::error_code error;
+    const std::string culprit = "'" + folder.string() + "' of --snapshots ";
+    std::filesystem::create_directory(folder, error);
+    if (!std::filesystem::is_directory(folder, error))
+    {
+        const std::filesystem::path parent = std::filesystem::absolute(folder, error).parent_path();
+        const bool isMisnamed =
+            std::filesystem::exists(folder, error) || !std::filesystem::is_directory(parent, error);
+        return Error{isMisnamed ? ErrorKind::Unusable : ErrorKind::Failed,
+                     culprit + "is no folder and cannot be made one; choose a new name in a folder "
+                               "that is there."};
+    }
+    const Result<AtomicFile> attempt =
+        AtomicFile::Create(folder / "attempt", {.overwrite = true, .mark = OwnMark()});
+    if (!attempt)
+    {
+        return Error{ErrorKind::Failed, culprit + "takes no files; choose another folder, or see "
+                                                  "to its permissions and its disk."};
+    }
+    RemoveLeftovers(folder);
+    return SnapshotFolder(folder, every);
+}
+
+std::filesystem::path SnapshotFolder::PathOf(std::int64_t step) const
+{
+    return m_folder / (m_name + WithDigits(step) + kExtension);
+}
+
+/// Of the files that are there.
+std::set<std::int64_t> SnapshotFolder::Steps() const
+{
+    std::set<std::int64_t> steps;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(m_folder, error), end; !error && entry != end;
+         entry.increment(error))
+    {
+        const std::string name = entry->path().filename().string();
+        const std::string digits =
+            name.starts_with(m_name) ? name.substr(m_name.size(), kStepDigits) : "";
+        const bool isNumber =
+            !digits.empty() &&
+            std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+        if (isNumber && name == m_name + digits + kExtension)
+        {
+            steps.insert(std::stoll(digits));
+        }
+    }
+    return steps;
+}
+
+/// All that stands in front of the state but the last line: readable, and compared as a whole.
+std::string SnapshotFolder::Heading(std::int64_t step) const
+{
+    std::string heading = kFormat;
+    heading += "\nversion " BOXREEL_VERSION "\n" + m_origin;
+    heading += "step " + std::to_string(step) + "\n";
+    return heading;
+}
+
+/// Empty when the session has gone on from the file.
+std::string SnapshotFolder::WhyNot(SceneSession& session, std::int64_t step) const
+{
+    const std::string file = ReadWhole(PathOf(step));
+    const std::string heading = Heading(step);
+    const std::size_t versionEnds = heading.find(m_origin);
+    if (file.empty())
+    {
+        return "is empty or cannot be read";
+    }
+    if (!file.starts_with(heading.substr(0, versionEnds)))
+    {
+        return "is no snapshot, or of another version of this program";
+    }
+    if (!file.starts_with(heading))
+    {
+        return "is of another film";
+    }
+    const std::size_t sumEnds = std::min(file.find('\n', heading.size()), file.size() - 1) + 1;
+    const auto state = BytesOf(file).subspan(sumEnds);
+    if (file.substr(heading.size(), sumEnds - heading.size()) != SumLine(state) ||
+        !session.RestoreState(state))
+    {
+        return "is damaged";
+    }
+    return "";
+}
+
+void SnapshotFolder::Begin(SceneSession& session, std::int64_t latest)
+{
+    m_origin = session.DescribeOrigin();
+    m_name = SceneSlug(session.Title()).substr(0, 40) + "-" + HexText(ChecksumOf(m_origin)) + "-";
+    const std::set<std::int64_t> steps = Steps();
+    for (auto step = steps.upper_bound(latest); step != steps.begin();)
+    {
+        --step;
+        const std::string why = WhyNot(session, *step);
+        if (why.empty())
+        {
+            return;
+        }
+        if (m_broken.empty())
+        {
+            WriteMessage("boxreel: " + PathOf(*step).string() + " " + why +
+                         ", so it is not used and will be written anew.");
+        }
+        m_broken.insert(*step);
+    }
+}
+
+Result<void> SnapshotFolder::Write(SceneSession& session) const
+{
+    Result<AtomicFile> file =
+        AtomicFile::Create(PathOf(session.Step()), {.overwrite = true, .mark = OwnMark()});
+    if (!file)
+    {
+        return file.GetError();
+    }
+    const std::vector<std::uint8_t> state = session.SaveState();
+    const std::string heading = Heading(session.Step()) + SumLine(state);
+    for (const std::span<const std::uint8_t> bytes : {BytesOf(heading), std::span(state)})
+    {
+        if (Result<void> written = file->Write(bytes); !written)
+        {
+            return written;
+        }
+    }
+    return file->Commit();
+}
+
+void SnapshotFolder::Offer(SceneSession& session)
+{
+    const std::int64_t step = session.Step();
+    const bool isBroken = m_broken.count(step) > 0;
+    std::error_code ignored;
+    if (m_isFull || !(isBroken || (IsSnapshotDue(step, m_every) &&
+                                   !std::filesystem::exists(PathOf(step), ignored))))
+    {
+        return;
+    }
+    if (const Result<void> written = Write(session); !written)
+    {
+        WriteMessage("boxreel: " + written.GetError().message +
+                     " No more snapshots are written by this run.");
+        m_isFull = true;
+    }
+}
+
+} // namespace boxreel

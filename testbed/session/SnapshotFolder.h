@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "SceneSession.h"
+
+#include <base/Result.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+/// A folder in which runs of a film leave the state of its simulation now and then, so that others
+/// need not simulate what was before their first frame. Any number of runs, of the same film or of
+/// others, may use it at the same time. Nothing in it is needed: what is missing or unusable is
+/// simulated. Used by record.
+namespace boxreel
+{
+
+/// Whether the state after this many steps is saved: `every` so many steps, or, without, every 100
+/// and from step 3,200 on with gaps of at most a sixteenth of what was before, so that the number
+/// of files grows with the logarithm of the film's length.
+bool IsSnapshotDue(std::int64_t step, std::optional<std::int64_t> every);
+
+class SnapshotFolder
+{
+public:
+    /// Makes the folder unless it is there, and removes what runs on this machine that were killed
+    /// have left half written. Failed, with a sentence, when it takes no files.
+    static Result<SnapshotFolder> Open(const std::filesystem::path& folder,
+                                       std::optional<std::int64_t> every);
+
+    /// For a session before its first step: takes it on to the newest state at or before `latest`
+    /// that is there. Files that should be states and are not are said once, on standard error.
+    void Begin(SceneSession& session, std::int64_t latest);
+
+    /// After each step: saves the state when it is due and not there. A folder that takes no more
+    /// is said once, and no reason to end the film.
+    void Offer(SceneSession& session);
+
+private:
+    SnapshotFolder(std::filesystem::path folder, std::optional<std::int64_t> every)
+        : m_folder(std::move(folder)), m_every(every)
+    {}
+    std::filesystem::path PathOf(std::int64_t step) const;
+    std::set<std::int64_t> Steps() const;
+    std::string Heading(std::int64_t step) const;
+    std::string WhyNot(SceneSession& session, std::int64_t step) const;
+    Result<void> Write(SceneSession& session) const;
+
+    std::filesystem::path m_folder;
+    std::optional<std::int64_t> m_every;
+    std::string m_origin;            // what the states are of
+    std::string m_name;              // of its files, but for the step
+    std::set<std::int64_t> m_broken; // steps whose files are to be written anew
+    bool m_isFull = false;           // takes no more
+};
+
+} // namespace boxreel

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "TemporaryFolder.h"
+
+#include <base/AtomicFile.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+using namespace boxreel;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+namespace
+{
+
+void ExpectRefused(const Result<void>& result, ErrorKind kind, const std::string& culprit)
+{
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.GetError().kind, kind);
+    EXPECT_THAT(result.GetError().message, HasSubstr(culprit));
+    EXPECT_EQ(result.GetError().message.find('\n'), std::string::npos);
+}
+
+// A disk with room for so many bytes a file, while it lives.
+class SmallDisk
+{
+public:
+    explicit SmallDisk(rlim_t bytes)
+    {
+        m_handler = std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &m_old);
+        rlimit limit = m_old;
+        limit.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~SmallDisk()
+    {
+        setrlimit(RLIMIT_FSIZE, &m_old);
+        std::signal(SIGXFSZ, m_handler);
+    }
+
+private:
+    rlimit m_old{};
+    void (*m_handler)(int) = nullptr;
+};
+
+} // namespace
+
+TEST(PartPath, KeepsFolderAndExtension)
+{
+    EXPECT_EQ(PartPath("dir/film.mp4"), "dir/film.part.mp4");
+    EXPECT_EQ(PartPath("film.v2.webm"), "film.v2.part.webm");
+    EXPECT_EQ(PartPath("film"), "film.part");
+}
+
+TEST(AtomicFile, HasItsNameOnlyOnceItIsComplete)
+{
+    const TemporaryFolder folder;
+    Result<AtomicFile> file = AtomicFile::Create(folder / "film.mp4", false);
+    ASSERT_TRUE(file) << file.GetError().message;
+    const std::uint8_t bytes[] = {'a', 'b', 'c'};
+    EXPECT_TRUE(file->Write(bytes));
+    EXPECT_THAT(folder.Names(), ElementsAre("film.part.mp4"));
+    EXPECT_EQ(ReadBytes(file->PartPath()), "abc");
+    EXPECT_TRUE(file->Write(bytes));
+    EXPECT_TRUE(file->Commit());
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "abcabc");
+}
+
+TEST(AtomicFile, TakesWhatALibraryWroteByName)
+{
+    const TemporaryFolder folder;
+    Result<AtomicFile> file = AtomicFile::Create(folder / "film.mp4", false);
+    ASSERT_TRUE(file);
+    WriteBytes(file->PartPath(), "by name");
+    EXPECT_TRUE(file->Commit());
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "by name");
+}
+
+TEST(AtomicFile, LeavesNothingBehindWhenGivenUp)
+{
+    const TemporaryFolder folder;
+    {
+        Result<AtomicFile> file = AtomicFile::Create(folder / "film.mp4", false);
+        ASSERT_TRUE(file);
+        AtomicFile moved = std::move(*file);
+        EXPECT_THAT(folder.Names(), ElementsAre("film.part.mp4"));
+    }
+    EXPECT_THAT(folder.Names(), IsEmpty());
+}
+
+TEST(AtomicFile, RemovesItsFormerPartWhenAssignedAnother)
+{
+    const TemporaryFolder folder;
+    Result<AtomicFile> a = AtomicFile::Create(folder / "a", false);
+    Result<AtomicFile> b = AtomicFile::Create(folder / "b", false);
+    ASSERT_TRUE(a && b);
+    *a = std::move(*b);
+    EXPECT_THAT(folder.Names(), ElementsAre("b.part"));
+    EXPECT_TRUE(a->Commit());
+    EXPECT_THAT(folder.Names(), ElementsAre("b"));
+}
+
+TEST(AtomicFile, StartsAfreshOnAPartThatAKilledProgramLeft)
+{
+    const TemporaryFolder folder;
+    WriteBytes(folder / "film.part.mp4", "the longer rest of a killed run");
+    EXPECT_TRUE(WriteWhole(folder / "film.mp4", "short", false));
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "short");
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
+}
+
+TEST(AtomicFile, KeepsAnExistingFileUnlessToldToOverwrite)
+{
+    const TemporaryFolder folder;
+    WriteBytes(folder / "film.mp4", "precious");
+    ExpectRefused(WriteWhole(folder / "film.mp4", "new", false), ErrorKind::Unusable, "film.mp4");
+    EXPECT_FALSE(AtomicFile::Create(folder / "film.mp4", false))
+        << "said before the work, not after";
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "precious");
+    EXPECT_TRUE(WriteWhole(folder / "film.mp4", "new", true));
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "new");
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
+}
+
+TEST(AtomicFile, KeepsAFileThatAppearedWhileItWrote)
+{
+    const TemporaryFolder folder;
+    {
+        Result<AtomicFile> file = AtomicFile::Create(folder / "film.mp4", false);
+        ASSERT_TRUE(file);
+        WriteBytes(folder / "film.mp4", "precious");
+        ExpectRefused(file->Commit(), ErrorKind::Unusable, "film.mp4");
+    }
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "precious");
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
+}
+
+TEST(AtomicFile, KnowsWhatAnotherOneIsWriting)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "film.mp4";
+    EXPECT_FALSE(IsBeingWritten(PartPath(path)));
+    {
+        Result<AtomicFile> file = AtomicFile::Create(path, false);
+        ASSERT_TRUE(file);
+        EXPECT_TRUE(IsBeingWritten(PartPath(path)));
+        ASSERT_TRUE(file->Leave());
+    }
+    EXPECT_FALSE(IsBeingWritten(PartPath(path)));
+}
+
+TEST(AtomicFile, RefusesASecondWriterOfTheSameName)
+{
+    const TemporaryFolder folder;
+    Result<AtomicFile> first = AtomicFile::Create(folder / "film.mp4", true);
+    ASSERT_TRUE(first);
+    ExpectRefused(WriteWhole(folder / "film.mp4", "second", true), ErrorKind::Failed, "film.mp4");
+    const std::uint8_t bytes[] = {'1'};
+    EXPECT_TRUE(first->Write(bytes));
+    EXPECT_TRUE(first->Commit());
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "1");
+    EXPECT_TRUE(WriteWhole(folder / "film.mp4", "third", true));
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "third");
+}
+
+TEST(AtomicFile, ReplacesWhatALinkLeadsToAndKeepsTheLink)
+{
+    const TemporaryFolder folder;
+    WriteBytes(folder / "real.txt", "old");
+    std::filesystem::create_symlink("real.txt", folder / "link.txt");
+    EXPECT_TRUE(WriteWhole(folder / "link.txt", "new", true));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+    EXPECT_EQ(ReadBytes(folder / "real.txt"), "new");
+    EXPECT_THAT(folder.Names(), UnorderedElementsAre("real.txt", "link.txt"));
+}
+
+TEST(AtomicFile, SaysWhatIsWrongWithAPlaceThatCannotBeWritten)
+{
+    const TemporaryFolder folder;
+    WriteBytes(folder / "file", "x");
+    std::filesystem::create_directory(folder / "sub");
+    ExpectRefused(WriteWhole(folder / "none/a.png", "x", false), ErrorKind::Unusable,
+                  "none does not exist");
+    // The one folder that every Linux has and that takes no files from anybody.
+    ExpectRefused(WriteWhole("/proc/boxreel.png", "x", false), ErrorKind::Unusable,
+                  "/proc takes no files");
+    ExpectRefused(WriteWhole(folder / "file/a.png", "x", false), ErrorKind::Unusable,
+                  "file is not a folder");
+    ExpectRefused(WriteWhole(folder / "sub", "x", true), ErrorKind::Unusable, "it is a folder");
+    ExpectRefused(WriteWhole(folder / "sub/", "x", true), ErrorKind::Unusable, "names no file");
+    ExpectRefused(WriteWhole("", "x", true), ErrorKind::Unusable, "names no file");
+    ExpectRefused(WriteWhole("/dev/null", "x", true), ErrorKind::Unusable, "/dev/null");
+    ExpectRefused(WriteWhole(folder / std::string(300, 'n'), "x", true), ErrorKind::Unusable,
+                  "too long");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+    EXPECT_THAT(folder.Names(), UnorderedElementsAre("file", "sub"));
+}
+
+TEST(AtomicFile, NamesWhatIsInTheWayOfItsPart)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "folder.part.txt");
+    WriteBytes(folder / "mine", "mine");
+    std::filesystem::create_symlink(folder / "mine", folder / "link.part.txt");
+    ASSERT_EQ(mkfifo((folder / "pipe.part.txt").c_str(), 0600), 0);
+    for (const char* name : {"folder", "link", "pipe"})
+    {
+        ExpectRefused(WriteWhole(folder / (std::string(name) + ".txt"), "x", true),
+                      ErrorKind::Unusable,
+                      std::string(name) + ".part.txt, as it is called until it is whole, is a "
+                                          "folder, a link or a device; move that away");
+    }
+    EXPECT_EQ(ReadBytes(folder / "mine"), "mine");
+}
+
+TEST(AtomicFile, LeavesTheOldFileAndNoPartWhenTheDiskIsFull)
+{
+    const TemporaryFolder folder;
+    WriteBytes(folder / "film.mp4", "precious");
+    {
+        const SmallDisk disk(1000);
+        ExpectRefused(WriteWhole(folder / "film.mp4", std::string(5000, 'x'), true),
+                      ErrorKind::Failed, "full");
+    }
+    EXPECT_EQ(ReadBytes(folder / "film.mp4"), "precious");
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <base/Nearest.h>
+
+#include <gtest/gtest.h>
+
+namespace boxreel
+{
+namespace
+{
+
+TEST(Nearest, DistanceCountsSingleMistakes)
+{
+    EXPECT_EQ(EditDistance("pyramid", "pyramid"), 0);
+    EXPECT_EQ(EditDistance("pyramd", "pyramid"), 1) << "left out";
+    EXPECT_EQ(EditDistance("pyraamid", "pyramid"), 1) << "typed twice";
+    EXPECT_EQ(EditDistance("pyremid", "pyramid"), 1) << "another letter";
+    EXPECT_EQ(EditDistance("pyarmid", "pyramid"), 1) << "swapped";
+    EXPECT_EQ(EditDistance("", "abc"), 3);
+    EXPECT_EQ(EditDistance("abc", ""), 3);
+    EXPECT_EQ(EditDistance("kitten", "sitting"), 3);
+}
+
+TEST(Nearest, AMistypedWordFindsWhatWasMeant)
+{
+    const std::vector<std::string> words{"bridge", "pyramid", "--seconds", "--seed"};
+    EXPECT_EQ(NearestWord("piramid", words), 1);
+    EXPECT_EQ(NearestWord("--secnds", words), 2);
+    EXPECT_EQ(NearestWord("pyr", words), 1) << "a beginning is enough";
+}
+
+TEST(Nearest, CapitalsAreNoMistakes)
+{
+    EXPECT_EQ(NearestWord("PIRAMID", {"bridge", "pyramid"}), 1);
+    EXPECT_EQ(NearestWord("pyr", {"bridge", "Pyramid"}), 1);
+}
+
+TEST(Nearest, AnythingElseFindsNothing)
+{
+    const std::vector<std::string> words{"bridge", "pyramid"};
+    EXPECT_EQ(NearestWord("z", {"x", "y"}), -1) << "none of its letters";
+    EXPECT_EQ(NearestWord("xylophone", words), -1);
+    EXPECT_EQ(NearestWord("", words), -1);
+    EXPECT_EQ(NearestWord("pyramid", {}), -1);
+}
+
+TEST(Nearest, RefusalsSuggestBeforeTheyListWhatThereIs)
+{
+    const std::vector<std::string> words{"low", "high"};
+    EXPECT_EQ(NotOneOf("--quality", "hihg", words).message,
+              "--quality 'hihg': did you mean 'high'? Give one of low, high.");
+    EXPECT_EQ(NotOneOf("--quality", "best", words).message,
+              "--quality 'best': give one of low, high.");
+    EXPECT_EQ(NotOneOf("--quality", "", words).message, "--quality '': give one of low, high.");
+    EXPECT_EQ(NotOneOf("--quality", "best", words).kind, ErrorKind::Unusable);
+    EXPECT_EQ(Suggesting("hgh", words, "write it."), "did you mean 'high'? Write it.");
+    EXPECT_EQ(DidYouMean("best", words), "");
+}
+
+} // namespace
+} // namespace boxreel

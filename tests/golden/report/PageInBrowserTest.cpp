@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// The page as a reader has it: in Chromium, without a window. page-harness.js uses it there.
+#include "../../golden/TestPictures.h"
+#include "../../testbed/cli/Subprocess.h"
+
+#include <golden/ReferenceStore.h>
+#include <golden/ReportPage.h>
+#include <golden/Verdicts.h>
+#include <render/Png.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Empty when there is none.
+std::string Chromium()
+{
+    const TemporaryFolder folder;
+    for (const char* const name : {"chromium", "chromium-browser", "google-chrome"})
+    {
+        if (RunTool({name, "--version"}, folder.Path()).code == 0)
+        {
+            return name;
+        }
+    }
+    return "";
+}
+
+class PageInBrowser : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (browser.empty())
+        {
+            GTEST_SKIP() << "Chromium is not installed; install it with: apt install chromium";
+        }
+    }
+
+    /// What the page has become at its end, with a script behind it.
+    Outcome Load(const std::string& page, const std::string& script) const
+    {
+        const std::string end = "</body>";
+        const std::size_t at = page.rfind(end);
+        EXPECT_NE(at, std::string::npos);
+        std::ofstream(folder / "page.html") << page.substr(0, at) << "<script>\n"
+                                            << script << "</script>\n"
+                                            << page.substr(at);
+        return RunTool(
+            {browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+             "--no-first-run", "--enable-logging=stderr", "--window-size=1300,900",
+             "--user-data-dir=" + (folder / "profile").string(), "--virtual-time-budget=20000",
+             "--dump-dom", "file://" + (folder / "page.html").string()},
+            folder.Path());
+    }
+
+    static std::string Results(const Outcome& outcome)
+    {
+        const std::size_t begin = outcome.output.find("\nBEGIN\n");
+        const std::size_t end = outcome.output.find("\nEND\n");
+        return begin == std::string::npos || end == std::string::npos
+                   ? "no results; " + outcome.errors
+                   : outcome.output.substr(begin + 7, end - begin - 7) + "\n";
+    }
+
+    std::string PageOf(const std::map<std::string, FilmStrip>& strips = {}) const
+    {
+        const Result<std::vector<ReportedMoment>> moments = CollectVerdicts({output});
+        EXPECT_TRUE(moments);
+        Result<std::string> page = ReportPage(*moments, strips);
+        EXPECT_TRUE(page);
+        return *page;
+    }
+
+    GoldenCandidate World(const std::string& name) const
+    {
+        GoldenCandidate candidate = test::Candidate(name);
+        candidate.camera = Camera{320, 180, 0.0, 6.43, 14.0};
+        candidate.state.bodies = {{.number = 0}, {.number = 1, .x = -4.0f, .y = 1.5f}};
+        for (std::int64_t step = 1; step <= 60; ++step)
+        {
+            candidate.trace.steps.push_back({step, "01234567", "ab"});
+        }
+        return candidate;
+    }
+
+    void Approve(const GoldenCandidate& candidate) const { ASSERT_TRUE(store.Accept(candidate)); }
+
+    const std::string browser = Chromium();
+    TemporaryFolder folder;
+    fs::path output = folder / "output";
+    ReferenceStore store{folder / "references", output};
+};
+
+FilmStrip SmallStrip()
+{
+    const Result<std::vector<std::uint8_t>> png = EncodePng(test::Filled(24, 14, test::kDark));
+    const std::string bytes(png->begin(), png->end());
+    FilmStrip strip;
+    strip.width = 24;
+    strip.height = 14;
+    strip.pictures = {{6, bytes, bytes, bytes, bytes, {2, 2, 5, 5}},
+                      {7, bytes, bytes, bytes, bytes, {2, 2, 5, 5}}};
+    return strip;
+}
+
+TEST_F(PageInBrowser, FiltersSlidesBlinksAndOverlaysWithoutAConsoleError)
+{
+    // One that passes, one without a reference, one whose body 1 is 3 cm to the right, one with
+    // another colour and a point more.
+    Approve(World("same/1s"));
+    Approve(World("moved/1s"));
+    Approve(World("painted/1s"));
+    GoldenCandidate moved = World("moved/1s");
+    for (int i = 0; i < 4; ++i)
+    {
+        moved.list.points[std::size_t(4 + i)].x += 0.03f;
+    }
+    moved.state.bodies[1].x += 0.03f;
+    moved.stateHash = "fedcba9876543210";
+    for (TraceStep& step : moved.trace.steps)
+    {
+        step = step.step >= 7 ? TraceStep{step.step, "76543210", "ac"} : step;
+    }
+    GoldenCandidate painted = World("painted/1s");
+    test::FillRect(painted.frame, 20, 20, 60, 50, test::kLight);
+    painted.list.items[1].color = test::kLight;
+    painted.list.AddPoint({1.0f, 1.0f}, 3.0f, test::kLight);
+    for (const GoldenCandidate& candidate : {World("same/1s"), World("gone/1s"), moved, painted})
+    {
+        ASSERT_TRUE(store.Verify(candidate));
+    }
+    const Outcome outcome =
+        Load(PageOf({{"moved/1s", SmallStrip()}}), ReadFile(BOXREEL_PAGE_HARNESS));
+    const std::string results = Results(outcome);
+    EXPECT_THAT(results, Not(HasSubstr("WRONG")));
+    EXPECT_EQ(std::count(results.begin(), results.end(), '\n'), 39) << results;
+    EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
+}
+
+TEST_F(PageInBrowser, ShowsHostileTextsAsTexts)
+{
+    const std::string hostile = R"(</script><b class=planted onclick=planted()>\"' x)";
+    fs::create_directories(output);
+    std::ofstream(output / "a.verdict.json")
+        << R"({"verdict": 1, "status": "drawlist", "name": )" << JsonText(hostile)
+        << R"(, "renderer": )" << JsonText(hostile) << R"(, "message": )" << JsonText(hostile)
+        << "}";
+    std::ofstream(output / "a.expected.txt")
+        << "world labels text #80cccc (1, 2) \"" << hostile << "\"\n";
+    std::ofstream(output / "a.actual.txt")
+        << "world labels text #80cccc (1, 3) \"" << hostile << "!\"\n";
+    const Outcome outcome = Load(PageOf(), R"(
+(async () => {
+  await new Promise(done => setTimeout(done, 300));
+  for (const button of document.querySelectorAll(".tabs button")) button.click();
+  const views = [...document.querySelectorAll(".tabs button")].map(button => button.textContent).join();
+  const planted = document.querySelectorAll(".planted").length;
+  const name = document.querySelector("h2 a").textContent;
+  const results = document.createElement("pre");
+  results.textContent = `\nBEGIN\n${views} ${planted} ${name.startsWith("\u003c/script>")}\nEND\n`;
+  document.body.append(results);
+})();
+)");
+    EXPECT_EQ(Results(outcome), "Overlay,Draw list 0 true\n");
+    EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
+}
+
+TEST_F(PageInBrowser, IsCalmWhenAllIsAsApproved)
+{
+    Approve(World("same/1s"));
+    ASSERT_TRUE(store.Verify(World("same/1s")));
+    const Outcome outcome = Load(PageOf(), R"(
+const seen = document.querySelector("#passed li").getClientRects().length;
+const results = document.createElement("pre");
+results.textContent = `\nBEGIN\n${document.querySelector("#outcome").textContent} ${seen}\nEND\n`;
+document.body.append(results);
+)");
+    EXPECT_EQ(Results(outcome), "1 moment: all as approved 1\n");
+    EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
+}
+
+} // namespace
+} // namespace boxreel

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// What the page holds; what it does in a browser: PageInBrowserTest.cpp.
+#include "../../testbed/cli/Subprocess.h"
+
+#include <golden/ReportPage.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Page : public testing::Test
+{
+protected:
+    ReportedMoment Moment(const std::string& name, const std::string& status,
+                          const std::string& message = "it differs") const
+    {
+        ReportedMoment moment;
+        moment.shown.name = name;
+        moment.shown.status = status;
+        moment.shown.message = message;
+        moment.shown.json = "{\"name\":" + JsonText(name) + "}";
+        moment.shown.base = folder / "base";
+        moment.shown.renderer = "some GL";
+        return moment;
+    }
+    static std::string Of(const std::vector<ReportedMoment>& moments,
+                          const std::map<std::string, FilmStrip>& strips = {})
+    {
+        const Result<std::string> page = ReportPage(moments, strips);
+        EXPECT_TRUE(page) << page.GetError().message;
+        return page ? *page : "";
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Page, SaysThatAllIsAsApproved)
+{
+    const std::string page = Of({Moment("a", "same"), Moment("b", "same")});
+    EXPECT_THAT(page,
+                AllOf(HasSubstr("<title>2 moments: all as approved</title>"),
+                      HasSubstr("<body class=\"good\">"), HasSubstr(">2 as approved</button>"),
+                      HasSubstr("<dd>some GL</dd>"), Not(HasSubstr("<article"))));
+}
+
+TEST_F(Page, CountsEachVerdictAndShowsWhatDiffers)
+{
+    ReportedMoment missing = Moment("d", "missing");
+    missing.shown.accept = "boxreel golden accept d --references '<r>'";
+    const std::string page = Of({Moment("a", "same"), Moment("b", "state"), Moment("c", "state"),
+                                 missing, Moment("e", "accepted")});
+    EXPECT_THAT(
+        page,
+        AllOf(HasSubstr("<title>5 moments: 3 not as approved, 1 accepted just now</title>"),
+              HasSubstr(">2 state</button>"), HasSubstr(">1 missing</button>"),
+              HasSubstr("<code>boxreel golden accept d --references &#39;&lt;r&gt;&#39;</code>")));
+    EXPECT_THAT(page,
+                AllOf(HasSubstr("id=\"b\""), HasSubstr("id=\"e\""), Not(HasSubstr("id=\"a\""))));
+}
+
+TEST_F(Page, HoldsThePicturesAndNeedsNothingElse)
+{
+    std::ofstream(folder / "base.actual.png") << "Man";
+    std::ofstream(folder / "base.expected.txt") << "</script><b>";
+    FilmStrip strip;
+    strip.pictures = {{.step = 7,
+                       .actual = "ab",
+                       .closeUp = "",
+                       .expected = "",
+                       .expectedCloseUp = "",
+                       .mark = {1, 2, 3, 4}}};
+    const std::string page = Of({Moment("a", "state")}, {{"a", strip}});
+    EXPECT_THAT(page,
+                AllOf(HasSubstr("\"actualPicture\":\"data:image/png;base64,TWFu\""),
+                      HasSubstr("\"expectedList\":\"\\u003c/script>\\u003cb>\""),
+                      HasSubstr("\"step\":7,\"actual\":\"data:image/png;base64,YWI=\""),
+                      HasSubstr("\"mark\":[1,2,3,4]"), Not(HasSubstr("\"expectedPicture\""))));
+    const std::regex outside("(src|href)=\"(?!data:|#)|url\\(|@import|fetch\\(|XMLHttp");
+    EXPECT_FALSE(std::regex_search(page, outside));
+    EXPECT_THAT(page, Not(HasSubstr("{{")));
+}
+
+TEST_F(Page, ShowsHostileNamesAndMessagesAsText)
+{
+    const std::string hostile = "<b class=\"x\">'&{{script}}";
+    const std::string page =
+        Of({Moment(hostile, "pixels", hostile), Moment("ok" + hostile, "same")});
+    EXPECT_THAT(page, Not(HasSubstr("<b class=\"x\">")));
+    EXPECT_THAT(page, AllOf(HasSubstr("<li>&lt;b class=&quot;x&quot;&gt;&#39;&amp;{{script}}</li>"),
+                            HasSubstr("data-name=\"ok&lt;b")));
+    EXPECT_EQ(HtmlText("<a b=\"c\" d='e'>&"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt;&amp;");
+}
+
+TEST_F(Page, TellsWhatTheOtherShardsSay)
+{
+    ReportedMoment moment = Moment("a", "state");
+    moment.shown.folder = "shard-0";
+    moment.others = {Moment("a", "same", "all the <same>").shown};
+    moment.others[0].folder = "shard-1";
+    EXPECT_THAT(Of({moment}),
+                HasSubstr("This is of shard-0; shard-1 says <b>as approved</b>: all the "
+                          "&lt;same&gt;"));
+}
+
+TEST_F(Page, PartsAMessageIntoItsClauses)
+{
+    EXPECT_THAT(
+        Of({Moment("a/b", "state", "a/b: worlds differ (x; y); line 1 is \"(; \"; pixels same.")}),
+        HasSubstr("<li>worlds differ (x; y)</li>\n<li>line 1 is &quot;(; &quot;</li>\n<li>pixels "
+                  "same.</li>"));
+}
+
+TEST_F(Page, RefusesAPictureThatCannotBeRead)
+{
+    std::filesystem::create_directories(folder / "base.actual.png");
+    const Result<std::string> page = ReportPage({Moment("a", "state")}, {});
+    ASSERT_FALSE(page);
+    EXPECT_THAT(page.GetError().message, HasSubstr("base.actual.png"));
+}
+
+TEST(Base64, IsThatOfRfc4648)
+{
+    const char* const vectors[][2] = {{"", ""},
+                                      {"f", "Zg=="},
+                                      {"fo", "Zm8="},
+                                      {"foo", "Zm9v"},
+                                      {"foob", "Zm9vYg=="},
+                                      {"fooba", "Zm9vYmE="},
+                                      {"foobar", "Zm9vYmFy"}};
+    for (const auto& [bytes, text] : vectors)
+    {
+        EXPECT_EQ(Base64(bytes), text);
+    }
+    EXPECT_EQ(Base64("\xff\xef\xbe"), "/+++");
+}
+
+} // namespace
+} // namespace boxreel

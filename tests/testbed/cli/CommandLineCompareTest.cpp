@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include <cli/CommandLine.h>
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+Result<Request> Parse(const std::string& line)
+{
+    std::istringstream words(line);
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word;)
+    {
+        arguments.push_back(word);
+    }
+    return ParseCommandLine(arguments);
+}
+
+CompareSettings DiffSettings(const std::string& options)
+{
+    const Result<Request> request = Parse("diff a.png b.png " + options);
+    if (!request)
+    {
+        ADD_FAILURE() << options << ": " << request.GetError().message;
+        return {};
+    }
+    return Effective(std::get<DiffOptions>(*request).compare);
+}
+
+TEST(CommandLineCompare, TakesSameMachineUnlessToldOtherwise)
+{
+    const CompareSettings settings = DiffSettings("");
+    EXPECT_EQ(settings.preset, "same-machine");
+    EXPECT_EQ(settings.tolerance, CompareSettings::SameMachine().tolerance);
+    EXPECT_EQ(DiffSettings("--preset cross-machine").edgeShift,
+              CompareSettings::CrossMachine().edgeShift);
+}
+
+TEST(CommandLineCompare, AdaptsToARendererUnlessLimitsAreGiven)
+{
+    EXPECT_TRUE(DiffSettings("").adaptsToRenderer);
+    EXPECT_TRUE(DiffSettings("--ignore 1,2,3x4").adaptsToRenderer);
+    EXPECT_EQ(ForOtherRenderer(DiffSettings("--ignore 1,2,3x4"))->preset,
+              "cross-machine, with --ignore,");
+    for (const char* options : {"--preset same-machine", "--preset cross-machine", "--preset exact",
+                                "--tolerance 0.00025", "--window 16"})
+    {
+        EXPECT_FALSE(ForOtherRenderer(DiffSettings(options))) << options;
+    }
+}
+
+TEST(CommandLineCompare, ReplacesEveryLimitAndSaysSo)
+{
+    const CompareSettings settings =
+        DiffSettings("--tolerance 0.5 --edge-shift 0.25 --max-pixels 7 --max-ratio 0.2% "
+                     "--max-in-window 3 --window 9 --ignore 1,2,3x4 --ignore 10,20,30x40");
+    EXPECT_EQ(settings.tolerance, 0.5);
+    EXPECT_EQ(settings.edgeShift, 0.25);
+    EXPECT_EQ(settings.maxPixels, 7);
+    EXPECT_DOUBLE_EQ(settings.maxRatio, 0.002);
+    EXPECT_EQ(settings.maxInWindow, 3);
+    EXPECT_EQ(settings.densityWindow, 9);
+    EXPECT_EQ(settings.ignored, (std::vector<PixelBounds>{{1, 2, 4, 6}, {10, 20, 40, 60}}));
+    EXPECT_EQ(settings.preset, "same-machine, with --tolerance, --edge-shift, --max-pixels, "
+                               "--max-ratio, --max-in-window, --window, --ignore,");
+    EXPECT_EQ(DiffSettings("--max-ratio 0.25").maxRatio, 0.25);
+}
+
+TEST(CommandLineCompare, ReplacesALimitOnEitherSideOfThePreset)
+{
+    for (const char* options :
+         {"--max-in-window 3 --preset exact", "--preset exact --max-in-window 3"})
+    {
+        const CompareSettings settings = DiffSettings(options);
+        EXPECT_EQ(settings.maxInWindow, 3);
+        EXPECT_EQ(settings.maxPixels, 0);
+        EXPECT_EQ(settings.preset, "exact, with --max-in-window,");
+    }
+}
+
+TEST(CommandLineCompare, IsTheSameOfGoldenVerifyAndNoneOfAccept)
+{
+    const Result<Request> request =
+        Parse("golden verify pyramid --preset cross-machine --max-pixels 5 --ignore 0,0,5x6");
+    ASSERT_TRUE(request) << request.GetError().message;
+    const CompareSettings settings = Effective(std::get<GoldenOptions>(*request).compare);
+    EXPECT_EQ(settings.preset, "cross-machine, with --max-pixels, --ignore,");
+    EXPECT_EQ(settings.maxPixels, 5);
+    EXPECT_FALSE(Parse("golden accept pyramid --preset exact"));
+}
+
+TEST(CommandLineCompare, RefusesWhatIsNoLimit)
+{
+    const auto refusal = [](const std::string& options) {
+        const Result<Request> request = Parse("diff a.png b.png " + options);
+        return request ? "accepted: " + options : request.GetError().message;
+    };
+    for (const char* text : {"1,2,3", "1,2,0x4", "1,2,3x0", "-1,2,3x4", "1,2,3x4x5", "1,2,3x4,5",
+                             "a,2,3x4", "1,2,65536x4", "x"})
+    {
+        EXPECT_THAT(refusal("--ignore " + std::string(text)),
+                    HasSubstr("--ignore '" + std::string(text) +
+                              "': give X,Y,WxH in pixels from the top left corner"));
+    }
+    for (const char* text : {"200%", "1.5", "-1%", "%", "some"})
+    {
+        EXPECT_THAT(refusal("--max-ratio " + std::string(text)), HasSubstr("from 0 to 100%"));
+    }
+    EXPECT_THAT(refusal("--tolerance 2"), HasSubstr("from 0 to 1"));
+    EXPECT_THAT(refusal("--tolerance nan"), HasSubstr("--tolerance 'nan'"));
+    EXPECT_THAT(refusal("--edge-shift 0.5"), HasSubstr("from 0 to 0.45"));
+    EXPECT_THAT(refusal("--max-pixels -1"), HasSubstr("--max-pixels"));
+    EXPECT_THAT(refusal("--window 0"), HasSubstr("from 1 to"));
+    EXPECT_THAT(refusal("--preset cros-machine"), HasSubstr("did you mean 'cross-machine'?"));
+}
+
+} // namespace
+} // namespace boxreel

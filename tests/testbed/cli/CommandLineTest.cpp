@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: MIT
+#include <cli/CommandLine.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+/// The request of a command line written as a person would, words apart by spaces.
+Result<Request> Parse(const std::string& line)
+{
+    std::istringstream words(line);
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word;)
+    {
+        arguments.push_back(word);
+    }
+    return ParseCommandLine(arguments);
+}
+
+template <class Options>
+Options Parsed(const std::string& line)
+{
+    Result<Request> request = Parse(line);
+    if (!request)
+    {
+        ADD_FAILURE() << line << ": " << request.GetError().message;
+        return {};
+    }
+    return std::get<Options>(*request);
+}
+
+std::string Refusal(const std::string& line)
+{
+    const Result<Request> request = Parse(line);
+    if (request)
+    {
+        return "accepted: " + line;
+    }
+    EXPECT_EQ(request.GetError().kind, ErrorKind::Unusable) << line;
+    return request.GetError().message;
+}
+
+TEST(CommandLine, RefusalsOfNumbersSayTheirLimits)
+{
+    EXPECT_EQ(Refusal("shot pyramid --at 3s -o a.png --velocity-scale 1e300"),
+              "--velocity-scale '1e300': give seconds from 1e-6 to 1e6, such as 0.2.");
+    EXPECT_EQ(Refusal("shot pyramid --at 3s -o a.png --velocity-scale 1e-9"),
+              "--velocity-scale '1e-9': give seconds from 1e-6 to 1e6, such as 0.2.");
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --force-scale 1e300"),
+                testing::HasSubstr("from 1e-12 to 1e12"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera 0,0,1e-5"),
+                testing::HasSubstr("the height 1e-5 is not from 0.001 to 1000000 m"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera 1234567.5,0,0.1"),
+                testing::HasSubstr("the middle's x 1234567.5 is not from -1000000 to 1000000 m"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera 0,-2e6,0.1"),
+                testing::HasSubstr("the middle's y -2e6 is not from -1000000 to 1000000 m"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera follow:3:1e-5"),
+                testing::HasSubstr("the height 1e-5 is not from"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.png --camera path:0s=0,0,5;3s=0,0,1e9"),
+                testing::HasSubstr("the height 1e9 is not from"));
+    EXPECT_THAT(Refusal("shot pyramid --at 1e6 -o a.png"),
+                testing::HasSubstr("write it out, without an exponent"));
+}
+
+TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
+{
+    const RecordOptions options = Parsed<RecordOptions>("record pyramid -o pyramid.mp4");
+    EXPECT_EQ(options.scene, "pyramid");
+    EXPECT_EQ(options.output, "pyramid.mp4");
+    EXPECT_FALSE(options.length.seconds || options.length.frames) << "ten seconds, unless said";
+    EXPECT_EQ(options.film.framesPerSecond, (Rational{60, 1}));
+    EXPECT_EQ(options.pace.speed, (Rational{1, 1}));
+    EXPECT_EQ(options.film.quality, Quality::Standard);
+    EXPECT_EQ(options.messages.progress, ProgressMode::Auto);
+    EXPECT_FALSE(options.film.overwrite);
+    EXPECT_EQ(options.look.width, 1280);
+    EXPECT_EQ(options.look.height, 720);
+    EXPECT_FALSE(options.look.stepsPerSecond || options.look.velocityIterations ||
+                 options.look.positionIterations)
+        << "as the scene prefers";
+    EXPECT_EQ(options.look.seed, 1u);
+    EXPECT_EQ(options.look.view, ViewChoice(SceneView{}))
+        << "the camera looks as the scene prefers";
+    EXPECT_FALSE(options.look.hud);
+}
+
+TEST(CommandLine, RecordReadsEveryOption)
+{
+    const RecordOptions options =
+        Parsed<RecordOptions>("record --seconds 2.5 --fps 29.97 --hz 240 --size 640x480 --speed "
+                              "0.25 --seed 7 --quality lossless --force "
+                              "--progress json --velocity-iterations 10 --position-iterations 4 "
+                              "--camera -5,2.5,20 --draw shapes,aabbs "
+                              "--labels --hud -o film.mkv bridge");
+    EXPECT_EQ(options.scene, "bridge");
+    EXPECT_EQ(options.length.seconds, Duration{2'500'000'000});
+    EXPECT_EQ(options.film.framesPerSecond, (Rational{2997, 100}));
+    EXPECT_EQ(options.pace.speed, (Rational{1, 4}));
+    EXPECT_EQ(options.film.quality, Quality::Lossless);
+    EXPECT_EQ(options.messages.progress, ProgressMode::Json);
+    EXPECT_TRUE(options.film.overwrite);
+    EXPECT_EQ(options.look.width, 640);
+    EXPECT_EQ(options.look.height, 480);
+    EXPECT_EQ(options.look.stepsPerSecond, (Rational{240, 1}));
+    EXPECT_EQ(options.look.seed, 7u);
+    EXPECT_EQ(options.look.velocityIterations, 10);
+    EXPECT_EQ(options.look.positionIterations, 4);
+    EXPECT_EQ(options.look.view, ViewChoice(FixedView{-5.0, 2.5, 20.0}));
+    SceneLayers layers;
+    layers.joints = false;
+    layers.aabbs = true;
+    EXPECT_EQ(options.look.layers, layers);
+    EXPECT_TRUE(options.look.labels);
+    EXPECT_TRUE(options.look.hud);
+}
+
+TEST(CommandLine, ArrowsHaveScales)
+{
+    const SceneLook plain = Parsed<ShotOptions>("shot bridge --at 1s -o a.png").look;
+    EXPECT_EQ(plain.arrows.velocitySeconds, 0.2);
+    EXPECT_EQ(plain.arrows.metersPerNewton, std::nullopt) << "what suits the scene";
+    const SceneLook look = Parsed<RecordOptions>("record bridge -o a.mp4 --draw forces,velocities "
+                                                 "--velocity-scale 0.5 --force-scale 0.001")
+                               .look;
+    EXPECT_EQ(look.arrows.velocitySeconds, 0.5);
+    EXPECT_EQ(look.arrows.metersPerNewton, 0.001);
+    EXPECT_TRUE(look.layers.forces && look.layers.velocities && !look.layers.shapes);
+}
+
+TEST(CommandLine, MillisecondsOfAStepComeWithThePanel)
+{
+    EXPECT_TRUE(Parsed<ShotOptions>("shot bridge --at 1s -o a.png --hud-ms").look.hud);
+}
+
+TEST(CommandLine, ShotTakesATimeOrAStep)
+{
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --at 500ms -o a.png").at,
+              std::vector<Duration>{{500'000'000}});
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 180 -o a.png").steps,
+              std::vector<std::int64_t>{180});
+    EXPECT_EQ(Parsed<ShotOptions>("shot bridge --step 0 -o a.png").steps,
+              std::vector<std::int64_t>{0});
+}
+
+TEST(CommandLine, GoldenTakesNamesAndFolders)
+{
+    const GoldenOptions verify =
+        Parsed<GoldenOptions>("golden verify pyramid bridge --references r --output o");
+    EXPECT_FALSE(verify.accept);
+    EXPECT_THAT(verify.names, testing::ElementsAre("pyramid", "bridge"));
+    EXPECT_EQ(verify.references, "r");
+    EXPECT_EQ(verify.output, "o");
+    EXPECT_TRUE(Parsed<GoldenOptions>("golden accept").accept);
+}
+
+TEST(CommandLine, GoldenReportTakesFoldersAndAFile)
+{
+    EXPECT_TRUE(Parsed<GoldenReportOptions>("golden report").folders.empty());
+    const GoldenReportOptions report = Parsed<GoldenReportOptions>(
+        "golden report a b -o page.html --against ../other --backend osmesa --force");
+    EXPECT_THAT(report.folders, testing::ElementsAre("a", "b"));
+    EXPECT_EQ(report.output, "page.html");
+    EXPECT_EQ(report.against, "../other");
+    EXPECT_EQ(report.backend, Backend::OSMesa);
+    EXPECT_TRUE(report.force);
+    EXPECT_EQ(Parsed<GoldenOptions>("golden verify --report page.html").report, "page.html");
+    EXPECT_THAT(Refusal("golden accept --report page.html"), testing::HasSubstr("--report"));
+}
+
+TEST(CommandLine, BackendIsOneOfTheNamesWhereverPicturesAreDrawn)
+{
+    EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png").backend, Backend::Auto);
+    EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png --backend egl").backend, Backend::Egl);
+    EXPECT_EQ(Parsed<RecordOptions>("record a -o a.mp4 --backend egl-gpu").backend,
+              Backend::EglGpu);
+    EXPECT_EQ(Parsed<GoldenOptions>("golden verify --backend osmesa").backend, Backend::OSMesa);
+    EXPECT_EQ(Parsed<GoldenOptions>("golden accept a --backend auto").backend, Backend::Auto);
+    EXPECT_THAT(Refusal("record a -o a.mp4 --backend gpu"),
+                testing::StartsWith("--backend 'gpu': give one of auto, osmesa, egl"));
+}
+
+TEST(CommandLine, DiffTakesTwoPicturesAndAPreset)
+{
+    const DiffOptions diff = Parsed<DiffOptions>("diff a.png b.png --preset exact -o d.png");
+    EXPECT_EQ(diff.expected, "a.png");
+    EXPECT_EQ(diff.actual, "b.png");
+    EXPECT_EQ(diff.output, "d.png");
+    EXPECT_EQ(diff.compare.preset.preset, "exact");
+    EXPECT_EQ(Parsed<DiffOptions>("diff a.png b.png").compare.preset.preset, "same-machine");
+}
+
+TEST(CommandLine, AMistypedWordSuggestsTheNearest)
+{
+    EXPECT_EQ(
+        Refusal("recrod pyramid"),
+        "Unknown command 'recrod'; did you mean 'record'? `boxreel --help` shows what there is.");
+    EXPECT_EQ(Refusal("record pyramid --secnds 5"),
+              "Unknown option '--secnds'; did you mean '--seconds'? `boxreel record --help` shows "
+              "what there is.");
+    EXPECT_EQ(Refusal("golden verfy"), "Unknown command 'verfy'; did you mean 'verify'? `boxreel "
+                                       "golden --help` shows what there is.");
+    EXPECT_EQ(Refusal("shot --sise=3x3"), "Unknown option '--sise'; did you mean '--size'? "
+                                          "`boxreel shot --help` shows what there is.");
+}
+
+TEST(CommandLine, AMistypedValueSuggestsTheNearest)
+{
+    const std::pair<const char*, const char*> lines[] = {
+        {"record a -o a.mp4 --quality hihg", "--quality 'hihg': did you mean 'high'? Give one of "},
+        {"record a -o a.mp4 --codec h246", "did you mean 'h264'?"},
+        {"record a -o - --format y5m", "did you mean 'y4m'?"},
+        {"record a -o a.mp4 --progress jsn", "did you mean 'json'?"},
+        {"record a -o a.mp4 --backend OSMESSA", "did you mean 'osmesa'?"},
+        {"record a -o a.mp4 --theme darc", "did you mean 'dark'?"},
+        {"shot a --at 1s -o a.png --theme boht", "did you mean 'both'?"},
+        {"shot a --at 1s -o a.png --draw shapes,joint", "--draw 'joint': did you mean 'joints'?"},
+        {"shot a --at 1s -o a.png --camera folow:3", "did you mean 'follow'?"},
+        {"record a -o a.mp4 --until 3.sped<1", "did you mean 'speed'?"},
+        {"record a -o a.mp4 --until awak==0", "did you mean 'awake'?"},
+        {"diff a.png b.png --preset exat", "did you mean 'exact'?"},
+        {"completion bahs", "did you mean 'bash'?"},
+    };
+    for (const auto& [line, question] : lines)
+    {
+        EXPECT_THAT(Refusal(line), HasSubstr(question));
+    }
+}
+
+TEST(CommandLine, WhatIsLikeNothingSuggestsTheHelp)
+{
+    EXPECT_EQ(Refusal("list --xylophone"),
+              "Unknown option '--xylophone'; `boxreel list --help` shows what there is.");
+    EXPECT_EQ(Refusal("list -x"),
+              "Unknown option '-x'; `boxreel list --help` shows what there is.");
+    for (const char* line : {"nonsense --help", "help nonsense"})
+    {
+        EXPECT_EQ(Refusal(line),
+                  "Unknown command 'nonsense'; `boxreel --help` shows what there is.");
+    }
+    EXPECT_EQ(Refusal("golden nonsense --help"),
+              "Unknown command 'nonsense'; `boxreel golden --help` shows what there is.");
+    EXPECT_EQ(Refusal("shot a b --at 1s -o x.png"),
+              "'b' is one word too many; `boxreel shot --help` shows what there is.");
+}
+
+TEST(CommandLine, WhatIsMissingIsNamed)
+{
+    EXPECT_THAT(Refusal("record"), HasSubstr("Say which scene"));
+    EXPECT_THAT(Refusal("record pyramid"), HasSubstr("-o film.mp4"));
+    EXPECT_THAT(Refusal("shot"), HasSubstr("Say which scene"));
+    EXPECT_THAT(Refusal("shot pyramid -o a.png"), HasSubstr("--at 3s or --step 180"));
+    EXPECT_THAT(Refusal("shot pyramid --at 3s"), HasSubstr("-o picture.png"));
+    EXPECT_THAT(Refusal("diff a.png"), HasSubstr("Name two pictures"));
+    EXPECT_EQ(Refusal("golden"),
+              "Say what to do: verify, accept, report, state; `boxreel golden --help` tells more.");
+    EXPECT_EQ(Refusal("record pyramid -o"), "--output needs a value.");
+    EXPECT_THAT(Refusal("completion"), HasSubstr("`boxreel completion bash`; zsh"));
+    EXPECT_EQ(Refusal("record pyramid --seed="), "--seed needs a value.");
+}
+
+TEST(CommandLine, ContradictionsAreRefused)
+{
+    EXPECT_THAT(Refusal("record pyramid -o a.mp4 --seconds 3 --frames 10"),
+                HasSubstr("--seconds and --frames"));
+    EXPECT_THAT(Refusal("shot pyramid -o a.png --at 3s --step 10"), HasSubstr("--at and --step"));
+    EXPECT_EQ(Refusal("shot pyramid -o a.png --at 3s --at 4s"),
+              "--at is given more than once; give it once.");
+    EXPECT_THAT(Refusal("shot pyramid --at 3s -o a.svg --stats"),
+                testing::StartsWith("--stats counts pixels, and 'a.svg' has none;"));
+}
+
+TEST(CommandLine, ValuesOutOfRangeAreRefused)
+{
+    const std::string record = "record pyramid -o a.mp4 ";
+    for (const char* bad : {"--seconds 0",
+                            "--seconds -1",
+                            "--seconds nan",
+                            "--seconds 10x",
+                            "--frames 0",
+                            "--frames 1000000000000",
+                            "--frames 1.5",
+                            "--fps 0",
+                            "--fps -60",
+                            "--fps inf",
+                            "--fps 100000",
+                            "--hz 0",
+                            "--hz 60hz",
+                            "--speed 0",
+                            "--speed -1",
+                            "--size 0x720",
+                            "--size 9999x720",
+                            "--size 1280",
+                            "--seed -1",
+                            "--seed 4294967296",
+                            "--quality best",
+                            "--progress fancy",
+                            "--velocity-iterations 0",
+                            "--position-iterations 9999",
+                            "--camera 1,2",
+                            "--camera 1,2,0",
+                            "--camera 1,2,-5",
+                            "--camera 1,2,nan",
+                            "--camera 1e9,0,5",
+                            "--camera fot",
+                            "--camera follow:",
+                            "--camera path:0s=0,0,5",
+                            "--draw",
+                            "--draw shapes,,joints",
+                            "--draw everything",
+                            "--velocity-scale 0",
+                            "--velocity-scale -1",
+                            "--velocity-scale fast",
+                            "--force-scale 0",
+                            "--force-scale nan",
+                            "--force-scale 1N"})
+    {
+        const std::string option = std::string(bad).substr(0, std::string(bad).find(' '));
+        EXPECT_THAT(Refusal(record + bad), testing::StartsWith(option)) << bad;
+    }
+    EXPECT_THAT(Refusal("shot pyramid -o a.png --at -3s"), testing::StartsWith("--at -3s"));
+    EXPECT_THAT(Refusal("shot pyramid -o a.png --step -1"), testing::StartsWith("--step -1"));
+    EXPECT_THAT(Refusal("diff a.png b.png --preset sloppy"), HasSubstr("sloppy"));
+}
+
+TEST(CommandLine, EveryRefusalIsOneSentence)
+{
+    for (const char* line :
+         {"recrod", "record", "record pyramid --size 0x0 -o a.mp4", "list --nmaes", "golden"})
+    {
+        EXPECT_EQ(Refusal(line).find('\n'), std::string::npos) << line;
+    }
+}
+
+TEST(CommandLine, NothingAtAllShowsTheHelp)
+{
+    EXPECT_THAT(Parsed<TextRequest>("").text, HasSubstr("record"));
+}
+
+TEST(CommandLine, HelpNamesEveryCommand)
+{
+    const std::string help = Parsed<TextRequest>("--help").text;
+    for (const char* command :
+         {"list", "record", "shot", "diff", "golden", "--version", "Examples:"})
+    {
+        EXPECT_THAT(help, HasSubstr(command));
+    }
+}
+
+// docs/golden.md is run by a test, so a build lies where it says.
+TEST(CommandLine, HelpNamesAnotherBuildWhereTheDocumentsDo)
+{
+    std::ifstream page(BOXREEL_GOLDEN_PAGE);
+    const std::string text(std::istreambuf_iterator<char>(page), {});
+    for (const char* command : {"golden verify --help", "golden report --help"})
+    {
+        const std::string help = Parsed<TextRequest>(command).text;
+        const std::size_t at = help.find("--against ../");
+        ASSERT_NE(at, std::string::npos) << command;
+        EXPECT_THAT(text, HasSubstr(help.substr(at, help.find('\n', at) - at))) << command;
+    }
+}
+
+TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
+{
+    const std::vector<std::string> look{"--size",
+                                        "--camera",
+                                        "--draw",
+                                        "--velocity-scale",
+                                        "--force-scale",
+                                        "--labels",
+                                        "--backend",
+                                        "--hud",
+                                        "--hud-ms",
+                                        "--hz",
+                                        "--seed",
+                                        "--velocity-iterations",
+                                        "--position-iterations"};
+    std::vector<std::string> record{"-o,--output", "--seconds", "--frames",   "--fps",  "--speed",
+                                    "--quality",   "--force",   "--progress", "--stats"};
+    std::vector<std::string> shot{"-o,--output",     "--at",    "--step",      "--force",
+                                  "--columns",       "--trail", "--strobe",    "--onion",
+                                  "--trail-seconds", "--axes",  "--scale-bar", "--dimension",
+                                  "--caption",       "--stats"};
+    record.insert(record.end(), look.begin(), look.end());
+    shot.insert(shot.end(), look.begin(), look.end());
+    const std::pair<std::string, std::vector<std::string>> commands[] = {
+        {"list", {"--names"}},
+        {"record", record},
+        {"shot", shot},
+        {"diff", {"-o,--output", "--preset", "--force"}},
+        {"golden", {"verify", "accept"}},
+        {"golden verify", {"--references", "--output", "--backend"}},
+        {"golden accept", {"--references", "--output", "--backend"}},
+    };
+    for (const auto& [command, options] : commands)
+    {
+        const std::string help = Parsed<TextRequest>(command + " --help").text;
+        EXPECT_THAT(help, HasSubstr("  boxreel " + command)) << "an example of " << command;
+        for (const std::string& option : options)
+        {
+            EXPECT_THAT(help, HasSubstr("\n  " + option)) << command;
+        }
+        EXPECT_EQ(Parsed<TextRequest>("help " + command).text, help);
+    }
+}
+
+TEST(CommandLine, PointsToTheScriptWhenBenchIsAsked)
+{
+    EXPECT_THAT(Refusal("bench --accuracy"), HasSubstr("'--accuracy'"));
+    EXPECT_THAT(Refusal("bench"), HasSubstr("./boxreel bench"));
+    EXPECT_THAT(Refusal("bnech"), testing::Not(HasSubstr("./boxreel bench")));
+}
+
+TEST(CommandLine, APanelThatWouldBeCutOffIsRefused)
+{
+    for (const char* call : {"shot pyramid --at 1s -o a.png --hud --size 199x200",
+                             "record pyramid -o a.mp4 --hud --size 400x128",
+                             "record pyramid -o a.mp4 --hud-ms --size 400x140"})
+    {
+        EXPECT_THAT(Refusal(call), HasSubstr("at least 200x")) << call;
+    }
+    EXPECT_TRUE(Parsed<ShotOptions>("shot pyramid --at 1s -o a.png --hud --size 200x130").look.hud);
+}
+
+TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
+{
+    EXPECT_THAT(Parsed<TextRequest>("--help").text, HasSubstr("Usage: boxreel COMMAND\n"));
+    EXPECT_THAT(Parsed<TextRequest>("record --help").text,
+                HasSubstr("Usage: boxreel record SCENE [OPTIONS]\n"));
+    EXPECT_THAT(Parsed<TextRequest>("diff --help").text,
+                HasSubstr("Usage: boxreel diff A B [OPTIONS]\n"));
+    EXPECT_THAT(Parsed<TextRequest>("golden verify --help").text,
+                HasSubstr("Usage: boxreel golden verify [NAMES...] [OPTIONS]\n"));
+    EXPECT_THAT(Parsed<TextRequest>("ui --help").text,
+                HasSubstr("Usage: boxreel ui [SCENE] [OPTIONS]\n"));
+}
+
+TEST(CommandLine, HelpFitsATerminalOfHundredColumns)
+{
+    const CommandText program = DescribeProgram();
+    for (const CommandText* command : AllCommands(program))
+    {
+        const std::string name = command->path.substr(std::string("boxreel").size());
+        std::istringstream help(Parsed<TextRequest>(name + " --help").text);
+        for (std::string line; std::getline(help, line);)
+        {
+            EXPECT_LE(line.size(), 100u) << line;
+            EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c > 0; }))
+                << "terminals and roff have ASCII all: " << line;
+        }
+    }
+}
+
+TEST(CommandLine, VersionIsOneLine)
+{
+    EXPECT_EQ(Parsed<TextRequest>("--version").text, "boxreel " BOXREEL_VERSION "\n");
+}
+
+} // namespace
+} // namespace boxreel

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// What the program says of itself: it is whole, and it is true.
+#include <cli/CommandLine.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// The words behind "boxreel": of a command, its path.
+std::vector<std::string> Words(const std::string& line)
+{
+    std::istringstream words(line);
+    std::vector<std::string> all;
+    for (std::string word; words >> word;)
+    {
+        all.push_back(word);
+    }
+    all.erase(all.begin());
+    return all;
+}
+
+std::string HelpOf(const CommandText& command)
+{
+    std::vector<std::string> words = Words(command.path);
+    words.emplace_back("--help");
+    return std::get<TextRequest>(*ParseCommandLine(words)).text;
+}
+
+/// A line of a shell as far as examples go: words, some in double quotes, before any pipe, remark
+/// or redirection.
+std::vector<std::string> ShellWords(const std::string& line)
+{
+    const std::string command = line.substr(
+        0, std::min({line.find(" | "), line.find(" > "), line.find(" # "), line.size()}));
+    std::vector<std::string> words;
+    const std::regex word("\"([^\"]*)\"|([^ ]+)");
+    for (std::sregex_iterator at(command.begin(), command.end(), word), end; at != end; ++at)
+    {
+        words.push_back((*at)[1].matched ? (*at)[1].str() : (*at)[2].str());
+    }
+    return words;
+}
+
+TEST(CommandTree, HasEachCommandAndOptionOfTheHelp)
+{
+    const CommandText program = DescribeProgram();
+    EXPECT_GE(AllCommands(program).size(), 16u);
+    const std::regex optionLine("(^|\n)  (?:-[a-z],)?(--[a-z-]+)( [A-Z][^ \n]*)?");
+    for (const CommandText* command : AllCommands(program))
+    {
+        const std::string help = HelpOf(*command);
+        const std::string head = help.substr(0, help.find("\n  boxreel ")); // the examples
+        std::vector<std::pair<std::string, bool>> shown;
+        for (std::sregex_iterator at(head.begin(), head.end(), optionLine), end; at != end; ++at)
+        {
+            shown.emplace_back((*at)[2], (*at)[3].matched);
+        }
+        std::vector<std::pair<std::string, bool>> described;
+        for (const OptionText& option : command->options)
+        {
+            described.emplace_back(option.names.back(), !option.unit.empty());
+        }
+        EXPECT_THAT(described, testing::UnorderedElementsAreArray(shown)) << command->path;
+        for (const CommandText& next : command->commands)
+        {
+            EXPECT_THAT(help, HasSubstr("\n  " + Words(next.path).back() + " ")) << next.path;
+        }
+    }
+}
+
+TEST(CommandTree, EveryCommandHasAnExampleAndEveryExampleIsUnderstood)
+{
+    const CommandText program = DescribeProgram();
+    for (const CommandText* command : AllCommands(program))
+    {
+        EXPECT_THAT(command->notes, HasSubstr(command->path)) << "an example of its own";
+        std::istringstream lines(command->notes);
+        for (std::string line; std::getline(lines, line);)
+        {
+            if (line.starts_with("  boxreel "))
+            {
+                std::vector<std::string> words = ShellWords(line);
+                words.erase(words.begin());
+                const Result<Request> request = ParseCommandLine(words);
+                EXPECT_TRUE(request) << line << "\n" << request.GetError().message;
+            }
+        }
+    }
+}
+
+/// A command line that is right but for the words behind it.
+std::vector<std::string> LineFor(const CommandText& command)
+{
+    std::vector<std::string> line = Words(command.path);
+    for (const WordText& word : command.words)
+    {
+        line.push_back(word.completion.kind == Completion::Kind::Words
+                           ? word.completion.words.front()
+                           : "word");
+    }
+    return line;
+}
+
+TEST(CommandTree, OffersOnlyWordsThatAreUnderstood)
+{
+    int offered = 0;
+    const CommandText program = DescribeProgram();
+    for (const CommandText* command : AllCommands(program))
+    {
+        for (const OptionText& option : command->options)
+        {
+            const Completion::Kind kind = option.completion.kind;
+            if (kind != Completion::Kind::Words && kind != Completion::Kind::List)
+            {
+                continue;
+            }
+            for (const std::string& word : option.completion.words)
+            {
+                std::vector<std::string> line = LineFor(*command);
+                line.insert(line.end(), {option.names.back(), word});
+                const Result<Request> request = ParseCommandLine(line);
+                const std::string message = request ? "" : request.GetError().message;
+                EXPECT_THAT(message, Not(HasSubstr("'" + word + "'"))) << command->path;
+                ++offered;
+            }
+            std::vector<std::string> line = LineFor(*command);
+            line.insert(line.end(), {option.names.back(), "xylophone"});
+            EXPECT_THAT(ParseCommandLine(line).GetError().message, HasSubstr("'xylophone'"));
+        }
+    }
+    EXPECT_GE(offered, 60);
+}
+
+TEST(CommandTree, OffersEveryValueThatAHelpLists)
+{
+    // "draft, standard, high, lossless (standard)" and the like: words with commas between them.
+    const std::regex list("^([a-z0-9-]+)(, [a-z0-9-]+)+ \\(");
+    int lists = 0;
+    const CommandText program = DescribeProgram();
+    for (const CommandText* command : AllCommands(program))
+    {
+        for (const OptionText& option : command->options)
+        {
+            std::smatch match;
+            if (!std::regex_search(option.help, match, list))
+            {
+                continue;
+            }
+            ++lists;
+            const std::string all = match.str();
+            EXPECT_EQ(std::count(all.begin(), all.end(), ',') + 1,
+                      std::ptrdiff_t(option.completion.words.size()))
+                << command->path << " " << option.names.back() << ": " << option.help;
+        }
+    }
+    EXPECT_GE(lists, 8);
+}
+
+TEST(CommandTree, FilesHaveEndsAndFoldersAreFolders)
+{
+    const CommandText program = DescribeProgram();
+    for (const CommandText* command : AllCommands(program))
+    {
+        for (const OptionText& option : command->options)
+        {
+            const bool isFolder = option.unit == "DIR";
+            const bool isFile = option.unit == "FILE";
+            EXPECT_EQ(option.completion.kind == Completion::Kind::Folders, isFolder)
+                << command->path << " " << option.names.back();
+            EXPECT_EQ(option.completion.kind == Completion::Kind::Files, isFile)
+                << command->path << " " << option.names.back();
+            for (const std::string& end : option.completion.words)
+            {
+                EXPECT_EQ(end.starts_with("."), isFile) << option.names.back();
+            }
+        }
+    }
+}
+
+TEST(CommandTree, TheManualPageHasEverything)
+{
+    const CommandText program = DescribeProgram();
+    const std::string page = ManualPage(program);
+    const auto roff = [](const std::string& text) {
+        return std::regex_replace(text, std::regex("-"), "\\-");
+    };
+    for (const CommandText* command : AllCommands(program))
+    {
+        const bool isAlone = command->path == program.path;
+        EXPECT_THAT(page, HasSubstr((isAlone ? "boxreel \\- " : ".SS \\fB" + command->path)));
+        for (const OptionText& option : command->options)
+        {
+            EXPECT_THAT(page, HasSubstr("\\fB" + roff(option.names.back()) + "\\fR"))
+                << command->path;
+        }
+    }
+    for (const char* section : {"NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "COMMANDS",
+                                "EXIT STATUS", "ENVIRONMENT", "FILES", "EXAMPLES"})
+    {
+        EXPECT_THAT(page, HasSubstr(std::string("\n.SH ") + section + "\n"));
+    }
+    // Each code that the help of the program speaks of.
+    const std::regex code("(?:, |: |,\n)([0-9]+) ");
+    const std::string codes = program.notes.substr(program.notes.find("Exit codes"));
+    int count = 0;
+    for (std::sregex_iterator at(codes.begin(), codes.end(), code), end; at != end; ++at, ++count)
+    {
+        EXPECT_THAT(page, HasSubstr(".TP\n\\fB" + (*at)[1].str() + "\\fR\n"));
+    }
+    EXPECT_EQ(count, 6);
+}
+
+} // namespace
+} // namespace boxreel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <options/BodyRef.h>
+
+#include <gmock/gmock.h>
+
+namespace boxreel
+{
+namespace
+{
+
+const std::map<std::uint32_t, std::string> kNames{{1, "ball"}, {4, "ball"}, {7, "left wheel"}};
+
+std::string Refusal(BodyRef body, const std::map<std::uint32_t, std::string>& names)
+{
+    const Result<void> found = FindNames("--trail", {&body}, names);
+    return found ? "found" : found.GetError().message;
+}
+
+TEST(BodyRef, ANameBecomesItsNumber)
+{
+    BodyRef wheel("left wheel");
+    BodyRef third(3);
+    ASSERT_TRUE(FindNames("--trail", {&wheel, &third}, kNames));
+    EXPECT_EQ(wheel, BodyRef(7));
+    EXPECT_EQ(third, BodyRef(3)) << "numbers need no name";
+}
+
+TEST(BodyRef, ANameOfSeveralIsRefusedWithTheirNumbers)
+{
+    EXPECT_EQ(Refusal(BodyRef("ball"), kNames),
+              "--trail: 'ball' is what bodies 1, 4 are called; give the number of one.");
+}
+
+TEST(BodyRef, ANameOfNoneIsRefusedWithTheNearest)
+{
+    EXPECT_EQ(Refusal(BodyRef("left wheal"), kNames),
+              "--trail: no body is called 'left wheal'; did you mean 'left wheel'?");
+    EXPECT_EQ(Refusal(BodyRef("ball"), {}),
+              "--trail: no body is called 'ball'; the scene names none, give a number, which "
+              "`--labels` shows.");
+}
+
+} // namespace
+} // namespace boxreel

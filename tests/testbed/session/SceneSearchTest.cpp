@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <session/SceneSearch.h>
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+TEST(SceneSearch, FindsANameWhateverItsCaseSpacesAndPunctuation)
+{
+    for (const char* name :
+         {"Newton's Cradle", "newtons-cradle", "NEWTONSCRADLE", "newtons_cradle", "Newtons Cradle"})
+    {
+        const Result<const SceneEntry*> found = FindScene(name);
+        ASSERT_TRUE(found) << name;
+        EXPECT_STREQ((*found)->name, "Newton's Cradle");
+    }
+}
+
+TEST(SceneSearch, FindsEverySceneByItsNameAndByItsSlug)
+{
+    std::set<std::string> slugs;
+    for (const SceneEntry& entry : AllScenes())
+    {
+        const Result<const SceneEntry*> byName = FindScene(entry.name);
+        const Result<const SceneEntry*> bySlug = FindScene(SceneSlug(entry.name));
+        ASSERT_TRUE(byName && bySlug) << entry.name;
+        EXPECT_EQ(*byName, &entry);
+        EXPECT_EQ(*bySlug, &entry);
+        EXPECT_TRUE(slugs.insert(SceneSlug(entry.name)).second)
+            << entry.name << " is not the only one";
+    }
+}
+
+TEST(SceneSearch, SlugsAreNamesForFiles)
+{
+    EXPECT_EQ(SceneSlug("Newton's Cradle"), "newtons-cradle");
+    EXPECT_EQ(SceneSlug("Vertical Stack"), "vertical-stack");
+    EXPECT_EQ(SceneSlug("One-Sided Platform"), "one-sided-platform");
+    EXPECT_EQ(SceneSlug("Heavy 1/2"), "heavy-1-2");
+    EXPECT_EQ(SceneSlug(" Ball & Chain! "), "ball-chain");
+}
+
+TEST(SceneSearch, AnUnknownNameSuggestsTheNearest)
+{
+    const Result<const SceneEntry*> found = FindScene("pyrmid");
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.GetError().kind, ErrorKind::Unusable);
+    EXPECT_EQ(found.GetError().message,
+              "There is no scene 'pyrmid'; did you mean 'pyramid'? `boxreel list` shows them all.");
+}
+
+TEST(SceneSearch, ANameLikeNoOtherSuggestsTheListOnly)
+{
+    for (const char* name : {"xylophone", "", "--", "\xff\xfe"})
+    {
+        const Result<const SceneEntry*> found = FindScene(name);
+        ASSERT_FALSE(found) << name;
+        EXPECT_THAT(found.GetError().message, HasSubstr("; `boxreel list` shows them all."))
+            << name;
+    }
+}
+
+TEST(SceneSearch, AMissingFileIsSaidToBeMissing)
+{
+    const Result<SceneSource> source = OpenScene("no-such-file.json");
+    ASSERT_FALSE(source);
+    EXPECT_EQ(source.GetError().kind, ErrorKind::Unusable);
+    EXPECT_THAT(source.GetError().message, HasSubstr("no-such-file.json"));
+}
+
+TEST(SceneSearch, AnExistingFileOfAnyNameIsReadAsAScene)
+{
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / "scene-search-foreign.rube";
+    std::ofstream(file) << "not a scene";
+    const Result<SceneSource> source = OpenScene(file.string());
+    std::filesystem::remove(file);
+    ASSERT_FALSE(source);
+    EXPECT_EQ(source.GetError().kind, ErrorKind::Unusable);
+    EXPECT_THAT(source.GetError().message, HasSubstr("scene-search-foreign.rube"));
+}
+
+} // namespace
+} // namespace boxreel
