@@ -60,7 +60,7 @@ int main(int argc, char** argv)
         boxreel::Recording::Open(path, {.width = 480, .height = 270, .framesPerSecond = {30, 1}});
     if (!film)
     {
-        std::fprintf(stderr, "%s\n", film.GetError().message.c_str());
+        std::fprintf(stderr, "%s\n", film.GetError().Text().c_str());
         return 1;
     }
     const boxreel::Camera camera{480, 270, 0.0, 0.5, 24.0}; // pixels, centre, pixels a metre
@@ -73,7 +73,7 @@ int main(int argc, char** argv)
     const auto closed = film->Close();
     if (!closed)
     {
-        std::fprintf(stderr, "%s\n", closed.GetError().message.c_str());
+        std::fprintf(stderr, "%s\n", closed.GetError().Text().c_str());
         return 1;
     }
 }

@@ -58,7 +58,7 @@ int main(int argc, char** argv)
     auto film = boxreel::Recording::Open(path, settings);
     if (!film)
     {
-        std::fprintf(stderr, "%s\n", film.GetError().message.c_str());
+        std::fprintf(stderr, "%s\n", film.GetError().Text().c_str());
         return 1;
     }
     boxreel::FitCamera camera(settings.width, settings.height, boxreel::BoundsAtStart(world));
@@ -75,7 +75,7 @@ int main(int argc, char** argv)
     const auto closed = film->Close();
     if (!closed)
     {
-        std::fprintf(stderr, "%s\n", closed.GetError().message.c_str());
+        std::fprintf(stderr, "%s\n", closed.GetError().Text().c_str());
         return 1;
     }
 }

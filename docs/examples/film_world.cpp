@@ -26,7 +26,7 @@ int main()
     auto film = boxreel::Recording::Open("ball.mp4", {.width = 640, .height = 360});
     if (!film)
     {
-        std::puts(film.GetError().message.c_str());
+        std::puts(film.GetError().Text().c_str());
         return 1;
     }
     for (int step = 0; step < 240; ++step)

@@ -62,7 +62,7 @@ bool Write(const std::string& path, const boxreel::Figure& figure)
                              : boxreel::WriteSvg(path, figure, {.overwrite = true});
     if (!written)
     {
-        std::fprintf(stderr, "%s\n", written.GetError().message.c_str());
+        std::fprintf(stderr, "%s\n", written.GetError().Text().c_str());
     }
     return bool(written);
 }

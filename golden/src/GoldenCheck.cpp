@@ -189,7 +189,7 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
     const Result<GoldenVerdict> verdict = store.Verify(candidate, compare);
     if (!verdict)
     {
-        return {false, verdict.GetError().message, ""};
+        return {false, verdict.GetError().Text(), ""};
     }
     if (verdict->status == GoldenStatus::Same)
     {
@@ -203,14 +203,14 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
                                 : AcceptAs::TheOneCompared;
         if (const Result<void> stored = store.Accept(candidate, as); !stored)
         {
-            return {false, stored.GetError().message, ""};
+            return {false, stored.GetError().Text(), ""};
         }
         // So that a report does not call it a failure. Its pictures stay, to be looked at.
         const Result<FailureFiles> files = FailureFiles::At(settings.output, candidate.name);
         const Result<void> noted = files ? files->NoteAccepted() : files.GetError();
         if (!noted)
         {
-            return {false, noted.GetError().message, ""};
+            return {false, noted.GetError().Text(), ""};
         }
         return {true, verdict->message, "accepted  " + WhatWasAccepted(*verdict) + "\n"};
     }

@@ -85,7 +85,7 @@ Result<void> ReadState(const fs::path& root, const std::string& name, Moment& mo
     Result<WorldState> bodies = ParseWorldState(std::string_view(text).substr(17));
     if (!bodies)
     {
-        return Damaged(*kept, ": " + bodies.GetError().message);
+        return Damaged(*kept, ": " + bodies.GetError().Text());
     }
     moment.state = text.substr(0, 16);
     moment.bodies = *std::move(bodies);
@@ -102,7 +102,7 @@ Result<void> ReadTrace(const fs::path& root, const std::string& name, Moment& mo
     Result<StateTrace> trace = ParseStateTrace(*kept->text);
     if (!trace)
     {
-        return Damaged(*kept, ": " + trace.GetError().message);
+        return Damaged(*kept, ": " + trace.GetError().Text());
     }
     if (trace->steps.empty())
     {
@@ -400,7 +400,7 @@ Result<FileToWrite> Picture(const fs::path& path, const Frame& frame, int compre
     Result<std::vector<std::uint8_t>> png = EncodePng(frame, compressionLevel, texts);
     if (!png)
     {
-        return Error{png.GetError().kind, path.string() + ": " + png.GetError().message};
+        return Error{png.GetError().kind, path.string() + ": " + png.GetError().Text()};
     }
     return FileToWrite{path, std::string(png->begin(), png->end())};
 }

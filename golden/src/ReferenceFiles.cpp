@@ -173,7 +173,7 @@ Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs
     Result<std::string> text = Gunzip(*bytes, kLargestText);
     if (!text)
     {
-        return CannotRead(*packed, text.GetError().message + "; restore it");
+        return CannotRead(*packed, text.GetError().Text() + "; restore it");
     }
     return std::optional<std::string>(*std::move(text));
 }
@@ -188,7 +188,7 @@ Result<FileToWrite> StoredText(const fs::path& pathTxt, std::string text)
     if (!packed)
     {
         return Error{packed.GetError().kind,
-                     "Cannot pack " + pathTxt.string() + ": " + packed.GetError().message + "."};
+                     "Cannot pack " + pathTxt.string() + ": " + packed.GetError().Text() + "."};
     }
     return FileToWrite{Packed(pathTxt), *std::move(packed)};
 }

@@ -178,7 +178,7 @@ std::string Explain(const Moment& expected, const Moment& actual, const Differen
 // The failure stays known even when its files cannot be written.
 Error With(const GoldenVerdict& verdict, const Error& error)
 {
-    return Error{error.kind, verdict.message + " " + error.message};
+    return Error{error.kind, verdict.message + " " + error.Text()};
 }
 
 bool IsNothingKept(const Moment& expected)
@@ -445,7 +445,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     Result<Moment> expected = ReadReference(references, candidate.name, candidate.renderer);
     if (!expected)
     {
-        return SayDamaged(std::move(judged), candidate, references, expected.GetError().message);
+        return SayDamaged(std::move(judged), candidate, references, expected.GetError().Text());
     }
     judged.expected = *std::move(expected);
     judged.actual = Take(candidate, judged.expected);
@@ -594,7 +594,7 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     {
         // What passes also passes where nothing can be written, such as in a folder that is read
         // only; only that nobody can read of it later.
-        verdict.warning = written ? "" : written.GetError().message;
+        verdict.warning = written ? "" : written.GetError().Text();
         return std::move(verdict);
     }
     if (!written)

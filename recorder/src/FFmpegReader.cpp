@@ -317,7 +317,7 @@ Result<bool> FFmpegReader::Next(StoredFrame& stored)
     }
     if (Result<void> converted = m_converter.Convert(*m_picture, stored.frame); !converted)
     {
-        return Damaged(converted.GetError().message);
+        return Damaged(converted.GetError().Text());
     }
     const AVRational base = m_stream->time_base;
     stored.seconds = double(m_picture->best_effort_timestamp * base.num) / double(base.den);

@@ -137,7 +137,7 @@ Result<std::unique_ptr<Context>> CreateContext(Backend backend, const ContextLib
         {
             return context;
         }
-        failures += "\n  " + NameOf(candidate) + ": " + context.GetError().message;
+        failures += "\n  " + NameOf(candidate) + ": " + context.GetError().Text();
     }
     std::string names;
     for (const std::string& name : BackendNames())

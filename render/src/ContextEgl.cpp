@@ -241,7 +241,7 @@ Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bo
         {
             return context;
         }
-        failures += (failures.empty() ? "" : "; ") + place.name + " " + context.GetError().message;
+        failures += (failures.empty() ? "" : "; ") + place.name + " " + context.GetError().Text();
     }
     if (failures.empty())
     {

@@ -180,7 +180,7 @@ Finding LookAtDisplay()
     }
     const Result<void> display = CheckDisplay();
     return display ? Finding(std::string("DISPLAY is ") + name)
-                   : Error{ErrorKind::Absent, display.GetError().message +
+                   : Error{ErrorKind::Absent, display.GetError().Text() +
                                                   "; start it, or unset DISPLAY: record, shot and "
                                                   "play need none."};
 }
@@ -192,7 +192,7 @@ public:
     void Add(const std::string& name, const Finding& finding)
     {
         Write(finding ? "ok  " : Red("FAIL", stdout), name,
-              finding ? *finding : finding.GetError().message);
+              finding ? *finding : finding.GetError().Text());
         if (!finding && m_code == 0)
         {
             m_code = static_cast<int>(finding.GetError().kind);

@@ -56,7 +56,7 @@ private:
         Result<std::string> text = OutputOf(m_program, more, kAgainst);
         if (!text)
         {
-            return Error{ErrorKind::Unusable, "--against: " + text.GetError().message +
+            return Error{ErrorKind::Unusable, "--against: " + text.GetError().Text() +
                                                   " Give another build of boxreel."};
         }
         if (text->empty())
@@ -70,7 +70,7 @@ private:
     {
         return Error{ErrorKind::Unusable, "--against " + m_program.string() +
                                               ": it is no boxreel that can say its states (" +
-                                              error.message +
+                                              error.Text() +
                                               "); give one that knows `golden state`."};
     }
 

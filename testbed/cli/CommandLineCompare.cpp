@@ -112,7 +112,7 @@ void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& usu
             const Result<PixelBounds> bounds = ParseRectangle("--ignore", text);
             if (!bounds)
             {
-                Refuse(bounds.GetError().message);
+                Refuse(bounds.GetError().Text());
             }
             choice.ignored.push_back(*bounds);
         }

@@ -29,14 +29,14 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
             {
                 Refuse(Refusal("--theme", text,
                                "a film has one theme; give one of " + ListedWords(names))
-                           .message);
+                           .Text());
             }
             *bothThemes = true;
             return;
         }
         if (!theme)
         {
-            Refuse(NotOneOf("--theme", text, names).message);
+            Refuse(NotOneOf("--theme", text, names).Text());
         }
         look.theme = *theme;
     };
@@ -50,7 +50,7 @@ void AddSize(CLI::App& command, SceneLook& look)
         const Result<PixelSize> size = ParseSize("--size", text);
         if (!size)
         {
-            Refuse(size.GetError().message);
+            Refuse(size.GetError().Text());
         }
         look.width = size->width;
         look.height = size->height;

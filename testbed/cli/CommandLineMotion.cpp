@@ -17,7 +17,7 @@ void AddDimensions(CLI::App& command, MotionLook& look)
             const Result<DimensionChoice> dimension = ParseDimension("--dimension", text);
             if (!dimension)
             {
-                Refuse(dimension.GetError().message);
+                Refuse(dimension.GetError().Text());
             }
             look.dimensions.push_back(*dimension);
         }

@@ -153,7 +153,7 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
         auto value = parse(name, text);
         if (!value)
         {
-            Refuse(value.GetError().message);
+            Refuse(value.GetError().Text());
         }
         target = static_cast<Target>(*value);
     };

@@ -19,7 +19,7 @@ CLI::Option* AddRepeated(CLI::App& command, const std::string& name, const std::
             Result<Value> value = parse(name, text);
             if (!value)
             {
-                Refuse(value.GetError().message);
+                Refuse(value.GetError().Text());
             }
             values.push_back(std::move(*value));
         }
@@ -136,7 +136,7 @@ Result<FrameRange> ParseRange(const std::string& option, const std::string& text
     Result<FrameRange> range = FrameRange::Parse(text);
     return range ? range
                  : Result<FrameRange>(
-                       Error{ErrorKind::Unusable, option + " " + range.GetError().message});
+                       Error{ErrorKind::Unusable, option + " " + range.GetError().Text()});
 }
 
 } // namespace

@@ -15,7 +15,7 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
             const Result<PixelSize> size = ParseSize("--size", text);
             if (!size)
             {
-                Refuse(size.GetError().message);
+                Refuse(size.GetError().Text());
             }
             ui.size = *size;
         },
@@ -25,7 +25,7 @@ void DeclareUi(CLI::App& program, ParsedOptions& parsed)
     const auto readTheme = [&ui, themes](const std::string& text) {
         if (!FindTheme(text))
         {
-            Refuse(NotOneOf("--theme", text, themes).message);
+            Refuse(NotOneOf("--theme", text, themes).Text());
         }
         ui.theme = text;
     };

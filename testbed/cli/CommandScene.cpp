@@ -78,7 +78,7 @@ Result<int> RunExport(const ExportOptions& options)
     if (const Result<RubeScene> back = ParseRubeScene(text, session->Title()); !back)
     {
         return Error{ErrorKind::Unusable,
-                     "The scene cannot be a scene file at this moment: " + back.GetError().message};
+                     "The scene cannot be a scene file at this moment: " + back.GetError().Text()};
     }
     for (const std::string& sentence : leftOut)
     {

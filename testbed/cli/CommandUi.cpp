@@ -28,7 +28,7 @@ constexpr std::chrono::milliseconds kPause(4);
 
 Error WithoutWindow(const Error& error)
 {
-    return Error{error.kind, error.message +
+    return Error{error.kind, error.Text() +
                                  "; `boxreel record`, `shot` and `play` need none, such as "
                                  "boxreel record pyramid -o pyramid.mp4."};
 }
@@ -230,7 +230,7 @@ UiSettings Kept(const UiOptions& options, const std::filesystem::path& file)
         }
         else
         {
-            WriteMessage("boxreel: " + kept.GetError().message);
+            WriteMessage("boxreel: " + kept.GetError().Text());
         }
     }
     if (options.size)
@@ -266,7 +266,7 @@ Result<int> RunUi(const UiOptions& options)
     {
         if (const Result<void> kept = WriteUiSettings(file, desk.Settings()); !kept)
         {
-            WriteMessage("boxreel: The settings are not kept: " + kept.GetError().message);
+            WriteMessage("boxreel: The settings are not kept: " + kept.GetError().Text());
         }
     }
     const Result<void> said = WriteOutput(desk.Bench().Summary() + "\n");

@@ -59,11 +59,11 @@ bool AsksForOpenJd(const std::vector<std::string>& arguments)
 
 int Report(const Error& error, const std::vector<std::string>& arguments)
 {
-    WriteMessage(Red("boxreel:", stderr) + " " + error.message);
+    WriteMessage(Red("boxreel:", stderr) + " " + error.Text());
     if (AsksForOpenJd(arguments))
     {
         // Who cannot be told this cannot be told that, either.
-        (void)WriteOutput(FailOpenJdText(error.message) + "\n");
+        (void)WriteOutput(FailOpenJdText(error.Text()) + "\n");
     }
     return static_cast<int>(error.kind);
 }

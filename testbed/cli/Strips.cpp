@@ -156,7 +156,7 @@ public:
         }
         if (const Result<void> ready = Prepare(); !ready)
         {
-            strip.note = "The steps could not be drawn: " + ready.GetError().message;
+            strip.note = "The steps could not be drawn: " + ready.GetError().Text();
             return strip;
         }
         Result<SceneSession> session = OpenGolden(selection, kWidth, kHeight);

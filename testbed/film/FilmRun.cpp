@@ -412,7 +412,7 @@ Result<int> FilmRun::Finished()
     const Result<void> played = m_session->CheckCompanion();
     if (const Result<void> met = m_session->CheckView(); played && !met)
     {
-        WriteMessage("boxreel: " + met.GetError().message);
+        WriteMessage("boxreel: " + met.GetError().Text());
     }
     if (m_options.messages.stats)
     {

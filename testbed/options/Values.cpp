@@ -157,7 +157,7 @@ Result<Rational> ParseRatio(std::string_view option, std::string_view text, doub
     const Result<Rational> ratio = Rational::Parse(text);
     if (!ratio)
     {
-        return Error{ErrorKind::Unusable, std::string(option) + ": " + ratio.GetError().message};
+        return Error{ErrorKind::Unusable, std::string(option) + ": " + ratio.GetError().Text()};
     }
     if (ratio->ToDouble() < lowest || ratio->ToDouble() > highest)
     {

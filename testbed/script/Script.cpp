@@ -471,7 +471,7 @@ std::vector<std::string> ScriptMoment::AsOption() const
 
 Error Script::At(int line, const Error& error) const
 {
-    return Error{error.kind, file.string() + ":" + std::to_string(line) + ": " + error.message};
+    return Error{error.kind, file.string() + ":" + std::to_string(line) + ": " + error.Text()};
 }
 
 bool Script::ThrowsBombs() const
@@ -515,7 +515,7 @@ Result<Script> ParseScript(const std::string& text, const std::filesystem::path&
         ++number;
         const auto fail = [&](const Error& error) {
             return Error{error.kind,
-                         file.string() + ":" + std::to_string(number) + ": " + error.message};
+                         file.string() + ":" + std::to_string(number) + ": " + error.Text()};
         };
         Result<std::vector<std::string>> words = WordsOf(line);
         if (!words)

@@ -133,7 +133,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const Result<Quantity> quantity = QuantityOf(word, isOfWorld);
     if (!quantity)
     {
-        return Refused(option, text, quantity.GetError().message);
+        return Refused(option, text, quantity.GetError().Text());
     }
     condition.m_quantity = *quantity;
     if (isOfWorld)

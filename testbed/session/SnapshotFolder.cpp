@@ -263,7 +263,7 @@ void SnapshotFolder::Offer(SceneSession& session)
     }
     if (const Result<void> written = Write(session); !written)
     {
-        WriteMessage("boxreel: " + written.GetError().message +
+        WriteMessage("boxreel: " + written.GetError().Text() +
                      " No more snapshots are written by this run.");
         m_isFull = true;
     }

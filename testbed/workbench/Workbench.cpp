@@ -103,7 +103,7 @@ void Workbench::Change(const std::string& scene, bool isOther)
     Result<SceneSource> source = OpenScene(scene);
     if (!source)
     {
-        Say(source.GetError().message);
+        Say(source.GetError().Text());
         return;
     }
     SceneLook look = m_settings.look;
@@ -122,7 +122,7 @@ void Workbench::Change(const std::string& scene, bool isOther)
     const Camera view = Uncovered();
     if (const Result<void> changed = m_session->Replace(std::move(*source), look); !changed)
     {
-        Say(changed.GetError().message);
+        Say(changed.GetError().Text());
         return;
     }
     if (!keeps)

@@ -75,7 +75,7 @@ void Workbench::Film()
     if (m_film)
     {
         const Result<void> ended = Finish();
-        Say(ended ? "Wrote " + m_filmPath.string() + "." : ended.GetError().message);
+        Say(ended ? "Wrote " + m_filmPath.string() + "." : ended.GetError().Text());
         return;
     }
     const Rational& rate = m_session->StepsPerSecond();
@@ -95,7 +95,7 @@ void Workbench::Film()
                                                    .scale = m_settings.look.scale});
     if (!recording)
     {
-        Say(recording.GetError().message);
+        Say(recording.GetError().Text());
         return;
     }
     m_film.emplace(std::move(*recording));
@@ -126,7 +126,7 @@ void Workbench::FilmFrame()
         return;
     }
     const Result<void> why = Finish();
-    Say(why ? "The film ended." : why.GetError().message);
+    Say(why ? "The film ended." : why.GetError().Text());
 }
 
 Result<void> Workbench::Finish()
@@ -173,7 +173,7 @@ void Workbench::Picture(const std::string& extension)
         const Result<Frame> frame = ToFrame(figure, m_settings.backend);
         written = frame ? WritePng(path, *frame) : frame.GetError();
     }
-    Say(written ? "Wrote " + path.string() + "." : written.GetError().message);
+    Say(written ? "Wrote " + path.string() + "." : written.GetError().Text());
     if (written)
     {
         ScriptProduct shot;
@@ -191,7 +191,7 @@ void Workbench::SaveScript()
     const std::string text = m_log.Text(m_session->SceneStep(), m_session->World());
     const Result<void> written = WriteWhole(path, text, false);
     Say(written ? "Wrote " + path.string() + ": what was done since the scene began."
-                : written.GetError().message);
+                : written.GetError().Text());
 }
 
 } // namespace boxreel

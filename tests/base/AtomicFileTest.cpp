@@ -24,8 +24,8 @@ void ExpectRefused(const Result<void>& result, ErrorKind kind, const std::string
 {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.GetError().kind, kind);
-    EXPECT_THAT(result.GetError().message, HasSubstr(culprit));
-    EXPECT_EQ(result.GetError().message.find('\n'), std::string::npos);
+    EXPECT_THAT(result.GetError().Text(), HasSubstr(culprit));
+    EXPECT_EQ(result.GetError().Text().find('\n'), std::string::npos);
 }
 
 // A disk with room for so many bytes a file, while it lives.
@@ -64,7 +64,7 @@ TEST(AtomicFile, HasItsNameOnlyOnceItIsComplete)
 {
     const TemporaryFolder folder;
     Result<AtomicFile> file = AtomicFile::Create(folder / "film.mp4", false);
-    ASSERT_TRUE(file) << file.GetError().message;
+    ASSERT_TRUE(file) << file.GetError().Text();
     const std::uint8_t bytes[] = {'a', 'b', 'c'};
     EXPECT_TRUE(file->Write(bytes));
     EXPECT_THAT(folder.Names(), ElementsAre("film.part.mp4"));

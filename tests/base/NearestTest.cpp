@@ -46,11 +46,11 @@ TEST(Nearest, AnythingElseFindsNothing)
 TEST(Nearest, RefusalsSuggestBeforeTheyListWhatThereIs)
 {
     const std::vector<std::string> words{"low", "high"};
-    EXPECT_EQ(NotOneOf("--quality", "hihg", words).message,
+    EXPECT_EQ(NotOneOf("--quality", "hihg", words).Text(),
               "--quality 'hihg': did you mean 'high'? Give one of low, high.");
-    EXPECT_EQ(NotOneOf("--quality", "best", words).message,
+    EXPECT_EQ(NotOneOf("--quality", "best", words).Text(),
               "--quality 'best': give one of low, high.");
-    EXPECT_EQ(NotOneOf("--quality", "", words).message, "--quality '': give one of low, high.");
+    EXPECT_EQ(NotOneOf("--quality", "", words).Text(), "--quality '': give one of low, high.");
     EXPECT_EQ(NotOneOf("--quality", "best", words).kind, ErrorKind::Unusable);
     EXPECT_EQ(Suggesting("hgh", words, "write it."), "did you mean 'high'? Write it.");
     EXPECT_EQ(DidYouMean("best", words), "");

@@ -144,7 +144,7 @@ try
     const boxreel::Result<void> done = bench::Run({words, words + count});
     if (!done)
     {
-        std::fprintf(stderr, "%s\n", done.GetError().message.c_str());
+        std::fprintf(stderr, "%s\n", done.GetError().Text().c_str());
         return int(done.GetError().kind);
     }
     return 0;

@@ -58,7 +58,7 @@ private:
     {
         Frame frame;
         const Result<void> drawn = m_renderer.Draw(list, camera, frame);
-        m_failure = drawn ? m_failure : drawn.GetError().message;
+        m_failure = drawn ? m_failure : drawn.GetError().Text();
         return frame;
     }
 
@@ -291,7 +291,7 @@ Result<std::vector<PlantedPicture>> PlantChanges(const std::string& scene, Rende
     if (!all && all.GetError().kind == ErrorKind::Unusable)
     {
         return Error{ErrorKind::Unusable, "Nothing can be changed in '" + scene + "': " +
-                                              all.GetError().message + "; name another scene."};
+                                              all.GetError().Text() + "; name another scene."};
     }
     return all;
 }

@@ -166,7 +166,7 @@ std::string Json(const char* name, const Times& times)
 /// What could not be done, as the program's last word.
 int Fail(const Error& error)
 {
-    std::fprintf(stderr, "%s\n", error.message.c_str());
+    std::fprintf(stderr, "%s\n", error.Text().c_str());
     return int(error.kind);
 }
 

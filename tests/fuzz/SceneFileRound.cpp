@@ -48,11 +48,11 @@ std::string WhyNoSentences(const Sentences& sentences)
 
 std::string WhyBadRefusal(const Error& error)
 {
-    if (error.kind != ErrorKind::Unusable || error.message.find(kSource) == std::string::npos)
+    if (error.kind != ErrorKind::Unusable || error.Text().find(kSource) == std::string::npos)
     {
-        return "the refusal does not blame the file: " + error.message;
+        return "the refusal does not blame the file: " + error.Text();
     }
-    return WhyNoSentences({error.message});
+    return WhyNoSentences({error.Text()});
 }
 
 bool IsFinite(const b2World& world)
@@ -106,7 +106,7 @@ std::string WhyDifferent(Scene& scene, const std::string& exported, int steps)
     const Result<std::unique_ptr<Scene>> back = SceneOfText(exported, kSource, leftOut);
     if (!back)
     {
-        return "its export is refused: " + back.GetError().message;
+        return "its export is refused: " + back.GetError().Text();
     }
     if (!leftOut.empty())
     {
@@ -143,7 +143,7 @@ std::string WhyWrong(const std::string& text)
     }
     if (!traps)
     {
-        return "it is built but its traps are refused: " + traps.GetError().message;
+        return "it is built but its traps are refused: " + traps.GetError().Text();
     }
     for (const Sentences& sentences : {leftOut, *traps})
     {

@@ -578,7 +578,7 @@ TEST(ComparePreset, ThatIsUnknownIsAnErrorThatListsTheOthers)
     const Result<CompareSettings> result = CompareSettings::Preset("--preset", "fuzzy");
     ASSERT_FALSE(result);
     EXPECT_EQ(result.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(result.GetError().message, HasSubstr("fuzzy"));
-    EXPECT_THAT(result.GetError().message,
+    EXPECT_THAT(result.GetError().Text(), HasSubstr("fuzzy"));
+    EXPECT_THAT(result.GetError().Text(),
                 HasSubstr("give one of exact, same-machine, cross-machine"));
 }

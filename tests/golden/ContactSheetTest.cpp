@@ -47,7 +47,7 @@ std::filesystem::path Film(const TemporaryFolder& folder, const std::string& nam
 ContactSheet SheetOf(const std::filesystem::path& film, const ContactSheetSettings& settings)
 {
     Result<ContactSheet> sheet = ContactSheetOf(film, settings);
-    EXPECT_TRUE(sheet) << sheet.GetError().message;
+    EXPECT_TRUE(sheet) << sheet.GetError().Text();
     return sheet ? *std::move(sheet) : ContactSheet{};
 }
 
@@ -111,7 +111,7 @@ TEST(ContactSheet, SaysWhyThereIsNone)
     const TemporaryFolder folder;
     const std::filesystem::path film = Film(folder, "film.mkv", 60, 5.0);
     const auto why = [](const Result<ContactSheet>& sheet) {
-        return sheet ? "" : sheet.GetError().message;
+        return sheet ? "" : sheet.GetError().Text();
     };
     EXPECT_THAT(why(ContactSheetOf(folder / "nothing.mkv")), HasSubstr("nothing.mkv"));
     EXPECT_THAT(why(ContactSheetOf(film, {.every = 0})), HasSubstr("every 1 or more steps"));

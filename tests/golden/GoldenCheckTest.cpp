@@ -244,8 +244,8 @@ TEST(GoldenSettings, RefuseAWordThatAcceptsNothing)
     environment.accept.Set("yes");
     const auto settings = GoldenSettingsFromEnvironment("compiled");
     ASSERT_FALSE(settings);
-    EXPECT_EQ(settings.GetError().message, "BOXREEL_GOLDEN_ACCEPT is 'yes'; set it to missing, "
-                                           "changed, all or this-renderer, or not at all.");
+    EXPECT_EQ(settings.GetError().Text(), "BOXREEL_GOLDEN_ACCEPT is 'yes'; set it to missing, "
+                                          "changed, all or this-renderer, or not at all.");
 }
 
 TEST(GoldenSettings, AskForAFolderOfReferences)
@@ -253,7 +253,7 @@ TEST(GoldenSettings, AskForAFolderOfReferences)
     const GoldenEnvironment environment;
     const auto settings = GoldenSettingsFromEnvironment("");
     ASSERT_FALSE(settings);
-    EXPECT_THAT(settings.GetError().message, HasSubstr("BOXREEL_GOLDEN_REFERENCES"));
+    EXPECT_THAT(settings.GetError().Text(), HasSubstr("BOXREEL_GOLDEN_REFERENCES"));
 }
 
 TEST(GoldenSettings, GiveEachShardAFolderOfItsOwn)
@@ -266,7 +266,7 @@ TEST(GoldenSettings, GiveEachShardAFolderOfItsOwn)
     EXPECT_EQ(GoldenSettingsFromEnvironment("r")->output, "golden-output/shard-1-of-2");
     environment.shard.Set("../../elsewhere");
     ASSERT_FALSE(GoldenSettingsFromEnvironment("r"));
-    EXPECT_THAT(GoldenSettingsFromEnvironment("r").GetError().message,
+    EXPECT_THAT(GoldenSettingsFromEnvironment("r").GetError().Text(),
                 HasSubstr("'../../elsewhere' of GTEST_TOTAL_SHARDS '2' is no shard"));
     environment.shards.Set("1");
     EXPECT_EQ(GoldenSettingsFromEnvironment("r")->output, "golden-output");

@@ -45,7 +45,7 @@ int ReddishPixels(const Frame& frame)
 TEST_F(GoldenWorld, IsACandidateAtAllThreeDepths)
 {
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box/0s");
-    ASSERT_TRUE(candidate) << candidate.GetError().message;
+    ASSERT_TRUE(candidate) << candidate.GetError().Text();
     EXPECT_EQ(candidate->name, "box/0s");
     EXPECT_EQ(candidate->stateHash, StateHashText(world));
     EXPECT_EQ(candidate->list, DrawListOf(world));
@@ -57,7 +57,7 @@ TEST_F(GoldenWorld, IsACandidateAtAllThreeDepths)
 TEST_F(GoldenWorld, WhatCanMoveFillsThePictureWhereverItIs)
 {
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box");
-    ASSERT_TRUE(candidate) << candidate.GetError().message;
+    ASSERT_TRUE(candidate) << candidate.GetError().Text();
     // A box of a metre that is half of the view's height or more, not a dot on a ground of 2 km.
     EXPECT_GT(ReddishPixels(candidate->frame), 100 * 100);
 }
@@ -66,7 +66,7 @@ TEST_F(GoldenWorld, LooksWhereTheGivenCameraDoes)
 {
     const Camera elsewhere{200, 100, 0.0, 0.0, 10.0};
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box", {.camera = elsewhere});
-    ASSERT_TRUE(candidate) << candidate.GetError().message;
+    ASSERT_TRUE(candidate) << candidate.GetError().Text();
     EXPECT_EQ(candidate->frame.width, 200);
     EXPECT_EQ(candidate->frame.height, 100);
     EXPECT_EQ(ReddishPixels(candidate->frame), 0);
@@ -76,7 +76,7 @@ TEST_F(GoldenWorld, ShowsTheLayersThatAreAskedFor)
 {
     const std::uint32_t layers = b2Draw::e_shapeBit | b2Draw::e_aabbBit;
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box", {.layers = layers});
-    ASSERT_TRUE(candidate) << candidate.GetError().message;
+    ASSERT_TRUE(candidate) << candidate.GetError().Text();
     EXPECT_EQ(candidate->list, DrawListOf(world, layers));
     EXPECT_NE(candidate->list, DrawListOf(world));
 }

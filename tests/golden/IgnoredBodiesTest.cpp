@@ -61,7 +61,7 @@ struct IgnoredBodies : testing::Test
         CompareSettings settings;
         settings.ignoredBodies = std::move(ignored);
         Result<GoldenVerdict> verdict = store.Verify(candidate, settings);
-        EXPECT_TRUE(verdict) << verdict.GetError().message;
+        EXPECT_TRUE(verdict) << verdict.GetError().Text();
         return verdict ? *std::move(verdict) : GoldenVerdict{};
     }
 

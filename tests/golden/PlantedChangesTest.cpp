@@ -34,7 +34,7 @@ protected:
     GoldenVerdict Verify(const DrawList& list, const Style& style)
     {
         Result<GoldenVerdict> verdict = m_store.Verify(Candidate("scene/3s", list, style));
-        EXPECT_TRUE(verdict) << verdict.GetError().message;
+        EXPECT_TRUE(verdict) << verdict.GetError().Text();
         return *std::move(verdict);
     }
 

@@ -42,7 +42,7 @@ protected:
     std::string Damage(const GoldenCandidate& candidate)
     {
         const Result<GoldenVerdict> verdict = m_store.Verify(candidate);
-        EXPECT_TRUE(verdict) << verdict.GetError().message;
+        EXPECT_TRUE(verdict) << verdict.GetError().Text();
         EXPECT_EQ(verdict ? verdict->status : GoldenStatus::Same, GoldenStatus::NotCompared);
         const std::string message = verdict ? verdict->message : "";
         EXPECT_THAT(message, AllOf(HasSubstr(candidate.name + ": its reference is damaged: "),
@@ -108,7 +108,7 @@ TEST_F(ReferenceFiles, NamesThatCouldLeaveTheFolderAreRefused)
         EXPECT_EQ(VerifyError(candidate).kind, ErrorKind::Unusable);
         const Error error = AcceptError(candidate);
         EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.message, HasSubstr("cannot name a reference"));
+        EXPECT_THAT(error.Text(), HasSubstr("cannot name a reference"));
     }
     EXPECT_THAT(m_folder.Names(), UnorderedElementsAre("references", "output"));
     EXPECT_TRUE(fs::is_empty(m_references));
@@ -133,7 +133,7 @@ TEST_F(ReferenceFiles, LinksThatLeadOutOfTheFolderAreRefused)
     fs::create_directories(m_references / "frames");
     fs::create_directory_symlink(m_folder / "outside", m_references / "frames/pyramid");
     for (const std::string& message :
-         {Damage(Candidate("pyramid/3s")), AcceptError(Candidate("pyramid/3s")).message})
+         {Damage(Candidate("pyramid/3s")), AcceptError(Candidate("pyramid/3s")).Text()})
     {
         EXPECT_THAT(message, AllOf(HasSubstr("frames/pyramid"), HasSubstr("remove it")));
     }
@@ -173,7 +173,7 @@ TEST_F(ReferenceFiles, LinksThatStayInsideAreFollowed)
         fs::create_directory_symlink("old", m_references / depth / "new");
     }
     const Result<GoldenVerdict> verdict = m_store.Verify(Candidate("new/3s"));
-    ASSERT_TRUE(verdict) << verdict.GetError().message;
+    ASSERT_TRUE(verdict) << verdict.GetError().Text();
     EXPECT_EQ(verdict->status, GoldenStatus::Same);
 }
 
@@ -266,7 +266,7 @@ TEST_F(ReferenceFiles, AcceptingThatFailsAtOneFileLeavesTheOthersAsTheyWere)
     fs::create_directories(m_references / "frames/scene.png");
     GoldenCandidate changed = Candidate("scene", WithoutItem(SmallScene(), 4));
     changed.stateHash = "ffffffffffffffff";
-    EXPECT_THAT(AcceptError(changed).message, HasSubstr("frames/scene.png"));
+    EXPECT_THAT(AcceptError(changed).Text(), HasSubstr("frames/scene.png"));
     EXPECT_THAT(Damage(changed), HasSubstr("frames/scene.png"));
     EXPECT_EQ(ReadBytes(m_references / "state/scene.txt"), "0123456789abcdef\n");
     EXPECT_EQ(ReadBytes(m_references / "drawlist/scene.txt"), list);
@@ -279,7 +279,7 @@ TEST_F(ReferenceFiles, AnOutputThatCannotBeWrittenIsAnErrorThatStillTellsTheDiff
     WriteBytes(m_folder / "file", "not a folder");
     const ReferenceStore store(m_references, m_folder / "file");
     const Result<GoldenVerdict> same = store.Verify(Candidate("scene"));
-    ASSERT_TRUE(same) << same.GetError().message;
+    ASSERT_TRUE(same) << same.GetError().Text();
     EXPECT_EQ(same->status, GoldenStatus::Same) << "nothing needs to be written";
     EXPECT_THAT(same->warning, HasSubstr((m_folder / "file").string()));
     EXPECT_EQ(m_store.Verify(Candidate("scene"))->warning, "");
@@ -287,12 +287,12 @@ TEST_F(ReferenceFiles, AnOutputThatCannotBeWrittenIsAnErrorThatStillTellsTheDiff
     const Result<GoldenVerdict> different =
         store.Verify(Candidate("scene", SmallScene(), {.outline = 2}));
     ASSERT_FALSE(different);
-    EXPECT_THAT(different.GetError().message,
+    EXPECT_THAT(different.GetError().Text(),
                 AllOf(HasSubstr("other pixels"), HasSubstr((m_folder / "file").string())));
 
     const Result<GoldenVerdict> missing = store.Verify(Candidate("unknown"));
     ASSERT_FALSE(missing);
-    EXPECT_THAT(missing.GetError().message, HasSubstr("no reference"));
+    EXPECT_THAT(missing.GetError().Text(), HasSubstr("no reference"));
 }
 
 TEST_F(ReferenceFiles, NoUnfinishedFileIsLeft)

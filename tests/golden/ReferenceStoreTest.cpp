@@ -33,14 +33,14 @@ protected:
     GoldenVerdict Verify(const GoldenCandidate& candidate, const CompareSettings& settings = {})
     {
         Result<GoldenVerdict> verdict = m_store.Verify(candidate, settings);
-        EXPECT_TRUE(verdict) << (verdict ? "" : verdict.GetError().message);
+        EXPECT_TRUE(verdict) << (verdict ? "" : verdict.GetError().Text());
         return verdict ? *std::move(verdict) : GoldenVerdict{};
     }
 
     void Accept(const GoldenCandidate& candidate)
     {
         const Result<void> accepted = m_store.Accept(candidate);
-        ASSERT_TRUE(accepted) << accepted.GetError().message;
+        ASSERT_TRUE(accepted) << accepted.GetError().Text();
     }
 
     // Every file below a folder, by its path from there.
@@ -378,7 +378,7 @@ TEST_F(ReferenceStoreTest, AcceptsForOneRendererOnlyWhatSaysWhoDrewIt)
 {
     const Result<void> accepted = m_store.Accept(m_candidate, AcceptAs::ForThisRenderer);
     ASSERT_FALSE(accepted);
-    EXPECT_THAT(accepted.GetError().message, HasSubstr("nobody knows which renderer drew it"));
+    EXPECT_THAT(accepted.GetError().Text(), HasSubstr("nobody knows which renderer drew it"));
     EXPECT_FALSE(fs::exists(m_references));
 }
 

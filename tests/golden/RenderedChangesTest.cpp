@@ -28,10 +28,10 @@ protected:
     void SetUp() override
     {
         Result<Renderer> renderer = Renderer::Create({.width = kWidth, .height = kHeight});
-        ASSERT_TRUE(renderer) << renderer.GetError().message;
+        ASSERT_TRUE(renderer) << renderer.GetError().Text();
         m_renderer.emplace(std::move(*renderer));
         const Result<GoldenSelection> selection = SelectGolden(GetParam());
-        ASSERT_TRUE(selection) << selection.GetError().message;
+        ASSERT_TRUE(selection) << selection.GetError().Text();
         SceneLook look;
         look.width = kWidth;
         look.height = kHeight;
@@ -40,7 +40,7 @@ protected:
         source.entry = selection->scene;
         source.title = selection->scene->name;
         Result<SceneSession> session = SceneSession::Open(std::move(source), look);
-        ASSERT_TRUE(session) << session.GetError().message;
+        ASSERT_TRUE(session) << session.GetError().Text();
         session->AdvanceTo(60);
         session->Fill(m_content);
         m_expected = Draw(m_content.list);

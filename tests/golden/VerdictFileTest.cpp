@@ -106,7 +106,7 @@ TEST_F(VerdictFile, PassesWhereNothingCanBeWritten)
     ASSERT_TRUE(store.Accept(candidate));
     std::ofstream(output) << "a file where the folder should be";
     const Result<GoldenVerdict> verdict = store.Verify(candidate);
-    ASSERT_TRUE(verdict) << verdict.GetError().message;
+    ASSERT_TRUE(verdict) << verdict.GetError().Text();
     EXPECT_EQ(verdict->status, GoldenStatus::Same);
 }
 

@@ -52,7 +52,7 @@ TEST(WorldStateText, OfAnotherKindIsRefusedWithTheLine)
     {
         const Result<WorldState> state = ParseWorldState(bad);
         ASSERT_FALSE(state) << bad;
-        EXPECT_THAT(state.GetError().message, HasSubstr("is no body's number"));
+        EXPECT_THAT(state.GetError().Text(), HasSubstr("is no body's number"));
     }
 }
 
@@ -114,11 +114,11 @@ TEST(StateTraceText, OfAnotherKindIsRefusedWithTheLine)
     {
         const Result<StateTrace> trace = ParseStateTrace(bad);
         ASSERT_FALSE(trace) << bad;
-        EXPECT_THAT(trace.GetError().message, HasSubstr("is no step's number"));
+        EXPECT_THAT(trace.GetError().Text(), HasSubstr("is no step's number"));
     }
     const Result<StateTrace> binary = ParseStateTrace("\x1b[2J\xff\r\n");
     ASSERT_FALSE(binary);
-    EXPECT_THAT(binary.GetError().message, HasSubstr("\"?[2J??\" is no"))
+    EXPECT_THAT(binary.GetError().Text(), HasSubstr("\"?[2J??\" is no"))
         << "nothing that a terminal obeys";
 }
 

@@ -110,7 +110,7 @@ int main()
     {
         if (const Result<void> printed = Print(scale); !printed)
         {
-            std::fprintf(stderr, "%s\n", printed.GetError().message.c_str());
+            std::fprintf(stderr, "%s\n", printed.GetError().Text().c_str());
             return 3;
         }
     }

@@ -32,9 +32,9 @@ TEST(FFmpegLibrary, AMissingLibraryIsNamedWithThePackageThatHasIt)
         boxreel::SharedLibrary::Open("libavcodec.so.1", "libavcodec1");
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.GetError().kind, ErrorKind::Absent);
-    EXPECT_THAT(opened.GetError().message, HasSubstr("libavcodec.so.1"));
-    EXPECT_THAT(opened.GetError().message, HasSubstr("No such file"));
-    EXPECT_THAT(opened.GetError().message, HasSubstr("install Debian's libavcodec1."));
+    EXPECT_THAT(opened.GetError().Text(), HasSubstr("libavcodec.so.1"));
+    EXPECT_THAT(opened.GetError().Text(), HasSubstr("No such file"));
+    EXPECT_THAT(opened.GetError().Text(), HasSubstr("install Debian's libavcodec1."));
 }
 
 // In a process of its own, where nothing has loaded it.

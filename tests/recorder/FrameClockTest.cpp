@@ -17,7 +17,7 @@ using boxreel::Result;
 Rational Parsed(const char* text)
 {
     const Result<Rational> parsed = Rational::Parse(text);
-    EXPECT_TRUE(parsed) << text << ": " << (parsed ? "" : parsed.GetError().message);
+    EXPECT_TRUE(parsed) << text << ": " << (parsed ? "" : parsed.GetError().Text());
     return parsed ? *parsed : Rational{};
 }
 
@@ -69,9 +69,8 @@ TEST(Rational, RefusesWhatIsNoPositiveNumberAndNamesIt)
         const Result<Rational> parsed = Rational::Parse(text);
         ASSERT_FALSE(parsed) << text;
         EXPECT_EQ(parsed.GetError().kind, ErrorKind::Unusable) << text;
-        EXPECT_THAT(parsed.GetError().message, testing::HasSubstr(text)) << text;
-        EXPECT_THAT(parsed.GetError().message,
-                    testing::HasSubstr("such as 60, 29.97 or 30000/1001"))
+        EXPECT_THAT(parsed.GetError().Text(), testing::HasSubstr(text)) << text;
+        EXPECT_THAT(parsed.GetError().Text(), testing::HasSubstr("such as 60, 29.97 or 30000/1001"))
             << text;
     }
 }
@@ -79,10 +78,10 @@ TEST(Rational, RefusesWhatIsNoPositiveNumberAndNamesIt)
 TEST(Rational, RefusesAnEmptyTextAndShortensALongOne)
 {
     ASSERT_FALSE(Rational::Parse(""));
-    EXPECT_THAT(Rational::Parse("").GetError().message, testing::HasSubstr("empty"));
+    EXPECT_THAT(Rational::Parse("").GetError().Text(), testing::HasSubstr("empty"));
     const Result<Rational> parsed = Rational::Parse(std::string(100000, '9'));
     ASSERT_FALSE(parsed);
-    EXPECT_LT(parsed.GetError().message.size(), 200u);
+    EXPECT_LT(parsed.GetError().Text().size(), 200u);
 }
 
 TEST(FrameClock, ShowsOneStepAFrameByDefault)

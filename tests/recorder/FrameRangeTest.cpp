@@ -70,8 +70,8 @@ TEST(FrameRange, RefusesWhatNamesNoFramesAndSaysWhich)
     {
         const auto range = FrameRange::Parse(text);
         ASSERT_FALSE(range) << text;
-        EXPECT_THAT(range.GetError().message, HasSubstr(says));
-        EXPECT_THAT(range.GetError().message, HasSubstr("200-399"));
+        EXPECT_THAT(range.GetError().Text(), HasSubstr(says));
+        EXPECT_THAT(range.GetError().Text(), HasSubstr("200-399"));
     }
 }
 

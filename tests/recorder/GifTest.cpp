@@ -264,7 +264,7 @@ TEST_F(GifFilm, PartsOfAFastOneAreJoinedToTheFramesOfTheWhole)
     const Result<bool> joined =
         boxreel::JoinFilms({{m_folder / "a.gif", 0}, {m_folder / "b.gif", 20}},
                            m_folder / "film.gif", {.framesPerSecond = rate, .groupFrames = 10});
-    ASSERT_TRUE(joined) << joined.GetError().message;
+    ASSERT_TRUE(joined) << joined.GetError().Text();
     EXPECT_EQ(ReadBytes(m_folder / "film.gif"), ReadBytes(m_folder / "whole.gif"));
 }
 
@@ -316,7 +316,7 @@ TEST_F(GifFilm, LosslessIsRefusedWhenAFrameHasTooManyColours)
         const Result<void> appended = writer->Append(Noise(32, 32, 0));
         ASSERT_FALSE(appended);
         EXPECT_EQ(appended.GetError().kind, boxreel::ErrorKind::Unusable);
-        EXPECT_THAT(appended.GetError().message, testing::HasSubstr(".mkv"));
+        EXPECT_THAT(appended.GetError().Text(), testing::HasSubstr(".mkv"));
     }
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
 }

@@ -79,7 +79,7 @@ protected:
         {
             const bool isRepeat = k > first && Content(k) == Content(k - 1);
             const Result<void> done = isRepeat ? writer.Repeat() : writer.Append(Content(k));
-            ASSERT_TRUE(done) << done.GetError().message;
+            ASSERT_TRUE(done) << done.GetError().Text();
         }
     }
 
@@ -88,10 +88,10 @@ protected:
         VideoSettings settings = Settings();
         settings.frames = FrameRange(FrameRun{first, end - 1, 1});
         Result<VideoWriter> writer = VideoWriter::Open(path, settings);
-        ASSERT_TRUE(writer) << writer.GetError().message;
+        ASSERT_TRUE(writer) << writer.GetError().Text();
         Continue(*writer, first, end);
         const Result<void> closed = writer->Close();
-        ASSERT_TRUE(closed) << closed.GetError().message;
+        ASSERT_TRUE(closed) << closed.GetError().Text();
     }
 
     void ExpectSame(const std::string& stem) const
@@ -132,7 +132,7 @@ TEST_P(Parts, JoinedAreTheFilmMadeInOneGo)
     MakePart(Path("c"), 30, kCount);
     const Result<bool> joined =
         JoinFilms({{Path("a"), 0}, {Path("b"), 20}, {Path("c"), 30}}, Path("film"), Settings());
-    ASSERT_TRUE(joined && *joined) << joined.GetError().message;
+    ASSERT_TRUE(joined && *joined) << joined.GetError().Text();
     ExpectSame("film");
 }
 
@@ -149,7 +149,7 @@ TEST_P(Parts, JoiningThemMayBeStoppedAtAnyTimeAndLeavesNothing)
         int asked = 0;
         const Result<bool> joined =
             JoinFilms(parts, Path("film"), Settings(), [&] { return asked++ >= question; });
-        ASSERT_TRUE(joined) << joined.GetError().message;
+        ASSERT_TRUE(joined) << joined.GetError().Text();
         isWhole = *joined;
         EXPECT_EQ(m_folder.Names().size(), before.size() + (isWhole ? 1 : 0)) << question;
     }
@@ -168,18 +168,18 @@ TEST_P(Parts, ASuspendedFilmIsContinuedToTheSameFrames)
             VideoWriter writer = *VideoWriter::Open(Path("film"), settings);
             Continue(writer, 0, end);
             const Result<void> suspended = writer.Suspend();
-            ASSERT_TRUE(suspended) << suspended.GetError().message;
+            ASSERT_TRUE(suspended) << suspended.GetError().Text();
         }
         EXPECT_EQ(ReadShown(Path("film.part"), kRate).size(), std::size_t(end))
             << "it can be played";
         settings.resume = true;
         Result<VideoWriter> opened = VideoWriter::Open(Path("film"), settings);
-        ASSERT_TRUE(opened) << opened.GetError().message;
+        ASSERT_TRUE(opened) << opened.GetError().Text();
         VideoWriter writer = std::move(*opened);
         EXPECT_EQ(writer.ResumedFrames(), (end - 1) / kGroup * kGroup);
         Continue(writer, writer.ResumedFrames(), kCount);
         const Result<void> closed = writer.Close();
-        ASSERT_TRUE(closed) << closed.GetError().message;
+        ASSERT_TRUE(closed) << closed.GetError().Text();
         ExpectSame("film");
         EXPECT_FALSE(std::filesystem::exists(Path("film.part")));
     }
@@ -197,7 +197,7 @@ TEST_P(Parts, AKilledFilmIsContinuedToTheSameFrames)
     VideoSettings settings = Settings();
     settings.resume = true;
     Result<VideoWriter> opened = VideoWriter::Open(Path("film"), settings);
-    ASSERT_TRUE(opened) << opened.GetError().message;
+    ASSERT_TRUE(opened) << opened.GetError().Text();
     VideoWriter writer = std::move(*opened);
     EXPECT_EQ(writer.ResumedFrames() % kGroup, 0);
     Continue(writer, writer.ResumedFrames(), kCount);
@@ -214,8 +214,8 @@ TEST_P(Parts, AreNotBegunAnewUnlessAllowed)
     }
     const Result<VideoWriter> refused = VideoWriter::Open(Path("film"), Settings());
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.GetError().message, HasSubstr("--resume"));
-    EXPECT_THAT(refused.GetError().message, HasSubstr("--force"));
+    EXPECT_THAT(refused.GetError().Text(), HasSubstr("--resume"));
+    EXPECT_THAT(refused.GetError().Text(), HasSubstr("--force"));
     EXPECT_EQ(ReadShown(Path("film.part"), kRate).size(), 15u) << "it is still there";
 }
 
@@ -354,7 +354,7 @@ protected:
         const Result<bool> joined = JoinFilms(parts, m_folder / whole, {});
         EXPECT_FALSE(joined);
         EXPECT_FALSE(std::filesystem::exists(m_folder / whole));
-        return joined ? "" : joined.GetError().message;
+        return joined ? "" : joined.GetError().Text();
     }
 
     TemporaryFolder m_folder;

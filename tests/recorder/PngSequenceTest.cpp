@@ -88,7 +88,7 @@ TEST_F(PngSequence, IsNotMixedWithAnOlderOneUnlessAllowed)
     const Result<VideoWriter> refused = VideoWriter::Open(m_folder / "a-####.png", kSmall);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(refused.GetError().message, HasSubstr("a-0017.png"));
+    EXPECT_THAT(refused.GetError().Text(), HasSubstr("a-0017.png"));
     EXPECT_THAT(m_folder.Names(), ElementsAre("a-0017.png"));
     boxreel::VideoSettings settings = kSmall;
     settings.overwrite = true;
@@ -107,7 +107,7 @@ TEST_F(PngSequence, AForeignFileInTheWayEndsItWithAnError)
         done = writer->Append(Drawing(64, 48, i));
     }
     ASSERT_FALSE(done);
-    EXPECT_THAT(done.GetError().message, HasSubstr("a-05.png"));
+    EXPECT_THAT(done.GetError().Text(), HasSubstr("a-05.png"));
     EXPECT_THAT(m_folder.Names(), ElementsAre("a-05.png"));
 }
 

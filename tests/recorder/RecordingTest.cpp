@@ -49,7 +49,7 @@ protected:
     void SetUp() override
     {
         Result<Renderer> renderer = Renderer::Create({.width = kWidth, .height = kHeight});
-        ASSERT_TRUE(renderer) << renderer.GetError().message;
+        ASSERT_TRUE(renderer) << renderer.GetError().Text();
         m_renderer.emplace(std::move(*renderer));
     }
 
@@ -57,7 +57,7 @@ protected:
     {
         Result<VideoWriter> writer = VideoWriter::Open(
             path, {.width = width, .height = kHeight, .quality = Quality::Lossless});
-        EXPECT_TRUE(writer) << writer.GetError().message;
+        EXPECT_TRUE(writer) << writer.GetError().Text();
         return std::move(*writer);
     }
 
@@ -82,7 +82,7 @@ TEST_F(RecordFixture, TheFilmHoldsTheFramesThatDrawingOneByOneGives)
     VideoWriter writer = OpenWriter(m_folder / "film.mkv");
     const Result<boxreel::RecordingEnd> recorded =
         Record(Settings(kCount, 25), *m_renderer, writer);
-    ASSERT_TRUE(recorded) << recorded.GetError().message;
+    ASSERT_TRUE(recorded) << recorded.GetError().Text();
     const Film film = ReadFilm(m_folder / "film.mkv");
     ASSERT_EQ(film.frames.size(), std::size_t(kCount));
     for (int k = 0; k < kCount; ++k)
@@ -177,7 +177,7 @@ TEST_F(RecordFixture, AnErrorOfTheCallerEndsTheFilmAndLeavesNothing)
         VideoWriter writer = OpenWriter(m_folder / "film.mkv");
         const Result<boxreel::RecordingEnd> recorded = Record(settings, *m_renderer, writer);
         ASSERT_FALSE(recorded);
-        EXPECT_EQ(recorded.GetError().message, "the world ended");
+        EXPECT_EQ(recorded.GetError().Text(), "the world ended");
     }
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
 }
@@ -204,7 +204,7 @@ TEST_F(RecordFixture, AnErrorOfTheEncoderEndsTheLoopAndIsReturned)
         const Result<boxreel::RecordingEnd> recorded = Record(settings, *m_renderer, writer);
         ASSERT_FALSE(recorded);
         EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(recorded.GetError().message,
+        EXPECT_THAT(recorded.GetError().Text(),
                     testing::HasSubstr("frame 12 has more than 256 colours"));
     }
     EXPECT_LT(filled, 30) << "the loop runs on after the encoder has failed";
@@ -242,7 +242,7 @@ TEST_F(RecordFixture, ALoopOfOnesOwnMakesTheSameFilm)
     Result<Recording> recording =
         Recording::Open(m_folder / "pushed.mkv",
                         {.width = kWidth, .height = kHeight, .quality = Quality::Lossless});
-    ASSERT_TRUE(recording) << recording.GetError().message;
+    ASSERT_TRUE(recording) << recording.GetError().Text();
     for (std::int64_t frame = 0; frame < 40; ++frame)
     {
         FrameContent content;
@@ -250,7 +250,7 @@ TEST_F(RecordFixture, ALoopOfOnesOwnMakesTheSameFilm)
         EXPECT_TRUE(recording->Add(content.list, content.camera));
     }
     const Result<void> closed = recording->Close();
-    ASSERT_TRUE(closed) << closed.GetError().message;
+    ASSERT_TRUE(closed) << closed.GetError().Text();
     EXPECT_EQ(ReadFilm(m_folder / "pushed.mkv").frames, ReadFilm(m_folder / "pulled.mkv").frames);
     EXPECT_THAT(m_folder.Names(), testing::UnorderedElementsAre("pulled.mkv", "pushed.mkv"));
 }

@@ -18,7 +18,7 @@ inline std::vector<boxreel::Frame> ReadShown(const std::filesystem::path& path,
                                              const boxreel::Rational& rate)
 {
     const auto source = boxreel::OpenVideoSource(path);
-    EXPECT_TRUE(source) << (source ? "" : source.GetError().message);
+    EXPECT_TRUE(source) << (source ? "" : source.GetError().Text());
     std::vector<boxreel::Frame> shown;
     const auto fillUntil = [&](double seconds) {
         while (!shown.empty() && double(shown.size()) + 0.4 < seconds * rate.ToDouble())
@@ -30,7 +30,7 @@ inline std::vector<boxreel::Frame> ReadShown(const std::filesystem::path& path,
     while (source)
     {
         const boxreel::Result<bool> more = (*source)->Next(stored);
-        EXPECT_TRUE(more) << (more ? "" : more.GetError().message);
+        EXPECT_TRUE(more) << (more ? "" : more.GetError().Text());
         if (!more || !*more)
         {
             break;
@@ -47,13 +47,13 @@ inline std::vector<boxreel::Frame> ReadShown(const std::filesystem::path& path,
 inline std::vector<boxreel::StoredFrame> ReadStored(const std::filesystem::path& path)
 {
     const auto source = boxreel::OpenVideoSource(path);
-    EXPECT_TRUE(source) << (source ? "" : source.GetError().message);
+    EXPECT_TRUE(source) << (source ? "" : source.GetError().Text());
     std::vector<boxreel::StoredFrame> all;
     boxreel::StoredFrame stored;
     while (source)
     {
         const boxreel::Result<bool> more = (*source)->Next(stored);
-        EXPECT_TRUE(more) << (more ? "" : more.GetError().message);
+        EXPECT_TRUE(more) << (more ? "" : more.GetError().Text());
         if (!more || !*more)
         {
             break;

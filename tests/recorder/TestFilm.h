@@ -82,14 +82,14 @@ inline void WriteFilm(const std::filesystem::path& path, boxreel::VideoSettings 
     settings.width = frames.front().width;
     settings.height = frames.front().height;
     boxreel::Result<boxreel::VideoWriter> writer = boxreel::VideoWriter::Open(path, settings);
-    ASSERT_TRUE(writer) << writer.GetError().message;
+    ASSERT_TRUE(writer) << writer.GetError().Text();
     for (const boxreel::Frame& frame : frames)
     {
         const boxreel::Result<void> appended = writer->Append(frame);
-        ASSERT_TRUE(appended) << appended.GetError().message;
+        ASSERT_TRUE(appended) << appended.GetError().Text();
     }
     const boxreel::Result<void> closed = writer->Close();
-    ASSERT_TRUE(closed) << closed.GetError().message;
+    ASSERT_TRUE(closed) << closed.GetError().Text();
 }
 
 struct Film
@@ -104,13 +104,13 @@ inline Film ReadFilm(const std::filesystem::path& path)
 {
     Film film;
     boxreel::Result<boxreel::VideoReader> reader = boxreel::VideoReader::Open(path);
-    EXPECT_TRUE(reader) << (reader ? "" : reader.GetError().message);
+    EXPECT_TRUE(reader) << (reader ? "" : reader.GetError().Text());
     while (reader)
     {
         boxreel::Frame frame;
         double seconds = -1.0;
         const boxreel::Result<bool> more = reader->Next(frame, &seconds);
-        EXPECT_TRUE(more) << (more ? "" : more.GetError().message);
+        EXPECT_TRUE(more) << (more ? "" : more.GetError().Text());
         if (!more || !*more)
         {
             film.info = reader->Info();

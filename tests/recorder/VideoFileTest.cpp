@@ -44,7 +44,7 @@ protected:
     VideoWriter Open(const std::string& name, const VideoSettings& settings = kSmall)
     {
         Result<VideoWriter> writer = VideoWriter::Open(m_folder / name, settings);
-        EXPECT_TRUE(writer) << writer.GetError().message;
+        EXPECT_TRUE(writer) << writer.GetError().Text();
         return std::move(*writer);
     }
 
@@ -92,7 +92,7 @@ TEST_P(VideoFile, IsNotOverwrittenUnlessAllowed)
     WriteBytes(path, "precious");
     const Error error = Refusal(path);
     EXPECT_EQ(error.kind, ErrorKind::Unusable);
-    EXPECT_THAT(error.message, AllOf(HasSubstr(path.string()), HasSubstr("--force")));
+    EXPECT_THAT(error.Text(), AllOf(HasSubstr(path.string()), HasSubstr("--force")));
     EXPECT_EQ(ReadBytes(path), "precious");
     {
         VideoSettings settings = kSmall;
@@ -168,7 +168,7 @@ TEST_F(VideoFileErrors, AMissingFolderIsNamed)
     {
         const Error error = Refusal(m_folder / "missing" / name);
         EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.message, AllOf(HasSubstr("missing"), HasSubstr("does not exist")));
+        EXPECT_THAT(error.Text(), AllOf(HasSubstr("missing"), HasSubstr("does not exist")));
     }
 }
 
@@ -179,7 +179,7 @@ TEST_F(VideoFileErrors, AFolderWithoutPermissionIsNamed)
     {
         const Error error = Refusal(std::filesystem::path("/proc/self/fd") / name);
         EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.message, HasSubstr("/proc/self/fd"));
+        EXPECT_THAT(error.Text(), HasSubstr("/proc/self/fd"));
     }
 }
 
@@ -222,7 +222,7 @@ int WriteIntoALimit(const std::filesystem::path& path, const std::filesystem::pa
             done = writer->Append(Noise(256, 256, i));
         }
         done = done ? writer->Close() : done;
-        WriteBytes(report, done ? "no error" : done.GetError().message);
+        WriteBytes(report, done ? "no error" : done.GetError().Text());
         const bool isRight = !done && done.GetError().kind == ErrorKind::Failed;
         writer = Error{}; // destroys the writer; _exit would not
         _exit(isRight ? 0 : 1);
@@ -291,7 +291,7 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         const Result<void> checked = CheckVideoPath(c.name, c.settings);
         ASSERT_FALSE(checked) << c.name;
         EXPECT_EQ(checked.GetError().kind, ErrorKind::Unusable) << c.name;
-        EXPECT_THAT(checked.GetError().message, HasSubstr(c.says));
+        EXPECT_THAT(checked.GetError().Text(), HasSubstr(c.says));
         EXPECT_FALSE(VideoWriter::Open(c.name, c.settings));
     }
 }

@@ -227,7 +227,7 @@ TEST_F(VideoReaderTest, AMissingFilmAFolderAndAForeignFileAreNamed)
         const Result<VideoReader> reader = VideoReader::Open(m_folder / name);
         ASSERT_FALSE(reader) << name;
         EXPECT_EQ(reader.GetError().kind, ErrorKind::Unusable) << name;
-        EXPECT_THAT(reader.GetError().message, HasSubstr((m_folder / name).string()));
+        EXPECT_THAT(reader.GetError().Text(), HasSubstr((m_folder / name).string()));
     }
 }
 
@@ -248,7 +248,7 @@ TEST_F(VideoReaderTest, ATruncatedFilmIsNeverTakenForAWholeOne)
             const Result<int> count = CountFrames(cut);
             ASSERT_FALSE(count) << name << " cut at " << twentieths << "/20 gave " << *count
                                 << " frames";
-            EXPECT_THAT(count.GetError().message, HasSubstr(cut.string()));
+            EXPECT_THAT(count.GetError().Text(), HasSubstr(cut.string()));
         }
     }
 }
@@ -284,12 +284,12 @@ TEST_F(VideoReaderTest, ASequenceOfPicturesMustHaveNoGapAndOneSize)
     std::filesystem::remove(m_folder / "p-002.png");
     const Result<int> gap = CountFrames(m_folder / "p-###.png");
     ASSERT_FALSE(gap);
-    EXPECT_THAT(gap.GetError().message, HasSubstr("p-002.png"));
+    EXPECT_THAT(gap.GetError().Text(), HasSubstr("p-002.png"));
     WriteFilm(m_folder / "q-###.png", {}, Drawings(32, 48, 3));
     std::filesystem::rename(m_folder / "q-001.png", m_folder / "p-002.png");
     const Result<int> size = CountFrames(m_folder / "p-###.png");
     ASSERT_FALSE(size);
-    EXPECT_THAT(size.GetError().message, HasSubstr("p-002.png"));
+    EXPECT_THAT(size.GetError().Text(), HasSubstr("p-002.png"));
 }
 
 } // namespace

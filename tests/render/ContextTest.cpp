@@ -53,7 +53,7 @@ std::string Refusal(Backend backend, const ContextLibraries& libraries,
         return std::string("made by ") + (*context)->BackEnd();
     }
     EXPECT_EQ(context.GetError().kind, kind);
-    return context.GetError().message;
+    return context.GetError().Text();
 }
 
 Result<Renderer> RendererOf(Backend backend, int width = 320, int height = 240,
@@ -73,7 +73,7 @@ protected:
             if (const Result<Renderer> renderer = RendererOf(backend, 1, 1); !renderer)
             {
                 GTEST_SKIP() << "one back end is not on this machine: "
-                             << renderer.GetError().message;
+                             << renderer.GetError().Text();
             }
         }
     }
@@ -118,7 +118,7 @@ protected:
     const FakeDevice* Drawing(Backend backend)
     {
         const auto context = Create(backend);
-        message = context ? "" : context.GetError().message;
+        message = context ? "" : context.GetError().Text();
         return context ? fake->current : nullptr;
     }
 
@@ -232,7 +232,7 @@ TEST_F(BothBackEnds, FollowEachOtherWhenOneIsMissing)
 {
     const Variable none(nullptr);
     const auto context = CreateContext(Backend::Auto, {.osMesa = kNoLibraries.osMesa});
-    ASSERT_TRUE(context) << context.GetError().message;
+    ASSERT_TRUE(context) << context.GetError().Text();
     EXPECT_STREQ((*context)->BackEnd(), "EGL");
     const auto first = CreateContext(Backend::Auto, {.egl = kNoLibraries.egl});
     ASSERT_TRUE(first);
@@ -255,7 +255,7 @@ TEST(Backend, IsReadFromItsName)
         const Result<Backend> backend = ParseBackend("--backend", bad);
         ASSERT_FALSE(backend) << bad;
         EXPECT_EQ(backend.GetError().kind, ErrorKind::Unusable);
-        EXPECT_EQ(backend.GetError().message,
+        EXPECT_EQ(backend.GetError().Text(),
                   "--backend '" + bad + "': " + remedy + " one of auto, osmesa, egl, egl-gpu.");
     }
 }
@@ -401,7 +401,7 @@ TEST_F(FakeEglLibrary, IsLeftWhenAnotherContextIsEntered)
     auto osMesa = CreateContext(Backend::OSMesa);
     if (!osMesa)
     {
-        GTEST_SKIP() << "one back end is not on this machine: " << osMesa.GetError().message;
+        GTEST_SKIP() << "one back end is not on this machine: " << osMesa.GetError().Text();
     }
     ASSERT_TRUE((*osMesa)->MakeCurrent());
     EXPECT_EQ(fake->current, nullptr);

@@ -90,11 +90,11 @@ TEST(FigureFrame, SaysWhatCannotBe)
 {
     Figure figure = TwoPanels(Theme::Classic());
     figure.scale = 12.0;
-    EXPECT_THAT(ToFrame(figure).GetError().message, HasSubstr("8400x3120"));
+    EXPECT_THAT(ToFrame(figure).GetError().Text(), HasSubstr("8400x3120"));
     figure.scale = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(ToFrame(figure));
     figure = TwoPanels(Theme::Classic());
     figure.panels[1].camera.pixelsPerMeter = 0.0;
-    EXPECT_THAT(ToFrame(figure).GetError().message, HasSubstr("pixelsPerMeter"));
+    EXPECT_THAT(ToFrame(figure).GetError().Text(), HasSubstr("pixelsPerMeter"));
     EXPECT_TRUE(PrepareFrames());
 }

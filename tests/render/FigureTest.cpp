@@ -33,7 +33,7 @@ Figure FigureOf(const DrawList& list, const Theme& theme = Theme::Classic())
 std::string Svg(const Figure& figure)
 {
     const Result<std::string> text = ToSvg(figure);
-    EXPECT_TRUE(text) << text.GetError().message;
+    EXPECT_TRUE(text) << text.GetError().Text();
     return text ? *text : "";
 }
 
@@ -414,7 +414,7 @@ TEST(Figure, OfWrongSizeOrViewIsRefused)
         const Result<std::string> svg = ToSvg(figure);
         const Result<std::vector<std::uint8_t>> pdf = ToPdf(figure);
         return !svg && !pdf && svg.GetError().kind == ErrorKind::Unusable &&
-               svg.GetError().message == pdf.GetError().message;
+               svg.GetError().Text() == pdf.GetError().Text();
     };
     EXPECT_TRUE(refused([](Figure& f) { f.width = 0; }));
     EXPECT_TRUE(refused([](Figure& f) { f.height = kLargestFigure + 1; }));
@@ -495,7 +495,7 @@ TEST(Figure, ShowsWhatTheRendererShows)
         const DrawList list = ManyShapes();
         const Frame frame = Picture(list, kWidth, kHeight, theme);
         const Result<Frame> figure = RasterizeFigure(FigureOf(list, theme));
-        ASSERT_TRUE(figure) << figure.GetError().message;
+        ASSERT_TRUE(figure) << figure.GetError().Text();
         const std::vector<bool> edge =
             Supersample(list, PixelCamera(kWidth, kHeight), Theme::Classic()).edge;
         const Difference difference = Between(*figure, frame, edge, std::string(name).c_str());
@@ -578,7 +578,7 @@ TEST(Figure, LooksTheSameInOtherProgrammes)
     const auto compare = [&](const std::string& command, const char* what) {
         ASSERT_TRUE(Runs(command)) << command;
         const Result<Frame> picture = ReadPng(folder / "a.png");
-        ASSERT_TRUE(picture) << picture.GetError().message;
+        ASSERT_TRUE(picture) << picture.GetError().Text();
         EXPECT_LE(Between(*picture, frame, edge, what).rms, 3.5) << what;
         std::filesystem::remove(folder / "a.png");
     };

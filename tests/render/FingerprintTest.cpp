@@ -28,7 +28,7 @@ Result<std::string> FingerprintOf(Backend backend)
 TEST(Fingerprint, IsSixteenHexDigits)
 {
     const Result<std::string> fingerprint = FingerprintOf(Backend::Auto);
-    ASSERT_TRUE(fingerprint) << fingerprint.GetError().message;
+    ASSERT_TRUE(fingerprint) << fingerprint.GetError().Text();
     EXPECT_EQ(fingerprint->size(), 16u);
     EXPECT_EQ(fingerprint->find_first_not_of("0123456789abcdef"), std::string::npos);
 }
@@ -39,7 +39,7 @@ TEST(Fingerprint, IsTheSameOfOSMesaAndEgl)
     const Result<std::string> egl = FingerprintOf(Backend::Egl);
     if (!osMesa || !egl)
     {
-        GTEST_SKIP() << (osMesa ? egl : osMesa).GetError().message;
+        GTEST_SKIP() << (osMesa ? egl : osMesa).GetError().Text();
     }
     EXPECT_EQ(*osMesa, *egl);
 }
@@ -49,7 +49,7 @@ TEST(Fingerprint, IsTheSameOfOSMesaAndEgl)
 TEST(Fingerprint, IsThatOfTheReferencesWithMesasWeKnow)
 {
     const Result<Renderer> renderer = Renderer::Create({.width = 8, .height = 8});
-    ASSERT_TRUE(renderer) << renderer.GetError().message;
+    ASSERT_TRUE(renderer) << renderer.GetError().Text();
     for (const auto& [mesa, fingerprint] :
          {std::pair("Mesa 22.3", "2e7b1e624270b67b"), std::pair("Mesa 25.0", "2e7b1e624270b67b"),
           std::pair("Mesa 26.1", "168f1ea46c72c294")})
@@ -81,7 +81,7 @@ TEST(Fingerprint, IsTheSameWhenThreadsAskAtOnce)
 TEST(Fingerprint, LeavesTheRenderersPictureAsItIs)
 {
     Result<Renderer> renderer = Renderer::Create({.width = 320, .height = 240});
-    ASSERT_TRUE(renderer) << renderer.GetError().message;
+    ASSERT_TRUE(renderer) << renderer.GetError().Text();
     const Camera camera{320, 240, 160.0, 120.0, 1.0};
     ASSERT_TRUE(renderer->Submit(ProbeList(), camera));
     ASSERT_TRUE(renderer->Fingerprint());
@@ -96,7 +96,7 @@ TEST(Fingerprint, LeavesTheRenderersPictureAsItIs)
 TEST(Probe, BlendsManyDifferentColours)
 {
     const Result<Frame> probe = DrawProbe(Backend::Auto);
-    ASSERT_TRUE(probe) << probe.GetError().message;
+    ASSERT_TRUE(probe) << probe.GetError().Text();
     std::set<std::tuple<int, int, int>> colours;
     for (std::size_t i = 0; i < probe->rgba.size(); i += 4)
     {

@@ -35,7 +35,7 @@ inline Renderer MakeRenderer(int width, int height, const Theme& theme = Theme::
     settings.height = height;
     settings.theme = theme;
     Result<Renderer> renderer = Renderer::Create(settings);
-    EXPECT_TRUE(renderer) << renderer.GetError().message;
+    EXPECT_TRUE(renderer) << renderer.GetError().Text();
     return std::move(*renderer);
 }
 
@@ -44,7 +44,7 @@ inline Frame DrawWith(Renderer& renderer, const DrawList& list, const Camera& ca
 {
     Frame frame;
     const Result<void> drawn = renderer.Draw(list, camera, frame, overlay);
-    EXPECT_TRUE(drawn) << drawn.GetError().message;
+    EXPECT_TRUE(drawn) << drawn.GetError().Text();
     return frame;
 }
 
@@ -58,7 +58,7 @@ inline Frame Picture(const DrawList& list, int width, int height,
 inline Frame FrameOf(const Figure& figure)
 {
     const Result<Frame> frame = ToFrame(figure);
-    EXPECT_TRUE(frame) << frame.GetError().message;
+    EXPECT_TRUE(frame) << frame.GetError().Text();
     return frame ? *frame : Frame();
 }
 

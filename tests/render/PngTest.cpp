@@ -153,7 +153,7 @@ void ExpectReadsAsMeant(const Picture& picture)
     const TemporaryFolder folder;
     Save(picture, folder / "picture.png");
     const Result<Frame> frame = ReadPng(folder / "picture.png");
-    ASSERT_TRUE(frame) << frame.GetError().message;
+    ASSERT_TRUE(frame) << frame.GetError().Text();
     ASSERT_EQ(frame->width, picture.width);
     ASSERT_EQ(frame->height, picture.height);
     for (int y = 0; y < picture.height; ++y)
@@ -271,7 +271,7 @@ TEST(WritePng, StoresAnOpaqueFrameAsRgbAndReadsItBackBitForBit)
     {
         const Result<void> written =
             WritePng(folder / "frame.png", frame, {.compressionLevel = level, .overwrite = true});
-        ASSERT_TRUE(written) << written.GetError().message;
+        ASSERT_TRUE(written) << written.GetError().Text();
         EXPECT_EQ(ColorTypeOf(folder / "frame.png"), PNG_COLOR_TYPE_RGB);
         EXPECT_EQ(*ReadPng(folder / "frame.png"), frame);
     }
@@ -351,7 +351,7 @@ TEST(WritePng, LeavesAnExistingFileAloneUnlessTold)
     const Result<void> refused = WritePng(folder / "frame.png", RandomFrame(4, 4, true, 3));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(refused.GetError().message, HasSubstr("frame.png"));
+    EXPECT_THAT(refused.GetError().Text(), HasSubstr("frame.png"));
     EXPECT_EQ(ReadBytes(folder / "frame.png"), "precious");
     EXPECT_TRUE(WritePng(folder / "frame.png", RandomFrame(4, 4, true, 3), {.overwrite = true}));
     EXPECT_EQ(*ReadPng(folder / "frame.png"), RandomFrame(4, 4, true, 3));
@@ -377,7 +377,7 @@ TEST(WritePng, RefusesASideLongerThanItCanReadBack)
     const TemporaryFolder folder;
     const Result<void> written = WritePng(folder / "frame.png", Frame(16385, 1));
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.GetError().message, HasSubstr("16384"));
+    EXPECT_THAT(written.GetError().Text(), HasSubstr("16384"));
     EXPECT_TRUE(WritePng(folder / "frame.png", Frame(16384, 1)));
     EXPECT_EQ(ReadPng(folder / "frame.png")->width, 16384);
 }
@@ -400,7 +400,7 @@ TEST(ReadPng, NoticesWhereverAFileIsCutOff)
             const Result<Frame> frame = ReadPng(folder / "cut.png");
             ASSERT_FALSE(frame) << "cut to " << size << " of " << whole.size() << " bytes";
             EXPECT_EQ(frame.GetError().kind, ErrorKind::Unusable);
-            EXPECT_THAT(frame.GetError().message, HasSubstr("cut.png"));
+            EXPECT_THAT(frame.GetError().Text(), HasSubstr("cut.png"));
         }
     }
 }
@@ -436,8 +436,8 @@ TEST(ReadPng, SaysWhatIsWrongWithANameThatIsNoPng)
         const Result<Frame> frame = ReadPng(folder / name);
         ASSERT_FALSE(frame) << name;
         EXPECT_EQ(frame.GetError().kind, ErrorKind::Unusable) << name;
-        EXPECT_THAT(frame.GetError().message, HasSubstr((folder / name).string()));
-        EXPECT_EQ(frame.GetError().message.find('\n'), std::string::npos);
+        EXPECT_THAT(frame.GetError().Text(), HasSubstr((folder / name).string()));
+        EXPECT_EQ(frame.GetError().Text().find('\n'), std::string::npos);
     }
 }
 
@@ -468,7 +468,7 @@ TEST(ReadPng, RefusesAHugePictureBeforeMakingRoomForIt)
         const Result<Frame> frame = ReadPng(folder / "huge.png");
         ASSERT_FALSE(frame) << side;
         EXPECT_EQ(frame.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(frame.GetError().message,
+        EXPECT_THAT(frame.GetError().Text(),
                     HasSubstr(side == 16384u ? "too short" : "at most 16384x16384"));
     }
 }

@@ -334,7 +334,7 @@ TEST(Renderer, RefusesSizesOutOfRange)
         const Result<Renderer> renderer = Renderer::Create(settings);
         ASSERT_FALSE(renderer);
         EXPECT_EQ(renderer.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(renderer.GetError().message, testing::HasSubstr("from 1 to 8192"));
+        EXPECT_THAT(renderer.GetError().Text(), testing::HasSubstr("from 1 to 8192"));
     }
 }
 
@@ -344,7 +344,7 @@ TEST(Renderer, RefusesACameraThatDoesNotFit)
     const Result<void> drawn = renderer.Submit({}, PixelCamera(41, 30));
     ASSERT_FALSE(drawn);
     EXPECT_EQ(drawn.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(drawn.GetError().message, testing::HasSubstr("41x30"));
+    EXPECT_THAT(drawn.GetError().Text(), testing::HasSubstr("41x30"));
     for (const double scale : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     {
         Camera camera = PixelCamera(40, 30);

@@ -23,7 +23,7 @@ Frame DrawScaled(const DrawList& list, double scale, const Theme& theme = Theme:
     settings.theme = theme;
     settings.scale = scale;
     Result<Renderer> renderer = Renderer::Create(settings);
-    EXPECT_TRUE(renderer) << renderer.GetError().message;
+    EXPECT_TRUE(renderer) << renderer.GetError().Text();
     return DrawWith(*renderer, list, camera);
 }
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 /// @file
-/// How the toolkit reports what the world outside did wrong (files, codecs, drivers, arguments).
-/// Libraries return it; they never print, exit or throw across a module. The caller's own mistakes
-/// are asserted instead.
+/// How the toolkit reports errors of the environment (files, codecs, drivers, arguments).
+/// Libraries return them; they never print, exit or throw across a module. Programming errors of
+/// the caller are asserted instead.
 namespace boxreel
 {
 
@@ -22,11 +22,16 @@ enum class ErrorKind
     Failed = 4,    ///< reading or writing failed under way
 };
 
-/// One sentence for a person: the culprit and the remedy, no trailing newline.
+/// What went wrong, as data. Text() is the only place that makes a sentence of it.
 struct Error
 {
     ErrorKind kind = ErrorKind::Failed; ///< whose fault it is
-    std::string message;                ///< one sentence: the culprit and the remedy
+    std::string culprit; ///< what is at fault, as the caller named it: an option, a file, a name
+    std::string problem = {}; ///< what is wrong with it: lower case, no full stop
+    std::string remedy = {};  ///< what to do about it: lower case, no full stop; may be empty
+
+    /// "film.mp4: already exists; use --force to replace it"
+    std::string Text() const;
 };
 
 /// Either a value or an Error. Test it before use: `if (!result) return result.GetError();`
@@ -53,6 +58,8 @@ public:
     const T* operator->() const { return &std::get<0>(m_content); }
     /// What went wrong; only where there is no value.
     const Error& GetError() const { return std::get<1>(m_content); }
+    /// Moves the error out; only where there is no value.
+    Error TakeError() && { return std::get<1>(std::move(m_content)); }
 
 private:
     std::variant<T, Error> m_content;
@@ -71,6 +78,8 @@ public:
     explicit operator bool() const { return !m_failed; }
     /// What went wrong; empty where nothing did.
     const Error& GetError() const { return m_error; }
+    /// Moves the error out; empty where nothing went wrong.
+    Error TakeError() && { return std::move(m_error); }
 
 private:
     Error m_error;

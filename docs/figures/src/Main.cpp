@@ -96,7 +96,7 @@ int main(int argc, char** argv)
     const Result<void> done = Run(argv[1], {argv + 2, argv + argc});
     if (!done)
     {
-        std::cerr << "boxreel_docs_figures: " << done.GetError().message << '\n';
+        std::cerr << "boxreel_docs_figures: " << done.GetError().Text() << '\n';
         return int(done.GetError().kind);
     }
     return 0;

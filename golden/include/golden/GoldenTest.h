@@ -73,13 +73,13 @@ inline testing::AssertionResult Check(const Result<GoldenCandidate>& candidate,
 {
     if (!candidate)
     {
-        return testing::AssertionFailure() << candidate.GetError().message;
+        return testing::AssertionFailure() << candidate.GetError().Text();
     }
     const Result<GoldenCheckSettings> settings =
         GoldenSettingsFromEnvironment(CompiledReferences());
     if (!settings)
     {
-        return testing::AssertionFailure() << settings.GetError().message;
+        return testing::AssertionFailure() << settings.GetError().Text();
     }
     static std::set<std::string> accepted; // by all checks of this program
     const GoldenOutcome outcome = CheckGolden(*candidate, compare, *settings, accepted);
@@ -133,7 +133,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
     Result<ContactSheet> sheet = ContactSheetOf(film, check.sheet);
     if (!sheet)
     {
-        return testing::AssertionFailure() << sheet.GetError().message;
+        return testing::AssertionFailure() << sheet.GetError().Text();
     }
     GoldenCandidate candidate = CandidateOf(std::move(*sheet), check.name);
     candidate.fingerprint = DefaultFingerprint();

@@ -121,7 +121,7 @@ ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const E
     std::string name = path.lexically_relative(folder).generic_string();
     name.resize(name.size() - std::string_view(kEnd).size());
     return FromJson(
-        {{"verdict", 1}, {"name", name}, {"status", "error"}, {"message", error.message}});
+        {{"verdict", 1}, {"name", name}, {"status", "error"}, {"message", error.Text()}});
 }
 
 /// The files of a folder, sorted, so that the same folders make the same page.

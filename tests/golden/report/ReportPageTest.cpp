@@ -38,7 +38,7 @@ protected:
                           const std::map<std::string, FilmStrip>& strips = {})
     {
         const Result<std::string> page = ReportPage(moments, strips);
-        EXPECT_TRUE(page) << page.GetError().message;
+        EXPECT_TRUE(page) << page.GetError().Text();
         return page ? *page : "";
     }
 
@@ -126,7 +126,7 @@ TEST_F(Page, RefusesAPictureThatCannotBeRead)
     std::filesystem::create_directories(folder / "base.actual.png");
     const Result<std::string> page = ReportPage({Moment("a", "state")}, {});
     ASSERT_FALSE(page);
-    EXPECT_THAT(page.GetError().message, HasSubstr("base.actual.png"));
+    EXPECT_THAT(page.GetError().Text(), HasSubstr("base.actual.png"));
 }
 
 TEST(Base64, IsThatOfRfc4648)

@@ -43,7 +43,7 @@ protected:
             folders.push_back(folder / name);
         }
         Result<std::vector<ReportedMoment>> moments = CollectVerdicts(folders);
-        EXPECT_TRUE(moments) << moments.GetError().message;
+        EXPECT_TRUE(moments) << moments.GetError().Text();
         return moments ? *std::move(moments) : std::vector<ReportedMoment>();
     }
     std::string Refusal(const std::string& name) const
@@ -51,7 +51,7 @@ protected:
         const Result<std::vector<ReportedMoment>> moments = CollectVerdicts({folder / name});
         EXPECT_FALSE(moments);
         EXPECT_EQ(moments.GetError().kind, ErrorKind::Unusable);
-        return moments ? "" : moments.GetError().message;
+        return moments ? "" : moments.GetError().Text();
     }
 
     TemporaryFolder folder;

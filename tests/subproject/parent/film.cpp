@@ -12,7 +12,7 @@ namespace
 
 int Fail(const boxreel::Error& error)
 {
-    std::fprintf(stderr, "%s\n", error.message.c_str());
+    std::fprintf(stderr, "%s\n", error.Text().c_str());
     return 1;
 }
 

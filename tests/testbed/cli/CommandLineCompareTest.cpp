@@ -28,7 +28,7 @@ CompareSettings DiffSettings(const std::string& options)
     const Result<Request> request = Parse("diff a.png b.png " + options);
     if (!request)
     {
-        ADD_FAILURE() << options << ": " << request.GetError().message;
+        ADD_FAILURE() << options << ": " << request.GetError().Text();
         return {};
     }
     return Effective(std::get<DiffOptions>(*request).compare);
@@ -89,7 +89,7 @@ TEST(CommandLineCompare, IsTheSameOfGoldenVerifyAndNoneOfAccept)
 {
     const Result<Request> request =
         Parse("golden verify pyramid --preset cross-machine --max-pixels 5 --ignore 0,0,5x6");
-    ASSERT_TRUE(request) << request.GetError().message;
+    ASSERT_TRUE(request) << request.GetError().Text();
     const CompareSettings settings = Effective(std::get<GoldenOptions>(*request).compare);
     EXPECT_EQ(settings.preset, "cross-machine, with --max-pixels, --ignore,");
     EXPECT_EQ(settings.maxPixels, 5);
@@ -100,7 +100,7 @@ TEST(CommandLineCompare, RefusesWhatIsNoLimit)
 {
     const auto refusal = [](const std::string& options) {
         const Result<Request> request = Parse("diff a.png b.png " + options);
-        return request ? "accepted: " + options : request.GetError().message;
+        return request ? "accepted: " + options : request.GetError().Text();
     };
     for (const char* text : {"1,2,3", "1,2,0x4", "1,2,3x0", "-1,2,3x4", "1,2,3x4x5", "1,2,3x4,5",
                              "a,2,3x4", "1,2,65536x4", "x"})

@@ -33,7 +33,7 @@ Options Parsed(const std::string& line)
     Result<Request> request = Parse(line);
     if (!request)
     {
-        ADD_FAILURE() << line << ": " << request.GetError().message;
+        ADD_FAILURE() << line << ": " << request.GetError().Text();
         return {};
     }
     return std::get<Options>(*request);
@@ -47,7 +47,7 @@ std::string Refusal(const std::string& line)
         return "accepted: " + line;
     }
     EXPECT_EQ(request.GetError().kind, ErrorKind::Unusable) << line;
-    return request.GetError().message;
+    return request.GetError().Text();
 }
 
 TEST(CommandLine, RefusalsOfNumbersSayTheirLimits)

@@ -92,7 +92,7 @@ TEST(CommandTree, EveryCommandHasAnExampleAndEveryExampleIsUnderstood)
                 std::vector<std::string> words = ShellWords(line);
                 words.erase(words.begin());
                 const Result<Request> request = ParseCommandLine(words);
-                EXPECT_TRUE(request) << line << "\n" << request.GetError().message;
+                EXPECT_TRUE(request) << line << "\n" << request.GetError().Text();
             }
         }
     }
@@ -129,13 +129,13 @@ TEST(CommandTree, OffersOnlyWordsThatAreUnderstood)
                 std::vector<std::string> line = LineFor(*command);
                 line.insert(line.end(), {option.names.back(), word});
                 const Result<Request> request = ParseCommandLine(line);
-                const std::string message = request ? "" : request.GetError().message;
+                const std::string message = request ? "" : request.GetError().Text();
                 EXPECT_THAT(message, Not(HasSubstr("'" + word + "'"))) << command->path;
                 ++offered;
             }
             std::vector<std::string> line = LineFor(*command);
             line.insert(line.end(), {option.names.back(), "xylophone"});
-            EXPECT_THAT(ParseCommandLine(line).GetError().message, HasSubstr("'xylophone'"));
+            EXPECT_THAT(ParseCommandLine(line).GetError().Text(), HasSubstr("'xylophone'"));
         }
     }
     EXPECT_GE(offered, 60);

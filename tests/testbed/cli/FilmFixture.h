@@ -29,7 +29,7 @@ protected:
         Result<VideoReader> reader = VideoReader::Open(folder / name, which);
         if (!reader)
         {
-            ADD_FAILURE() << reader.GetError().message;
+            ADD_FAILURE() << reader.GetError().Text();
             return frames;
         }
         Frame frame;

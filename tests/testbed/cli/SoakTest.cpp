@@ -38,7 +38,7 @@ Decoded Decode(const std::filesystem::path& path)
     Result<VideoReader> reader = VideoReader::Open(path);
     if (!reader)
     {
-        ADD_FAILURE() << reader.GetError().message;
+        ADD_FAILURE() << reader.GetError().Text();
         return decoded;
     }
     Frame frame;
@@ -47,7 +47,7 @@ Decoded Decode(const std::filesystem::path& path)
     {
         ++decoded.frames;
     }
-    EXPECT_TRUE(more) << more.GetError().message;
+    EXPECT_TRUE(more) << more.GetError().Text();
     decoded.width = frame.width;
     decoded.height = frame.height;
     return decoded;

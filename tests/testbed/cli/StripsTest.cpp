@@ -32,7 +32,7 @@ ReportedMoment Parted(const std::string& name, std::int64_t first = 12, std::int
 FilmStrip StripOf(const ReportedMoment& moment, const std::string& against = "")
 {
     const auto strips = MakeStrips({moment}, against, Backend::Auto);
-    EXPECT_TRUE(strips) << strips.GetError().message;
+    EXPECT_TRUE(strips) << strips.GetError().Text();
     return strips && strips->contains(moment.shown.name) ? strips->at(moment.shown.name)
                                                          : FilmStrip{};
 }
@@ -108,7 +108,7 @@ TEST(FilmStrips, AskTheOtherProgramForItsPictures)
 {
     const auto strips = MakeStrips({Parted("bridge/0.5s")}, "/bin/true", Backend::Auto);
     ASSERT_FALSE(strips);
-    EXPECT_THAT(strips.GetError().message,
+    EXPECT_THAT(strips.GetError().Text(),
                 HasSubstr("--against /bin/true: it made no picture of 'bridge'"));
 }
 

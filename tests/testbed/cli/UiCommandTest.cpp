@@ -216,7 +216,7 @@ TEST_F(UiCommand, PullsABodyFilmsItAndWritesTheScriptThatDoesItAgain)
     EXPECT_NE(outcome.output, Summary(*alone)) << "nothing was pulled";
 
     Result<VideoReader> film = VideoReader::Open(folder / "newtons-cradle-1.mp4");
-    ASSERT_TRUE(film) << film.GetError().message;
+    ASSERT_TRUE(film) << film.GetError().Text();
     EXPECT_EQ(film->Info().width, kWidth - Panels::kColumnWidth);
     EXPECT_EQ(film->Info().height, kHeight);
     int frames = 0;

@@ -40,7 +40,7 @@ protected:
     std::string Refusal() const
     {
         const Result<FilmPapers> papers = ReadPapers(m_folder / "a.mkv", "do this");
-        return papers ? "accepted" : papers.GetError().message;
+        return papers ? "accepted" : papers.GetError().Text();
     }
 
     TemporaryFolder m_folder;
@@ -51,7 +51,7 @@ TEST_F(FilmPapersFile, ComeBackAsTheyWereWritten)
     ASSERT_TRUE(WritePapers(m_folder / "a.mkv", Papers()));
     EXPECT_THAT(m_folder.Files(), ElementsAre("a.mkv.json"));
     const Result<FilmPapers> read = ReadPapers(m_folder / "a.mkv", "");
-    ASSERT_TRUE(read) << read.GetError().message;
+    ASSERT_TRUE(read) << read.GetError().Text();
     EXPECT_EQ(DifferenceOf(*read, Papers()), "");
     EXPECT_EQ(read->framesPerSecond, Papers().framesPerSecond);
     EXPECT_EQ(read->groupFrames, 50);

@@ -13,7 +13,7 @@ const std::map<std::uint32_t, std::string> kNames{{1, "ball"}, {4, "ball"}, {7, 
 std::string Refusal(BodyRef body, const std::map<std::uint32_t, std::string>& names)
 {
     const Result<void> found = FindNames("--trail", {&body}, names);
-    return found ? "found" : found.GetError().message;
+    return found ? "found" : found.GetError().Text();
 }
 
 TEST(BodyRef, ANameBecomesItsNumber)

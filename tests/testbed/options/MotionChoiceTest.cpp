@@ -16,7 +16,7 @@ const BodyChoice kThese{false, {3, 17}};
 template <class Value>
 std::string Refusal(const Result<Value>& result)
 {
-    return result ? "accepted" : result.GetError().message;
+    return result ? "accepted" : result.GetError().Text();
 }
 
 TEST(MotionChoice, BodiesAreNumbersOrWhatMoves)

@@ -16,7 +16,7 @@ namespace
 SceneLayers Layers(const std::string& text)
 {
     const Result<SceneLayers> layers = ParseLayers("--draw", text);
-    EXPECT_TRUE(layers) << layers.GetError().message;
+    EXPECT_TRUE(layers) << layers.GetError().Text();
     return *layers;
 }
 
@@ -43,8 +43,8 @@ TEST(SceneLayers, AreThoseThatAreNamedAndNoOthers)
         const Result<SceneLayers> refused = ParseLayers("--draw", text);
         ASSERT_FALSE(refused) << text;
         EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(refused.GetError().message, testing::AllOf(testing::StartsWith("--draw '"),
-                                                               testing::HasSubstr(kEverything)));
+        EXPECT_THAT(refused.GetError().Text(), testing::AllOf(testing::StartsWith("--draw '"),
+                                                              testing::HasSubstr(kEverything)));
     }
 }
 
@@ -195,7 +195,7 @@ TEST(SceneLayers, OfAViewGiveThePictureThatAllOfTheWorldGives)
                               .theme = theme,
                               .scale = scale,
                               .redrawsWhole = true}); // counts all items that touch the picture
-        ASSERT_TRUE(renderer) << renderer.GetError().message;
+        ASSERT_TRUE(renderer) << renderer.GetError().Text();
         for (int i = 0; i < 6; ++i)
         {
             const b2Vec2 middle = mixed.Place();

@@ -25,8 +25,8 @@ std::string Refusal(const std::string& text)
         return "accepted: " + text;
     }
     EXPECT_EQ(view.GetError().kind, ErrorKind::Unusable) << text;
-    EXPECT_EQ(view.GetError().message.find('\n'), std::string::npos) << text;
-    return view.GetError().message;
+    EXPECT_EQ(view.GetError().Text().find('\n'), std::string::npos) << text;
+    return view.GetError().Text();
 }
 
 TEST(ViewChoice, EachFormIsRead)

@@ -25,7 +25,7 @@ struct Built
         }
         else
         {
-            ADD_FAILURE() << scene.GetError().message;
+            ADD_FAILURE() << scene.GetError().Text();
         }
     }
 

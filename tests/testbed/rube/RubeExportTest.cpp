@@ -53,7 +53,7 @@ std::vector<float> CornersOf(const b2World& world)
 RubeScene Read(const std::string& text)
 {
     const Result<RubeScene> scene = ParseRubeScene(text, "scene");
-    EXPECT_TRUE(scene) << scene.GetError().message;
+    EXPECT_TRUE(scene) << scene.GetError().Text();
     return scene ? *scene : RubeScene();
 }
 

@@ -234,8 +234,8 @@ protected:
             return "";
         }
         EXPECT_EQ(scene.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(scene.GetError().message, HasSubstr(file.string()));
-        return scene.GetError().message;
+        EXPECT_THAT(scene.GetError().Text(), HasSubstr(file.string()));
+        return scene.GetError().Text();
     }
 
     std::filesystem::path m_folder;
@@ -334,7 +334,7 @@ TEST(RubeExample, IsReadBuiltAndStepped)
     }
     std::vector<std::string> leftOut;
     const auto loaded = LoadRubeScene(file, leftOut);
-    ASSERT_TRUE(loaded) << loaded.GetError().message;
+    ASSERT_TRUE(loaded) << loaded.GetError().Text();
     Scene& scene = **loaded;
     EXPECT_EQ(scene.World().GetBodyCount(), 9);
     EXPECT_EQ(scene.World().GetJointCount(), 8);

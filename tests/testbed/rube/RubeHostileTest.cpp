@@ -32,11 +32,10 @@ std::string Complaint(const std::string& text)
         return "";
     }
     EXPECT_EQ(scene.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(scene.GetError().message, AllOf(StartsWith("scene.json"), EndsWith(".")));
-    EXPECT_EQ(std::count(scene.GetError().message.begin(), scene.GetError().message.end(), '\n'),
-              0);
-    EXPECT_LT(scene.GetError().message.size(), 300u);
-    return scene.GetError().message;
+    EXPECT_THAT(scene.GetError().Text(), AllOf(StartsWith("scene.json"), EndsWith(".")));
+    EXPECT_EQ(std::count(scene.GetError().Text().begin(), scene.GetError().Text().end(), '\n'), 0);
+    EXPECT_LT(scene.GetError().Text().size(), 300u);
+    return scene.GetError().Text();
 }
 
 std::string Body(const std::string& members)
@@ -373,7 +372,7 @@ TEST(HostileSceneFile, WithTooManyShapesInOnePlaceIsRefused)
         std::vector<std::string> leftOut;
         const auto scene =
             SceneOfText("{\"body\":[" + Repeated(body, bodies) + "]}", "scene.json", leftOut);
-        return scene ? "" : scene.GetError().message;
+        return scene ? "" : scene.GetError().Text();
     };
     const auto refused = StartsWith("scene.json has more than 1000000 pairs of shapes");
     EXPECT_EQ(load(b2_dynamicBody, 1400, 1), "");
@@ -542,7 +541,7 @@ TEST(HostileSceneFile, ThatIsADeviceIsRefusedUnread)
         std::vector<std::string> leftOut;
         const auto scene = LoadRubeScene(device, leftOut);
         ASSERT_FALSE(scene) << device;
-        EXPECT_THAT(scene.GetError().message, AllOf(StartsWith(device), EndsWith(".")));
+        EXPECT_THAT(scene.GetError().Text(), AllOf(StartsWith(device), EndsWith(".")));
     }
 }
 

@@ -24,7 +24,7 @@ RubeScene Parsed(const std::string& text)
     const Result<RubeScene> scene = Parse(text);
     if (!scene)
     {
-        ADD_FAILURE() << scene.GetError().message;
+        ADD_FAILURE() << scene.GetError().Text();
         return {};
     }
     return *scene;
@@ -57,9 +57,9 @@ std::string Complaint(const std::string& text)
         return "";
     }
     EXPECT_EQ(scene.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(scene.GetError().message, HasSubstr("scene.json"));
-    EXPECT_EQ(scene.GetError().message.find('\n'), std::string::npos);
-    return scene.GetError().message;
+    EXPECT_THAT(scene.GetError().Text(), HasSubstr("scene.json"));
+    EXPECT_EQ(scene.GetError().Text().find('\n'), std::string::npos);
+    return scene.GetError().Text();
 }
 
 // ---- Numbers

@@ -43,7 +43,7 @@ private:
 Result<ScriptInput> InputOf(const std::string& lines, const Scene& scene)
 {
     const Result<Script> script = ParseScript("scene car\n" + lines, "a.play");
-    EXPECT_TRUE(script) << script.GetError().message;
+    EXPECT_TRUE(script) << script.GetError().Text();
     return ScriptInput::Create(*script, Rational{10, 1}, scene);
 }
 
@@ -52,7 +52,7 @@ std::string Played(const std::string& lines, std::int64_t steps, std::int64_t fr
 {
     Listening scene;
     const Result<ScriptInput> input = InputOf(lines, scene);
-    EXPECT_TRUE(input) << input.GetError().message;
+    EXPECT_TRUE(input) << input.GetError().Text();
     for (std::int64_t step = from; input && step < steps; ++step)
     {
         StepSettings settings;
@@ -122,7 +122,7 @@ TEST(ScriptInput, SaysWhichLineCannotBeDone)
     {
         const Result<ScriptInput> input = InputOf(lines, scene);
         ASSERT_FALSE(input) << lines;
-        EXPECT_THAT(input.GetError().message, HasSubstr(message)) << lines;
+        EXPECT_THAT(input.GetError().Text(), HasSubstr(message)) << lines;
     }
 }
 

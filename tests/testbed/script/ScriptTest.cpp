@@ -19,7 +19,7 @@ constexpr Rational kRate{60, 1};
 Script Parsed(const std::string& text)
 {
     Result<Script> script = ParseScript(text, "a.play");
-    EXPECT_TRUE(script) << script.GetError().message;
+    EXPECT_TRUE(script) << script.GetError().Text();
     return script ? *script : Script();
 }
 
@@ -27,7 +27,7 @@ std::string Refusal(const std::string& text)
 {
     const Result<Script> script = ParseScript(text, "a.play");
     EXPECT_FALSE(script) << text;
-    return script ? "" : script.GetError().message;
+    return script ? "" : script.GetError().Text();
 }
 
 TEST(ScriptWords, AreBetweenBlanksOrInQuotesUpToARemark)
@@ -160,7 +160,7 @@ TEST(Script, AnyBytesAreReadOrRefused)
         const Result<Script> script = ParseScript(text, "a.play");
         if (!script)
         {
-            EXPECT_THAT(script.GetError().message, testing::StartsWith("a.play:")) << text;
+            EXPECT_THAT(script.GetError().Text(), testing::StartsWith("a.play:")) << text;
         }
     }
 }

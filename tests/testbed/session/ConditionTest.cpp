@@ -16,7 +16,7 @@ using testing::StartsWith;
 std::string Refusal(const std::string& text)
 {
     const Result<Condition> condition = Condition::Parse("--until", text);
-    return condition ? "accepted" : condition.GetError().message;
+    return condition ? "accepted" : condition.GetError().Text();
 }
 
 TEST(Condition, WhatIsNotUnderstoodIsNamedWithExamples)
@@ -48,7 +48,7 @@ TEST(Condition, SpacesDoNotMatterAndTheTextIsKept)
     for (const char* text : {"time>=2", " time >= 2 ", "time\t>=2"})
     {
         const Result<Condition> condition = Condition::Parse("--until", text);
-        ASSERT_TRUE(condition) << condition.GetError().message;
+        ASSERT_TRUE(condition) << condition.GetError().Text();
         EXPECT_EQ(condition->Text().front(), 't');
         EXPECT_EQ(condition->Text().back(), '2');
         const b2World world(b2Vec2(0.0f, 0.0f));
@@ -79,7 +79,7 @@ protected:
     bool Holds(const std::string& text, double seconds = 0.0) const
     {
         const Result<Condition> condition = Condition::Parse("--until", text);
-        EXPECT_TRUE(condition) << condition.GetError().message;
+        EXPECT_TRUE(condition) << condition.GetError().Text();
         return condition && condition->Holds(m_world, {{2, "ball"}, {0, "v 1.5"}}, seconds);
     }
 

@@ -20,10 +20,10 @@ TEST_P(GoldenScenes, LookAndMoveAsApproved)
 {
     const ReferenceStore store(BOXREEL_REFERENCES, BOXREEL_GOLDEN_OUTPUT);
     Result<Renderer> renderer = CreateGoldenRenderer();
-    ASSERT_TRUE(renderer) << renderer.GetError().message;
+    ASSERT_TRUE(renderer) << renderer.GetError().Text();
     const Result<std::vector<GoldenVerdict>> verdicts =
         VerifyGolden(GoldenSelection{GetParam(), ""}, store, *renderer);
-    ASSERT_TRUE(verdicts) << verdicts.GetError().message;
+    ASSERT_TRUE(verdicts) << verdicts.GetError().Text();
     EXPECT_EQ(verdicts->size(), 3u);
     for (const GoldenVerdict& verdict : *verdicts)
     {

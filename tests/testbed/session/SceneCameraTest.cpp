@@ -30,14 +30,14 @@ struct SceneCameraFixture : testing::Test
     SceneCamera Camera(const ViewChoice& choice)
     {
         Result<SceneCamera> camera = SceneCamera::Create(choice, world, 1280, 720);
-        EXPECT_TRUE(camera) << camera.GetError().message;
+        EXPECT_TRUE(camera) << camera.GetError().Text();
         return *camera;
     }
 
     std::string Refusal(const ViewChoice& choice)
     {
         const Result<SceneCamera> camera = SceneCamera::Create(choice, world, 1280, 720);
-        return camera ? "accepted" : camera.GetError().message;
+        return camera ? "accepted" : camera.GetError().Text();
     }
 
     void StepFor(double seconds, SceneCamera& camera)

@@ -37,7 +37,7 @@ DrawList Added(const std::string& name, const MotionLook& look, std::int64_t ste
 {
     SceneSession session = Open(name);
     Result<SceneMotion> motion = SceneMotion::Create(look, session, {step});
-    EXPECT_TRUE(motion) << motion.GetError().message;
+    EXPECT_TRUE(motion) << motion.GetError().Text();
     motion->AdvanceTo(session, step);
     return motion->Picture(session, motion->Notes(session));
 }
@@ -46,7 +46,7 @@ std::string Refusal(const MotionLook& look, const std::vector<std::int64_t>& mom
 {
     SceneSession session = Open("newtons-cradle");
     const Result<SceneMotion> motion = SceneMotion::Create(look, session, moments);
-    return motion ? "accepted" : motion.GetError().message;
+    return motion ? "accepted" : motion.GetError().Text();
 }
 
 /// The corners and centres of an owner's items.

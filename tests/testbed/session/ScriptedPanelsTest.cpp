@@ -21,12 +21,12 @@ SceneSession Played(const std::string& lines, std::int64_t steps, bool isDrawn =
                     const std::string& scene = "pyramid")
 {
     const Result<Script> script = ParseScript("scene " + scene + "\n" + lines, "a.play");
-    EXPECT_TRUE(script) << script.GetError().message;
+    EXPECT_TRUE(script) << script.GetError().Text();
     SceneLook look;
     look.panels = isDrawn;
     look.script = std::make_shared<const Script>(*script);
     Result<SceneSession> session = OpenSession(*OpenScene(scene), look);
-    EXPECT_TRUE(session) << session.GetError().message;
+    EXPECT_TRUE(session) << session.GetError().Text();
     session->AdvanceTo(steps);
     return std::move(*session);
 }
@@ -76,7 +76,7 @@ TEST(ScriptedPanels, ChooseTheLayersOneByOne)
         lines += "at step 0 click \"Draw/" + name + "\"\n";
     }
     const SceneSession session = Played(lines + "at step 0 click Draw/Numbers\n", 1);
-    ASSERT_TRUE(session.CheckCompanion()) << session.CheckCompanion().GetError().message;
+    ASSERT_TRUE(session.CheckCompanion()) << session.CheckCompanion().GetError().Text();
     const SceneLayers before;
     for (const auto& [name, layer] : checks)
     {
@@ -137,8 +137,8 @@ TEST(ScriptedPanels, SayWhichControlIsNotThere)
     const SceneSession session = Played("at step 1 click Solver/Slep\n", 3);
     const Result<void> played = session.CheckCompanion();
     ASSERT_FALSE(played);
-    EXPECT_THAT(played.GetError().message, AllOf(HasSubstr("a.play:2:"), HasSubstr("'Solver/Slep'"),
-                                                 HasSubstr("'Solver/Sleep'")));
+    EXPECT_THAT(played.GetError().Text(), AllOf(HasSubstr("a.play:2:"), HasSubstr("'Solver/Slep'"),
+                                                HasSubstr("'Solver/Sleep'")));
     const SceneSession key = Played("at step 1 hit f13\n", 3);
     EXPECT_FALSE(key.CheckCompanion());
 }
@@ -154,7 +154,7 @@ TEST(ScriptedPanels, OpenSectionsAndScrollToWhatIsOutOfSight)
                      "a.play"));
     Result<SceneSession> session = OpenSession(*OpenScene("pyramid"), look);
     session->AdvanceTo(2);
-    ASSERT_TRUE(session->CheckCompanion()) << session->CheckCompanion().GetError().message;
+    ASSERT_TRUE(session->CheckCompanion()) << session->CheckCompanion().GetError().Text();
     EXPECT_FALSE(session->World().GetAllowSleeping());
 }
 
@@ -228,7 +228,7 @@ TEST(ScriptWriter, WritesWhatIsReadAgain)
                              "shot a.png --draw shapes --step 20\n"
                              "record a.mp4 --seconds 2\n";
     const Result<Script> script = ParseScript(text, "a.play");
-    ASSERT_TRUE(script) << script.GetError().message;
+    ASSERT_TRUE(script) << script.GetError().Text();
     EXPECT_EQ(WriteScript(*script), text);
 }
 
@@ -236,7 +236,7 @@ TEST(Script, NamesWhatIsWrongWithSettingsAndPanels)
 {
     const auto error = [](const std::string& line) {
         const Result<Script> script = ParseScript("scene car\n" + line + "\n", "a.play");
-        return script ? std::string() : script.GetError().message;
+        return script ? std::string() : script.GetError().Text();
     };
     EXPECT_THAT(error("at 1s set slep off"), AllOf(HasSubstr("a.play:2:"), HasSubstr("'sleep'")));
     EXPECT_THAT(error("at 1s set sleep maybe"), HasSubstr("on or off"));

@@ -86,7 +86,7 @@ SceneSession Open(const SceneEntry& entry, const ViewChoice& view)
     source.entry = &entry;
     source.title = entry.name;
     Result<SceneSession> session = SceneSession::Open(std::move(source), look);
-    EXPECT_TRUE(session) << session.GetError().message;
+    EXPECT_TRUE(session) << session.GetError().Text();
     return std::move(*session);
 }
 

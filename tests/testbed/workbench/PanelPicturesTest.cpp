@@ -47,7 +47,7 @@ PanelFacts FactsAt(std::int64_t step)
 TEST(PanelPictures, OfAWindowShowItsFilesItsTimesAndItsKeys)
 {
     Result<Panels> panels = Panels::Create(kWidth, kHeight, 1.0);
-    ASSERT_TRUE(panels) << panels.GetError().message;
+    ASSERT_TRUE(panels) << panels.GetError().Text();
     panels->Controls().SetOpenSections({"Statistics", "Profile", "Keys"});
     PanelChoices choices;
     for (std::int64_t step = 1; step <= 60; ++step)
@@ -59,7 +59,7 @@ TEST(PanelPictures, OfAWindowShowItsFilesItsTimesAndItsKeys)
         panels->Build(FactsAt(60), choices, {});
     }
     Result<Renderer> renderer = Renderer::Create({.width = kWidth, .height = kHeight});
-    ASSERT_TRUE(renderer) << renderer.GetError().message;
+    ASSERT_TRUE(renderer) << renderer.GetError().Text();
     Frame frame;
     ASSERT_TRUE(renderer->Draw({}, {kWidth, kHeight, 0.0, 0.0, 20.0}, frame, &panels->Picture()));
     EXPECT_GOLDEN(frame, "panels/window");

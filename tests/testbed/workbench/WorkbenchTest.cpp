@@ -38,7 +38,7 @@ protected:
         settings.choices.isPaused = isPaused;
         settings.into = folder.Path();
         Result<Workbench> opened = Workbench::Open(*OpenScene(scene), settings);
-        ASSERT_TRUE(opened) << opened.GetError().message;
+        ASSERT_TRUE(opened) << opened.GetError().Text();
         bench.emplace(std::move(*opened));
         Look();
     }
@@ -111,7 +111,7 @@ protected:
     static std::string StateAfter(const std::filesystem::path& file, std::int64_t step)
     {
         const Result<Script> script = ReadScript(file);
-        EXPECT_TRUE(script) << script.GetError().message;
+        EXPECT_TRUE(script) << script.GetError().Text();
         SceneLook look;
         for (std::size_t i = 0; i + 1 < script->options.size(); ++i)
         {
@@ -122,7 +122,7 @@ protected:
         }
         look.script = std::make_shared<const Script>(*script);
         Result<SceneSession> session = SceneSession::Open(*OpenScene(script->scene), look);
-        EXPECT_TRUE(session) << session.GetError().message;
+        EXPECT_TRUE(session) << session.GetError().Text();
         session->AdvanceTo(step);
         return StateHashText(session->World());
     }
@@ -356,7 +356,7 @@ TEST_F(WorkbenchTest, FilmsWhatFollowsAFrameAStep)
     Click("Run/Record");
     Steps(2);
     Result<VideoReader> film = VideoReader::Open(folder / "bridge-1.mp4");
-    ASSERT_TRUE(film) << film.GetError().message;
+    ASSERT_TRUE(film) << film.GetError().Text();
     EXPECT_EQ(film->Info().width, kWidth - Panels::kColumnWidth);
     EXPECT_EQ(film->Info().height, kHeight);
     int frames = 0;

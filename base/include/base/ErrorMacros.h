@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <base/Result.h>
+
+#include <utility>
+
+/// @file
+/// Pass an error on in one line. For our own sources: public headers must not include this file,
+/// since the macros have no prefix.
+
+#define BOXREEL_JOIN_NAMES(a, b) a##b
+#define BOXREEL_UNIQUE_NAME(a, b) BOXREEL_JOIN_NAMES(a, b)
+
+/// Returns the error of `expression`, a Result, from the enclosing function if it has one.
+#define RETURN_IF_ERROR(expression)                                                                \
+    do                                                                                             \
+    {                                                                                              \
+        if (auto result = (expression); !result)                                                   \
+        {                                                                                          \
+            return std::move(result).TakeError();                                                  \
+        }                                                                                          \
+    } while (false)
+
+/// Declares or assigns `target` from the value of `expression`, a Result, or returns its error:
+/// `ASSIGN_OR_RETURN(const Frame frame, ReadPng(path));` A target with a comma needs parentheses
+/// around its type, so name the type before.
+#define ASSIGN_OR_RETURN(target, ...)                                                              \
+    ASSIGN_OR_RETURN_FROM(BOXREEL_UNIQUE_NAME(result, __LINE__), target, (__VA_ARGS__))
+#define ASSIGN_OR_RETURN_FROM(result, target, expression)                                          \
+    auto result = expression;                                                                      \
+    if (!result)                                                                                   \
+    {                                                                                              \
+        return std::move(result).TakeError();                                                      \
+    }                                                                                              \
+    target = *std::move(result)
