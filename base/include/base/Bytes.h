@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// Numbers as bytes, the lowest first on every machine, and checksums of them.
 namespace boxreel
 {

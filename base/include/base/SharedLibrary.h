@@ -5,6 +5,7 @@
 
 #include <string>
 
+/// @file
 /// A library that is opened when a film needs it, not before.
 namespace boxreel
 {

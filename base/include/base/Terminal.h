@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+/// @file
 /// What the program writes for people, and how wide and colourful it may be.
 namespace boxreel
 {

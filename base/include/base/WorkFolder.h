@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+/// @file
 /// Where a command puts what it makes for itself, below TMPDIR.
 namespace boxreel
 {

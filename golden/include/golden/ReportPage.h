@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// One HTML page of verdicts that needs nothing else: pictures, style and script are in it. What
 /// the script does with it stands in page.js. Reads the files beside the verdicts; writes none.
 namespace boxreel

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+/// @file
 /// The verdicts that golden tests and `boxreel golden verify` leave below their output folders
 /// (NAME.verdict.json), those of shards merged. Called by `boxreel golden report`; draws nothing
 /// and compares nothing.
