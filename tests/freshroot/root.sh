@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
 #
 # Sourced with $suite, the name of a Debian release, $work, a folder, and $tools, what else is needed of this
-# machine: unpacks a minimal Debian with git, sh and apt into $work/root, kept as $work/base.tar for the next
+# machine: unpacks a minimal Debian with git, sh and apt into $work/root, kept as $work/base*.tar for the next
 # time. Packages come from the archives that this machine's own apt asks. Exits with 77 where this machine
 # cannot do that.
+#
+# BOXREEL_FRESHROOT_CACHE: a folder for ccache, which is then in the root. Without it everything is compiled.
 # shellcheck shell=sh disable=SC2016,SC2034,SC2154 # $(…) is apt's, "$@" the inner shell's; see above
 root=$work/root
+cache=${BOXREEL_FRESHROOT_CACHE-}
+base=$work/base${cache:+.ccache}.tar
 
 skip() {
     echo "skipped: $*"
@@ -40,24 +44,28 @@ archives >"$work/sources.list"
 # The same way to the archives. They are signed with the key of the release before, too, so that the host's
 # keys are enough for a release after its own.
 apt-config dump Acquire | grep -Ei '^Acquire::(https?|ftp|Check-|Retries)' >"$work/apt.conf" || true
-if [ ! -f "$work/base.tar" ]; then
-    mmdebstrap --mode=root --variant=minbase --include=git,ca-certificates --aptopt="$work/apt.conf" \
+if [ ! -f "$base" ]; then
+    mmdebstrap --mode=root --variant=minbase --include="git,ca-certificates${cache:+,ccache}" --aptopt="$work/apt.conf" \
         "$suite" "$work/base.part.tar" "$work/sources.list" >"$work/mmdebstrap.log" 2>&1 ||
         { grep '^E: ' "$work/mmdebstrap.log"; skip "mmdebstrap could not make a Debian $suite"; }
-    mv "$work/base.part.tar" "$work/base.tar"
+    mv "$work/base.part.tar" "$base"
 fi
 rm -rf "$root"
 mkdir "$root"
-tar -C "$root" -xf "$work/base.tar"
+tar -C "$root" -xf "$base"
+mkdir -p "$root/var/cache/ccache" ${cache:+"$cache"}
 cp /etc/resolv.conf /etc/hosts "$root/etc/"
 
 # inside COMMAND…: in the root, in a shell's own words, with nothing of this session around it. Processes
 # and terminals are there as on any running system.
 inside() {
     unshare --mount --fork sh -c 'mount -t proc proc "$1/proc" &&
-        mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$1/dev/pts" && shift && exec "$@"' sh "$root" \
+        mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$1/dev/pts" && { [ -z "$2" ] || mount --bind "$2" "$1/var/cache/ccache"; } &&
+        shift 2 && exec "$@"' sh "$root" "$cache" \
         env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LANG=C.UTF-8 \
         ${http_proxy+"http_proxy=$http_proxy"} ${https_proxy+"https_proxy=$https_proxy"} \
+        ${cache:+CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR=/var/cache/ccache CXXFLAGS=-fpch-preprocess} \
+        ${cache:+CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime} \
         chroot "$root" sh -c "$1" </dev/null
 }
 seconds() {
