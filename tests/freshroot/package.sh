@@ -15,6 +15,7 @@ build=$1
 work=$2
 suite=bookworm # what this build links is this machine's
 tools='cpack dpkg-shlibdeps gzip'
+# shellcheck source=tests/freshroot/root.sh
 . "$(dirname "$0")/root.sh"
 
 (cd "$build" && cpack -G DEB -B "$work/packages") >"$work/cpack.log" 2>&1 || { tail "$work/cpack.log"; fail 'cpack'; }

@@ -60,7 +60,8 @@ cp /etc/resolv.conf /etc/hosts "$root/etc/"
 # and terminals are there as on any running system.
 inside() {
     unshare --mount --fork sh -c 'mount -t proc proc "$1/proc" &&
-        mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$1/dev/pts" && { [ -z "$2" ] || mount --bind "$2" "$1/var/cache/ccache"; } &&
+        mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$1/dev/pts" &&
+        { [ -z "$2" ] || mount --bind "$2" "$1/var/cache/ccache"; } &&
         shift 2 && exec "$@"' sh "$root" "$cache" \
         env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LANG=C.UTF-8 \
         ${http_proxy+"http_proxy=$http_proxy"} ${https_proxy+"https_proxy=$https_proxy"} \
