@@ -35,7 +35,8 @@ says() {
     fail "expected exit code $1 and $2 lines, one with \"$3\", got exit code $status"
 }
 nobody='chroot --userspec=nobody --skip-chdir / env'
-readOnly='mount --bind . /mnt && mount -o remount,ro,bind /mnt && cd /mnt &&'
+readOnly='mount --bind . . && mount -o remount,ro,bind . && cd "$PWD" &&'
+elsewhere='mount --bind . /mnt && mount -o remount,ro,bind /mnt && cd /mnt &&'
 
 # ------------------------------------------------------------------------------ where it cannot
 
@@ -78,8 +79,9 @@ fi
 inside 'cd "/srv/box reel" && ./boxreel golden verify' >"$work/golden.log" 2>&1 ||
     { tail -n 40 "$work/golden.log"; fail 'golden verify'; }
 
-# A built checkout may be read-only, and another user's.
+# A built checkout may be read-only, and another user's. In another place it says that it does not build there.
 says 0 1 '^Pyramid$' "$readOnly ./boxreel list --names | grep -x Pyramid"
+says 0 2 'build/release cannot be written; running the program as it was built' "$elsewhere ./boxreel list --names | grep -x Pyramid"
 says 0 1 '^Pyramid$' "$nobody ./boxreel list --names | grep -x Pyramid"
 
 # ------------------------------------------------------------------------------ the tests
