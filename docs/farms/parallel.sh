@@ -10,5 +10,5 @@ here=$(dirname "$0")
 output=$1
 : "${FRAMES:=600}" "${PART:=100}"
 
-seq 0 $(((FRAMES - 1) / PART)) | parallel --will-cite --retries 3 --halt soon,fail=1 "$here/part.sh" {}
+seq 0 $(((FRAMES - 1) / PART)) | parallel --will-cite --quote --retries 3 --halt soon,fail=1 "$here/part.sh" {}
 exec "$here/merge.sh" "$output"

@@ -163,8 +163,8 @@ TEST_F(FigureCommand, FilesThatGrowBeyondALimitAreRefusedWithASentence)
     {
         // Of 512 bytes each. A shell, for this process may have the signal switched off.
         const std::string line = "cd '" + folder.Path().string() +
-                                 "' && ulimit -f 2 && exec " BOXREEL_PROGRAM
-                                 " shot pyramid --at 0s -o " +
+                                 "' && ulimit -f 2 && exec '" BOXREEL_PROGRAM
+                                 "' shot pyramid --at 0s -o " +
                                  output + " 2> /dev/null";
         const int status = std::system(line.c_str());
         ASSERT_TRUE(WIFEXITED(status)) << output << " died of signal " << WTERMSIG(status);
