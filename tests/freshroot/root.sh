@@ -65,7 +65,8 @@ inside() {
         shift 2 && exec "$@"' sh "$root" "$cache" \
         env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LANG=C.UTF-8 \
         ${http_proxy+"http_proxy=$http_proxy"} ${https_proxy+"https_proxy=$https_proxy"} \
-        ${cache:+CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR=/var/cache/ccache CXXFLAGS=-fpch-preprocess} \
+        ${cache:+CMAKE_CXX_COMPILER_LAUNCHER=ccache CXXFLAGS=-fpch-preprocess} \
+        ${cache:+CCACHE_DIR=/var/cache/ccache CCACHE_DEPEND=1} \
         ${cache:+CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime} \
         chroot "$root" sh -c "$1" </dev/null
 }
