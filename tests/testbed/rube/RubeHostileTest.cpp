@@ -32,10 +32,11 @@ std::string Complaint(const std::string& text)
         return "";
     }
     EXPECT_EQ(scene.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(scene.GetError().Text(), AllOf(StartsWith("scene.json"), EndsWith(".")));
-    EXPECT_EQ(std::count(scene.GetError().Text().begin(), scene.GetError().Text().end(), '\n'), 0);
-    EXPECT_LT(scene.GetError().Text().size(), 300u);
-    return scene.GetError().Text();
+    const std::string complaint = scene.GetError().Text();
+    EXPECT_THAT(complaint, AllOf(StartsWith("scene.json"), EndsWith(".")));
+    EXPECT_EQ(std::ranges::count(complaint, '\n'), 0);
+    EXPECT_LT(complaint.size(), 300u);
+    return complaint;
 }
 
 std::string Body(const std::string& members)
