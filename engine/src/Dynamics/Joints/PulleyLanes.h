@@ -72,7 +72,10 @@ struct PulleyLanes
         const F k = pair.mA + pair.iA * leverA * leverA +
                     ratio * ratio * (pair.mB + pair.iB * leverB * leverB);
         const F error = RopeLength(nowA) - lengthA + ratio * (RopeLength(nowB) - lengthB);
-        const F push = -error * InverseOrZero(k);
+        // Not farther than velocities may move: a light body between a pulley and a limit would
+        // be thrown farther out by each iteration. With 0.2 m, as rods have, ropes stretch.
+        const F most = F::Set(b2_maxTranslation);
+        const F push = -Clamp(error, -most, most) * InverseOrZero(k);
         pair.a.d = pair.a.d + pair.mA * (push * alongA);
         pair.b.d = pair.b.d + pair.mB * ((ratio * push) * alongB);
         pair.Rotate(-Cross(turnedA, push * alongA), Cross(turnedB, (ratio * push) * alongB));
