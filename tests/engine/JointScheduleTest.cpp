@@ -48,7 +48,7 @@ b2Joint* Join(Scene& scene, Definition def, b2Body* a, b2Body* b, const b2Vec2& 
 }
 
 /// The i-th joint of a machine between two bodies 1 m apart; what a kind can be told to do, some of
-/// them are told. Not for gears.
+/// them are told, and the fourth starts beyond its limit. Not for gears.
 b2Joint* AddJoint(Scene& scene, b2JointType type, b2Body* a, b2Body* b, int i)
 {
     const b2Vec2 at(float32(i), 0.0f);
@@ -63,7 +63,7 @@ b2Joint* AddJoint(Scene& scene, b2JointType type, b2Body* a, b2Body* b, int i)
         def.motorSpeed = 3.0f - float32(i);
         def.maxMotorTorque = 20.0f;
         def.enableLimit = others;
-        def.lowerAngle = -0.3f;
+        def.lowerAngle = i == 3 ? 0.1f : -0.3f;
         def.upperAngle = 0.2f;
         return Join(scene, def, a, b, at);
     }
@@ -74,7 +74,7 @@ b2Joint* AddJoint(Scene& scene, b2JointType type, b2Body* a, b2Body* b, int i)
         def.motorSpeed = 2.0f;
         def.maxMotorForce = 30.0f;
         def.enableLimit = others;
-        def.lowerTranslation = -0.2f;
+        def.lowerTranslation = i == 3 ? 0.1f : -0.2f;
         def.upperTranslation = 0.3f;
         return scene.world.CreateJoint(&def);
     }

@@ -30,15 +30,15 @@ struct PairMasses
     {
         F k11, k12, k22;
 
-        /// Zero where it is singular.
-        Vector<F> Solve(const Vector<F>& b) const
+        BOX2D_INLINE Vector<F> operator*(const Vector<F>& v) const
         {
-            return Solve(b, InverseUnlessZero(Determinant()));
+            return {k11 * v.x + k12 * v.y, k12 * v.x + k22 * v.y};
         }
-        Vector<F> Solve(const Vector<F>& b, F inverseDeterminant) const
+        /// Zero where it is singular.
+        BOX2D_INLINE Vector<F> Solve(const Vector<F>& b) const
         {
-            return {inverseDeterminant * (b.x * k22 - b.y * k12),
-                    inverseDeterminant * (k11 * b.y - k12 * b.x)};
+            const F scale = InverseUnlessZero(Determinant());
+            return {scale * (b.x * k22 - b.y * k12), scale * (k11 * b.y - k12 * b.x)};
         }
         F Determinant() const { return k11 * k22 - k12 * k12; }
     };
@@ -58,6 +58,34 @@ struct PairMasses
                               const Vector<F>& armB) const
     {
         return AxisMatrix(Cross(armA, axis), Cross(armB, axis));
+    }
+};
+
+/// A row that may be inactive, a motor or a limit, beside two rows that always hold. Solved
+/// together (their Schur complement): an impulse along this row comes with the impulses of the two
+/// that keep them satisfied.
+template <class F>
+struct HeldRow
+{
+    F mass;             ///< effective, while the two hold
+    Vector<F> reaction; ///< impulses of the two for an impulse of 1
+
+    /// The angle between two bodies whose points are held. With K of the three rows and the masses
+    /// a = iA / (mA + mB), b = iB / (mA + mB)
+    ///   |K point| / (mA + mB)^2 = 1 + a rA^2 + b rB^2 + a b (rA x rB)^2
+    ///   |K|       / (mA + mB)^3 = a + b + a b (rA - rB)^2
+    /// Sums of what is not negative: long arms lose no digits, as they would in a difference.
+    static HeldRow AngleOfPoint(const PairMasses<F>& pair, const Vector<F>& rA, const Vector<F>& rB)
+    {
+        const F reduced = InverseOrZero(pair.mA + pair.mB);
+        const F a = pair.iA * reduced;
+        const F b = pair.iB * reduced;
+        const F area = Cross(rA, rB);
+        const Vector<F> apart = rB - rA;
+        const F point = F::Set(1.0f) + a * Dot(rA, rA) + b * Dot(rB, rB) + a * b * area * area;
+        const F all = a + b + a * b * Dot(apart, apart);
+        const Vector<F> pull = Skew(a * rA + b * rB) + (a * b * area) * apart;
+        return {point * reduced * InverseOrZero(all), (F::Set(-1.0f) / point) * pull};
     }
 };
 
@@ -185,6 +213,25 @@ auto IsSet(F flag)
     return AtLeast(flag, F::Set(1.0f));
 }
 
+/// The total impulse of a pair of limits, positive at the lower one, that keeps a speed from
+/// exceeding -lowerSpeed and upperSpeed, which are not negative. Of the two terms at most one is
+/// not zero: at most one limit pushes.
+template <class F>
+F LimitImpulse(F impulse, F mass, F speed, F lowerSpeed, F upperSpeed)
+{
+    const F zero = F::Set(0.0f);
+    return Max(impulse - mass * (speed + lowerSpeed), zero) +
+           Min(impulse - mass * (speed - upperSpeed), zero);
+}
+
+/// How far to move what is beyond its limits back towards them: not all the way, for what is within
+/// the slop trembles where contacts push it out again.
+template <class F>
+F BackTowards(F lower, F upper, F value, F slop, F most)
+{
+    return Clamp(Clamp(value, lower - slop, upper + slop) - value, -most, most);
+}
+
 /// The largest impulse that a force can give in a step, as a bound on a vector.
 template <class F>
 Vector<F> ClampLength(const Vector<F>& v, F limit)
@@ -240,10 +287,28 @@ BOX2D_INLINE MovingPair<F> LoadMoving(const int32* a, const int32* b, const floa
     return pair;
 }
 
+template <class F, int Count>
+BOX2D_INLINE void StoreNumbersOf(float32* numbers, int32 body, uint32 moves, const F (&from)[Count])
+{
+    if ((moves & 1u) != 0)
+    {
+        for (int i = 0; i < Count; ++i)
+        {
+            from[i].Store(numbers + kBodyStride * body + i);
+        }
+    }
+}
+
 template <class F>
 BOX2D_INLINE void StoreMoving(const MovingPair<F>& pair, const int32* a, const int32* b,
                               uint32 movesA, uint32 movesB, float32* bodies)
 {
+    if constexpr (F::kLanes == 1) // what does not change need not be written
+    {
+        StoreNumbersOf(bodies, *a, movesA, {pair.vA.x, pair.vA.y, pair.wA});
+        StoreNumbersOf(bodies, *b, movesB, {pair.vB.x, pair.vB.y, pair.wB});
+        return;
+    }
     const F rowsA[4] = {pair.vA.x, pair.vA.y, pair.wA, pair.angleA};
     const F rowsB[4] = {pair.vB.x, pair.vB.y, pair.wB, pair.angleB};
     StoreMoved(bodies, a, movesA, rowsA);
@@ -270,6 +335,12 @@ template <class F>
 BOX2D_INLINE void StorePlace(float32* bodies, const int32* of, uint32 moves,
                              const typename PlacedPair<F>::Place& place)
 {
+    if constexpr (F::kLanes == 1)
+    {
+        StoreNumbersOf(bodies + 3, *of, moves,
+                       {place.angle, place.d.x, place.d.y, place.s, place.c});
+        return;
+    }
     const F first[4] = {place.speed[0], place.speed[1], place.speed[2], place.angle};
     const F second[4] = {place.d.x, place.d.y, place.s, place.c};
     StoreMoved(bodies, of, moves, first);

@@ -17,12 +17,11 @@ struct FrictionLanes
     static constexpr int kPlainImpulses = kImpulses;
     static constexpr bool kHoldsPositions = false;
 
-    Vector<F> impulse;                     ///< [N s]
-    F angularImpulse;                      ///< [N m s]
-    F most, mostAngular;                   ///< of them
-    Vector<F> armA, armB;                  ///< at the start of the step [m]
-    typename PairMasses<F>::Matrix matrix; ///< of the point
-    F inverse;                             ///< 1 over its determinant
+    Vector<F> impulse;                      ///< [N s]
+    F angularImpulse;                       ///< [N m s]
+    F most, mostAngular;                    ///< of them
+    Vector<F> armA, armB;                   ///< at the start of the step [m]
+    typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     F angularMass;
 
     void WarmStart(MovingPair<F>& pair, uint8) const
@@ -45,7 +44,7 @@ struct FrictionLanes
     }
     void SolveLinear(MovingPair<F>& pair, const Vector<F>& speed)
     {
-        const Vector<F> wanted = impulse + matrix.Solve(-speed, inverse);
+        const Vector<F> wanted = impulse + inverse * -speed;
         const Vector<F> total = ClampLength(wanted, most);
         pair.Apply(total - impulse, armA, armB);
         impulse = total;

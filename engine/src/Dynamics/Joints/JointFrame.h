@@ -156,16 +156,22 @@ inline b2Mat22 PointMatrix(const JointFrame& f, const b2Vec2& rA, const b2Vec2& 
     return b2Mat22(k11, k12, k12, k22);
 }
 
-inline float32 InverseDeterminant(const b2Mat22& m)
+/// For what the lanes calculate too: of one lane.
+inline PairMasses<simd::Float1> MassesOf(const JointFrame& f)
 {
-    const float32 determinant = b2Cross(m.ex, m.ey);
-    return determinant != 0.0f ? 1.0f / determinant : 0.0f;
+    return {{f.mA}, {f.iA}, {f.mB}, {f.iB}};
+}
+inline HeldRow<float32> NumbersOf(const HeldRow<simd::Float1>& row)
+{
+    return {row.mass.v, {row.reaction.x.v, row.reaction.y.v}};
 }
 
-/// The numbers of a symmetric matrix.
-inline PairMasses<float32>::Matrix InLanes(const b2Mat22& m)
+/// The inverse of a symmetric matrix, or zero where it is singular.
+inline PairMasses<float32>::Matrix InverseInLanes(const b2Mat22& m)
 {
-    return {m.ex.x, m.ex.y, m.ey.y};
+    const float32 determinant = b2Cross(m.ex, m.ey);
+    const float32 scale = determinant != 0.0f ? 1.0f / determinant : 0.0f;
+    return {scale * m.ey.y, -scale * m.ex.y, scale * m.ex.x};
 }
 
 } // namespace box2d

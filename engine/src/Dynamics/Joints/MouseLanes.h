@@ -18,11 +18,10 @@ struct MouseLanes
     /// What is dragged about should not spin for long: so much of its turning is kept a step.
     static constexpr float32 kKeptSpin = 0.98f;
 
-    Vector<F> impulse; ///< [N s]
-    F most;            ///< of it
-    Vector<F> arm;     ///< at the start of the step [m]
-    typename PairMasses<F>::Matrix matrix;
-    F inverse; ///< 1 over its determinant
+    Vector<F> impulse;                      ///< [N s]
+    F most;                                 ///< of it
+    Vector<F> arm;                          ///< at the start of the step [m]
+    typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     Vector<F> bias;
     F gamma;
 
@@ -34,7 +33,7 @@ struct MouseLanes
     void SolveVelocity(MovingPair<F>& pair, uint8)
     {
         const Vector<F> speed = pair.vB + Cross(pair.wB, arm) + bias + gamma * impulse;
-        const Vector<F> total = ClampLength(impulse + matrix.Solve(-speed, inverse), most);
+        const Vector<F> total = ClampLength(impulse + inverse * -speed, most);
         Apply(pair, total - impulse);
         impulse = total;
     }

@@ -12,7 +12,7 @@ namespace
 template <class F>
 struct PrismaticLanes
 {
-    static constexpr int kImpulses = 5;
+    static constexpr int kImpulses = 4;
     static constexpr int kPlainImpulses = 2; ///< without features
     static constexpr bool kHoldsPositions = true;
     enum Features : uint8
@@ -35,27 +35,43 @@ struct PrismaticLanes
             return {pair.AxisMatrix(acrossA, acrossB), pair.iA * acrossA + pair.iB * acrossB,
                     Select(turns, inertia, F::Set(1.0f))};
         }
+
+        /// The row along the axis while those two are held, as HeldRow<F>::AngleOfPoint has it:
+        /// with p and q the differences of the levers across and along
+        ///   |K held| / (mA + mB)^2 = a + b + a b p^2
+        ///   |K|      / (mA + mB)^3 = a + b + a b (p^2 + q^2)
+        HeldRow<F> RowOf(const PairMasses<F>& pair) const
+        {
+            const F reduced = InverseOrZero(pair.mA + pair.mB);
+            const F a = pair.iA * reduced;
+            const F b = pair.iB * reduced;
+            const F p = acrossA - acrossB;
+            const F q = axisA - axisB;
+            const F held = a + b + a * b * p * p;
+            const F s = InverseOrZero(held); // 0 for two bodies that cannot turn
+            const F mass = reduced * InverseOrZero(F::Set(1.0f) + s * (a * b * q * q));
+            const F turn = a * axisA + b * axisB + a * b * p * (acrossA * axisB - acrossB * axisA);
+            return {mass, {-s * (a * b * p * q), -s * turn}};
+        }
     };
 
-    Vector<F> impulse;                          ///< across the axis [N s], against turning [N m s]
-    F motorImpulse, lowerImpulse, upperImpulse; ///< along the axis [N s]
+    Vector<F> impulse;            ///< across the axis [N s], against turning [N m s]
+    F motorImpulse, limitImpulse; ///< [N s], the limit's positive at the lower one
     Vector<F> axis;
     Levers levers;
-    typename PairMasses<F>::Matrix matrix; ///< across and about the axis
-    F inverse;                             ///< 1 over its determinant
-    Vector<F> armA, armB;                  ///< at the start of the step [m]
-    Vector<F> offset;                      ///< from centre of mass A to B [m]
-    F angleError;                          ///< at the start of the step [rad]
-    F axialMass;                           ///< effective
-    F hasMotor, hasLimits;                 ///< 1 or 0
-    F motorSpeed, mostMotor;               ///< [m/s], [N s]
-    F lower, upper;                        ///< [m]
-    F lowerSpeed, upperSpeed;              ///< that reach the limits in this step [m/s]
+    typename PairMasses<F>::Matrix inverse; ///< of the matrix across and about the axis
+    Vector<F> armA, armB;                   ///< at the start of the step [m]
+    Vector<F> offset;                       ///< from centre of mass A to B [m]
+    F angleError;                           ///< at the start of the step [rad]
+    HeldRow<F> row;                         ///< along the axis, while the other two are held
+    F hasMotor, hasLimits;                  ///< 1 or 0
+    F motorSpeed, mostMotor;                ///< [m/s], [N s]
+    F lower, upper;                         ///< [m]
+    F lowerSpeed, upperSpeed;               ///< that reach the limits in this step [m/s]
 
     void WarmStart(MovingPair<F>& pair, uint8) const
     {
-        pair.ApplyAlong(axis, levers.axisA, levers.axisB,
-                        motorImpulse + lowerImpulse - upperImpulse);
+        pair.ApplyAlong(axis, levers.axisA, levers.axisB, motorImpulse + limitImpulse);
         Apply(pair, impulse);
     }
 
@@ -70,6 +86,11 @@ struct PrismaticLanes
 
     void SolveVelocity(MovingPair<F>& pair, uint8 features)
     {
+        const Vector<F> speed = {pair.SpeedAlong(Skew(axis), levers.acrossA, levers.acrossB),
+                                 pair.wB - pair.wA};
+        const Vector<F> change = inverse * -speed;
+        impulse = impulse + change;
+        Apply(pair, change);
         if ((features & kMotor) != 0)
         {
             SolveMotor(pair);
@@ -78,44 +99,39 @@ struct PrismaticLanes
         {
             SolveLimits(pair);
         }
-        const Vector<F> speed = {pair.SpeedAlong(Skew(axis), levers.acrossA, levers.acrossB),
-                                 pair.wB - pair.wA};
-        const Vector<F> change = matrix.Solve(-speed, inverse);
-        impulse = impulse + change;
-        Apply(pair, change);
     }
 
     F AxialSpeed(const MovingPair<F>& pair) const
     {
         return pair.SpeedAlong(axis, levers.axisA, levers.axisB);
     }
-    template <class M>
-    void ApplyAxial(MovingPair<F>& pair, M active, F change) const
-    {
-        MovingPair<F> pushed = pair;
-        pushed.ApplyAlong(axis, levers.axisA, levers.axisB, change);
-        pair.Take(active, pushed);
-    }
 
     void SolveMotor(MovingPair<F>& pair)
     {
-        const auto active = IsSet(hasMotor);
-        const F wanted = motorImpulse + axialMass * (motorSpeed - AxialSpeed(pair));
+        const F wanted = motorImpulse + row.mass * (motorSpeed - AxialSpeed(pair));
         const F total = Clamp(wanted, -mostMotor, mostMotor);
-        ApplyAxial(pair, active, total - motorImpulse);
-        motorImpulse = Select(active, total, motorImpulse);
+        Push(pair, IsSet(hasMotor), total, motorImpulse);
     }
 
     void SolveLimits(MovingPair<F>& pair)
     {
-        const auto active = IsSet(hasLimits);
-        const F zero = F::Set(0.0f);
-        const F up = Max(lowerImpulse - axialMass * (AxialSpeed(pair) + lowerSpeed), zero);
-        ApplyAxial(pair, active, up - lowerImpulse);
-        lowerImpulse = Select(active, up, lowerImpulse);
-        const F down = Max(upperImpulse - axialMass * (upperSpeed - AxialSpeed(pair)), zero);
-        ApplyAxial(pair, active, upperImpulse - down);
-        upperImpulse = Select(active, down, upperImpulse);
+        const F total =
+            LimitImpulse(limitImpulse, row.mass, AxialSpeed(pair), lowerSpeed, upperSpeed);
+        Push(pair, IsSet(hasLimits), total, limitImpulse);
+    }
+
+    /// Brings an impulse along the axis to its new total, with the answer of the other two rows.
+    template <class M>
+    void Push(MovingPair<F>& pair, M active, F total, F& sum)
+    {
+        const F change = total - sum;
+        const Vector<F> answer = change * row.reaction;
+        MovingPair<F> pushed = pair;
+        pushed.ApplyAlong(axis, levers.axisA, levers.axisB, change);
+        Apply(pushed, answer);
+        pair.Take(active, pushed);
+        impulse = Select(active, impulse + answer, impulse);
+        sum = Select(active, total, sum);
     }
 
     auto SolvePosition(PlacedPair<F>& pair, uint8 features) const
@@ -128,32 +144,42 @@ struct PrismaticLanes
         const Vector<F> across = Skew(along);
         const Levers now = {Cross(reachA, along), Cross(turnedB, along), Cross(reachA, across),
                             Cross(turnedB, across)};
-        F limitError = F::Set(0.0f);
-        if ((features & kLimits) != 0)
-        {
-            limitError = SolveLimitPosition(pair, along, now, Dot(along, d));
-        }
+        const F limitError =
+            (features & kLimits) != 0 ? PushBack(pair, along, now, Dot(along, d)) : F::Set(0.0f);
         const Vector<F> error = {Dot(across, d), angleError + pair.b.angle - pair.a.angle};
         const Vector<F> change = now.MatrixOf(pair).Solve(-error);
-        pair.a.d = pair.a.d - (pair.mA * change.x) * across;
-        pair.b.d = pair.b.d + (pair.mB * change.x) * across;
-        pair.Rotate(now.acrossA * change.x + change.y, now.acrossB * change.x + change.y);
+        Move(pair, along, now, change, F::Set(0.0f));
         return And(AtLeast(F::Set(b2_linearSlop), Max(Abs(error.x), limitError)),
                    AtLeast(F::Set(b2_angularSlop), Abs(error.y)));
     }
 
-    /// Returns the error [m].
-    F SolveLimitPosition(PlacedPair<F>& pair, const Vector<F>& along, const Levers& now,
-                         F translation) const
+    static void Move(PlacedPair<F>& pair, const Vector<F>& along, const Levers& levers,
+                     const Vector<F>& held, F axial)
     {
-        const F inside = Clamp(translation, lower, upper);
-        const F most = F::Set(b2_maxLinearCorrection);
-        const F push = Clamp(inside - translation, -most, most);
-        PlacedPair<F> moved = pair;
-        moved.MoveAlong(along, now.axisA, now.axisB,
-                        push * InverseOrZero(pair.AxisMatrix(now.axisA, now.axisB)));
-        pair.Take(IsSet(hasLimits), moved);
-        return Select(IsSet(hasLimits), Abs(translation - inside), F::Set(0.0f));
+        const Vector<F> push = axial * along + held.x * Skew(along);
+        pair.a.d = pair.a.d - pair.mA * push;
+        pair.b.d = pair.b.d + pair.mB * push;
+        pair.Rotate(levers.axisA * axial + levers.acrossA * held.x + held.y,
+                    levers.axisB * axial + levers.acrossB * held.x + held.y);
+    }
+
+    /// Moves what is beyond a limit by more than a slop back, with the other two rows held. Returns
+    /// by how much it was beyond, or 0 [m].
+    F PushBack(PlacedPair<F>& pair, const Vector<F>& along, const Levers& now, F translation) const
+    {
+        const F zero = F::Set(0.0f);
+        const F slop = F::Set(b2_linearSlop);
+        const F back = BackTowards(lower, upper, translation, slop, F::Set(b2_maxLinearCorrection));
+        const auto moves = And(IsSet(hasLimits), Not(AtLeast(zero, Abs(back))));
+        if (Any(moves))
+        {
+            const auto held = now.RowOf(pair);
+            const F push = held.mass * back;
+            PlacedPair<F> moved = pair;
+            Move(moved, along, now, push * held.reaction, push);
+            pair.Take(moves, moved);
+        }
+        return Select(moves, Abs(back) + slop, zero);
     }
 };
 

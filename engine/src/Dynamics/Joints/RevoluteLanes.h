@@ -12,7 +12,7 @@ namespace
 template <class F>
 struct RevoluteLanes
 {
-    static constexpr int kImpulses = 5;
+    static constexpr int kImpulses = 4;
     static constexpr int kPlainImpulses = 2; ///< without features
     static constexpr bool kHoldsPositions = true;
     enum Features : uint8
@@ -21,18 +21,17 @@ struct RevoluteLanes
         kLimits = 2
     };
 
-    Vector<F> impulse;                          ///< of the point [N s]
-    F motorImpulse, lowerImpulse, upperImpulse; ///< [N m s]
-    Vector<F> armA, armB;                       ///< at the start of the step [m]
-    Vector<F> offset;                           ///< from centre of mass A to B [m]
-    typename PairMasses<F>::Matrix matrix;      ///< of the point
-    F inverse;                                  ///< 1 over its determinant
-    F hasMotor, hasLimits;                      ///< 1 or 0
+    Vector<F> impulse;                      ///< of the point [N s]
+    F motorImpulse, limitImpulse;           ///< [N m s], the limit's positive at the lower one
+    Vector<F> armA, armB;                   ///< at the start of the step [m]
+    Vector<F> offset;                       ///< from centre of mass A to B [m]
+    typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
+    F hasMotor, hasLimits;                  ///< 1 or 0
 
     /// Written of lanes with a motor or limits only.
     struct Axial
     {
-        F mass;                   ///< effective
+        HeldRow<F> row;           ///< the angle, while the point is held
         F motorSpeed, mostMotor;  ///< [rad/s], [N m s]
         F angle, lower, upper;    ///< at the start of the step [rad]
         F lowerSpeed, upperSpeed; ///< that reach the limits in this step [rad/s]
@@ -43,11 +42,14 @@ struct RevoluteLanes
     void WarmStart(MovingPair<F>& pair, uint8) const
     {
         pair.Apply(impulse, armA, armB);
-        pair.ApplyAngular(motorImpulse + lowerImpulse - upperImpulse);
+        pair.ApplyAngular(motorImpulse + limitImpulse);
     }
 
     void SolveVelocity(MovingPair<F>& pair, uint8 features)
     {
+        const Vector<F> change = inverse * -pair.PointSpeed(armA, armB);
+        impulse = impulse + change;
+        pair.Apply(change, armA, armB);
         if ((features & kMotor) != 0)
         {
             SolveMotor(pair);
@@ -56,59 +58,73 @@ struct RevoluteLanes
         {
             SolveLimits(pair);
         }
-        const Vector<F> change = matrix.Solve(-pair.PointSpeed(armA, armB), inverse);
-        impulse = impulse + change;
-        pair.Apply(change, armA, armB);
     }
 
     void SolveMotor(MovingPair<F>& pair)
     {
         const F speed = pair.wB - pair.wA - axial.motorSpeed;
-        const F total = Clamp(motorImpulse - axial.mass * speed, -axial.mostMotor, axial.mostMotor);
-        ApplyAngular(pair, hasMotor, total - motorImpulse);
-        motorImpulse = Select(IsSet(hasMotor), total, motorImpulse);
+        const F total =
+            Clamp(motorImpulse - axial.row.mass * speed, -axial.mostMotor, axial.mostMotor);
+        Turn(pair, IsSet(hasMotor), total, motorImpulse);
     }
 
     void SolveLimits(MovingPair<F>& pair)
     {
-        const auto active = IsSet(hasLimits);
-        const F zero = F::Set(0.0f);
-        const F up = Max(lowerImpulse - axial.mass * (pair.wB - pair.wA + axial.lowerSpeed), zero);
-        ApplyAngular(pair, hasLimits, up - lowerImpulse);
-        lowerImpulse = Select(active, up, lowerImpulse);
-        const F down =
-            Max(upperImpulse - axial.mass * (pair.wA - pair.wB + axial.upperSpeed), zero);
-        ApplyAngular(pair, hasLimits, upperImpulse - down);
-        upperImpulse = Select(active, down, upperImpulse);
+        const F speed = pair.wB - pair.wA;
+        const F total =
+            LimitImpulse(limitImpulse, axial.row.mass, speed, axial.lowerSpeed, axial.upperSpeed);
+        Turn(pair, IsSet(hasLimits), total, limitImpulse);
     }
 
-    static void ApplyAngular(MovingPair<F>& pair, F flag, F change)
+    /// Brings an impulse about the hinge to its new total, with the answer of the point.
+    template <class M>
+    void Turn(MovingPair<F>& pair, M active, F total, F& sum)
     {
-        MovingPair<F> pushed = pair;
-        pushed.ApplyAngular(change);
-        pair.Take(IsSet(flag), pushed);
+        const F change = total - sum;
+        const Vector<F> answer = change * axial.row.reaction;
+        MovingPair<F> turned = pair;
+        turned.Apply(answer, armA, armB);
+        turned.ApplyAngular(change);
+        pair.Take(active, turned);
+        impulse = Select(active, impulse + answer, impulse);
+        sum = Select(active, total, sum);
     }
 
     auto SolvePosition(PlacedPair<F>& pair, uint8 features) const
     {
-        F angularError = F::Set(0.0f);
-        if ((features & kLimits) != 0)
-        {
-            const F now = axial.angle + pair.b.angle - pair.a.angle;
-            const F inside = Clamp(now, axial.lower, axial.upper);
-            const F most = F::Set(b2_maxAngularCorrection);
-            const F turn = axial.mass * Clamp(inside - now, -most, most);
-            PlacedPair<F> turned = pair;
-            turned.Rotate(turn, turn);
-            pair.Take(IsSet(hasLimits), turned);
-            angularError = Select(IsSet(hasLimits), Abs(now - inside), angularError);
-        }
+        const F angularError = (features & kLimits) != 0 ? TurnBack(pair) : F::Set(0.0f);
         const Vector<F> turnedA = pair.a.Turn(armA);
         const Vector<F> turnedB = pair.b.Turn(armB);
         const Vector<F> error = pair.Offset(offset) + turnedB - turnedA;
         pair.Move(pair.PointMatrix(turnedA, turnedB).Solve(-error), turnedA, turnedB);
-        return And(AtLeast(F::Set(b2_linearSlop), Length(error)),
+        return And(LengthIsWithin(error, F::Set(b2_linearSlop)),
                    AtLeast(F::Set(b2_angularSlop), angularError));
+    }
+
+    /// Turns what is beyond a limit by more than a slop back, with the point held. Returns by how
+    /// much it was beyond, or 0 [rad].
+    F TurnBack(PlacedPair<F>& pair) const
+    {
+        const F zero = F::Set(0.0f);
+        const F now = axial.angle + pair.b.angle - pair.a.angle;
+        const F slop = F::Set(b2_angularSlop);
+        const F back =
+            BackTowards(axial.lower, axial.upper, now, slop, F::Set(b2_maxAngularCorrection));
+        const auto turns = And(IsSet(hasLimits), Not(AtLeast(zero, Abs(back))));
+        if (Any(turns))
+        {
+            const Vector<F> turnedA = pair.a.Turn(armA);
+            const Vector<F> turnedB = pair.b.Turn(armB);
+            const auto row = HeldRow<F>::AngleOfPoint(pair, turnedA, turnedB);
+            const F turn = row.mass * back;
+            const Vector<F> push = turn * row.reaction;
+            PlacedPair<F> moved = pair;
+            moved.a.d = moved.a.d - pair.mA * push;
+            moved.b.d = moved.b.d + pair.mB * push;
+            moved.Rotate(Cross(turnedA, push) + turn, Cross(turnedB, push) + turn);
+            pair.Take(turns, moved);
+        }
+        return Select(turns, Abs(back) + slop, zero);
     }
 };
 

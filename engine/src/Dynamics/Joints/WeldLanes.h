@@ -122,7 +122,7 @@ struct WeldLanes
         pair.a.d = pair.a.d - pair.mA * push;
         pair.b.d = pair.b.d + pair.mB * push;
         pair.Rotate(Select(rigid, leverA + turn, leverA), Select(rigid, leverB + turn, leverB));
-        return And(AtLeast(F::Set(b2_linearSlop), Length(error)),
+        return And(LengthIsWithin(error, F::Set(b2_linearSlop)),
                    Or(Not(rigid), AtLeast(F::Set(b2_angularSlop), Abs(angularError))));
     }
 };

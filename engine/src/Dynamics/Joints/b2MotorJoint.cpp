@@ -42,8 +42,7 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
                                                 .mostAngular = context.timeStep * m_maxTorque,
                                                 .armA = box2d::InLanes(armA),
                                                 .armB = box2d::InLanes(armB),
-                                                .matrix = box2d::InLanes(matrix),
-                                                .inverse = box2d::InverseDeterminant(matrix),
+                                                .inverse = box2d::InverseInLanes(matrix),
                                                 .angularMass = box2d::InverseOrZero(f.iA + f.iB)},
                                    .bias = box2d::InLanes(rate * error),
                                    .angularBias = rate * float32(angle)});

@@ -47,8 +47,7 @@ void b2MouseJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     lane.Write(box2d::MouseLanes<float32>{.impulse = box2d::InLanes(m_impulse),
                                           .most = context.timeStep * m_maxForce,
                                           .arm = box2d::InLanes(arm),
-                                          .matrix = box2d::InLanes(matrix),
-                                          .inverse = box2d::InverseDeterminant(matrix),
+                                          .inverse = box2d::InverseInLanes(matrix),
                                           .bias = box2d::InLanes(soft.biasRate * error),
                                           .gamma = soft.gamma});
 }

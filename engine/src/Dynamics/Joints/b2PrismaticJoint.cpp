@@ -10,7 +10,7 @@
 //   across:   C1 = dot(t, d),                 Cdot1 = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x
 //   t) wA turning:  C2 = aB - aA - reference,       Cdot2 = wB - wA along:    the same as across
 //   with a for t, for the motor and the limit
-// Across and turning are solved together, along by itself.
+// Across and turning are solved together; motor and limit with them, while these two hold.
 
 void b2PrismaticJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor, const b2Vec2& axis)
 {
@@ -40,8 +40,7 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
     const float32 share = box2d::CarryOver(context);
     box2d::Carry(m_impulse, share);
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
-    box2d::Carry(m_lowerImpulse, m_enableLimit ? share : 0.0f);
-    box2d::Carry(m_upperImpulse, m_enableLimit ? share : 0.0f);
+    box2d::Carry(m_limitImpulse, m_enableLimit ? share : 0.0f);
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);
@@ -59,7 +58,8 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
     const float32 k12 = f.iA * acrossA + f.iB * acrossB;
     const float32 k22 = f.iA + f.iB;
     const b2Mat22 matrix(k11, k12, k12, k22 > 0.0f ? k22 : 1.0f); // two that cannot turn
-    const float32 k = f.mA + f.mB + f.iA * axisA * axisA + f.iB * axisB * axisB;
+    using OneLane = box2d::PrismaticLanes<box2d::simd::Float1>;
+    const OneLane::Levers levers = {{axisA}, {axisB}, {acrossA}, {acrossB}};
     const float32 toLower = b2Max(translation - m_lowerTranslation, 0.0f);
     const float32 toUpper = b2Max(m_upperTranslation - translation, 0.0f);
 
@@ -68,17 +68,15 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
         uint8((m_enableMotor ? Lanes::kMotor : 0) | (m_enableLimit ? Lanes::kLimits : 0));
     lane.Write(Lanes{.impulse = box2d::InLanes(m_impulse),
                      .motorImpulse = m_motorImpulse,
-                     .lowerImpulse = m_lowerImpulse,
-                     .upperImpulse = m_upperImpulse,
+                     .limitImpulse = m_limitImpulse,
                      .axis = box2d::InLanes(m_axis),
                      .levers = {axisA, axisB, acrossA, acrossB},
-                     .matrix = box2d::InLanes(matrix),
-                     .inverse = box2d::InverseDeterminant(matrix),
+                     .inverse = box2d::InverseInLanes(matrix),
                      .armA = box2d::InLanes(armA),
                      .armB = box2d::InLanes(armB),
                      .offset = box2d::InLanes(offset),
                      .angleError = float32(angle),
-                     .axialMass = box2d::InverseOrZero(k),
+                     .row = box2d::NumbersOf(levers.RowOf(box2d::MassesOf(f))),
                      .hasMotor = box2d::Flag(m_enableMotor),
                      .hasLimits = box2d::Flag(m_enableLimit),
                      .motorSpeed = m_motorSpeed,
@@ -93,8 +91,7 @@ void b2PrismaticJoint::KeepImpulses(const box2d::JointLane& lane)
 {
     m_impulse.Set(lane[0], lane[1]);
     m_motorImpulse = lane[2];
-    m_lowerImpulse = lane[3];
-    m_upperImpulse = lane[4];
+    m_limitImpulse = lane[3];
 }
 
 void b2PrismaticJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
@@ -118,15 +115,14 @@ void b2PrismaticJoint::GetRowImpulses(float32 (&impulse)[3]) const
 {
     impulse[0] = m_impulse.x;
     impulse[1] = m_impulse.y;
-    impulse[2] = m_motorImpulse + m_lowerImpulse - m_upperImpulse;
+    impulse[2] = m_motorImpulse + m_limitImpulse;
 }
 
 void b2PrismaticJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3])
 {
     m_impulse.Set(within[0], within[1]);
     m_motorImpulse = within[2];
-    m_lowerImpulse = b2Max(beyond[2], 0.0f);
-    m_upperImpulse = b2Max(-beyond[2], 0.0f);
+    m_limitImpulse = beyond[2];
 }
 
 b2Vec2 b2PrismaticJoint::GetAnchorA() const
@@ -141,7 +137,7 @@ b2Vec2 b2PrismaticJoint::GetAnchorB() const
 
 b2Vec2 b2PrismaticJoint::GetReactionForce(float32 inv_dt) const
 {
-    const float32 axial = m_motorImpulse + m_lowerImpulse - m_upperImpulse;
+    const float32 axial = m_motorImpulse + m_limitImpulse;
     return inv_dt * (m_impulse.x * b2Cross(1.0f, m_axis) + axial * m_axis);
 }
 
@@ -187,8 +183,7 @@ void b2PrismaticJoint::EnableLimit(bool flag)
         WakeBodies();
         m_enableLimit = flag;
         NoteChange();
-        m_lowerImpulse = 0.0f;
-        m_upperImpulse = 0.0f;
+        m_limitImpulse = 0.0f;
     }
 }
 
@@ -204,8 +199,7 @@ void b2PrismaticJoint::SetLimits(float32 lower, float32 upper)
         m_lowerTranslation = lower;
         m_upperTranslation = upper;
         NoteChange();
-        m_lowerImpulse = 0.0f;
-        m_upperImpulse = 0.0f;
+        m_limitImpulse = 0.0f;
     }
 }
 

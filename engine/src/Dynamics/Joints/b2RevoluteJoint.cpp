@@ -9,7 +9,8 @@
 // The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in
 // PointMatrix. About the hinge: the motor drives wB - wA to its speed within its torque; a limit is
 // an inequality on the angle, which may close in on the limit at most as fast as it would reach it
-// in this step.
+// in this step. Both are solved with the point held: on a long arm, the point would take back most
+// of what an impulse on the angle alone does.
 
 void b2RevoluteJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
 {
@@ -32,25 +33,21 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     const float32 share = box2d::CarryOver(context);
     box2d::Carry(m_impulse, share);
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
-    box2d::Carry(m_lowerImpulse, m_enableLimit ? share : 0.0f);
-    box2d::Carry(m_upperImpulse, m_enableLimit ? share : 0.0f);
+    box2d::Carry(m_limitImpulse, m_enableLimit ? share : 0.0f);
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);
     const b2Vec2 armB = f.ArmB(m_localAnchorB);
-    const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
 
     using Lanes = box2d::RevoluteLanes<float32>;
     Lanes lanes;
     lanes.impulse = box2d::InLanes(m_impulse);
     lanes.motorImpulse = m_motorImpulse;
-    lanes.lowerImpulse = m_lowerImpulse;
-    lanes.upperImpulse = m_upperImpulse;
+    lanes.limitImpulse = m_limitImpulse;
     lanes.armA = box2d::InLanes(armA);
     lanes.armB = box2d::InLanes(armB);
     lanes.offset = box2d::InLanes(f.Offset());
-    lanes.matrix = box2d::InLanes(matrix);
-    lanes.inverse = box2d::InverseDeterminant(matrix);
+    lanes.inverse = box2d::InverseInLanes(box2d::PointMatrix(f, armA, armB));
     lanes.hasMotor = box2d::Flag(m_enableMotor);
     lanes.hasLimits = box2d::Flag(m_enableLimit);
     if (!m_enableMotor && !m_enableLimit)
@@ -62,7 +59,10 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
         uint8((m_enableMotor ? Lanes::kMotor : 0) | (m_enableLimit ? Lanes::kLimits : 0));
     const float32 angle =
         float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
-    lanes.axial = {.mass = box2d::InverseOrZero(f.iA + f.iB),
+    using One = box2d::simd::Float1;
+    const auto row = box2d::HeldRow<One>::AngleOfPoint(box2d::MassesOf(f), {{armA.x}, {armA.y}},
+                                                       {{armB.x}, {armB.y}});
+    lanes.axial = {.row = box2d::NumbersOf(row),
                    .motorSpeed = m_motorSpeed,
                    .mostMotor = context.timeStep * m_maxMotorTorque,
                    .angle = angle,
@@ -77,8 +77,7 @@ void b2RevoluteJoint::KeepImpulses(const box2d::JointLane& lane)
 {
     m_impulse.Set(lane[0], lane[1]);
     m_motorImpulse = lane[2];
-    m_lowerImpulse = lane[3];
-    m_upperImpulse = lane[4];
+    m_limitImpulse = lane[3];
 }
 
 void b2RevoluteJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
@@ -103,15 +102,14 @@ void b2RevoluteJoint::GetRowImpulses(float32 (&impulse)[3]) const
 {
     impulse[0] = m_impulse.x;
     impulse[1] = m_impulse.y;
-    impulse[2] = m_motorImpulse + m_lowerImpulse - m_upperImpulse;
+    impulse[2] = m_motorImpulse + m_limitImpulse;
 }
 
 void b2RevoluteJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3])
 {
     m_impulse.Set(within[0], within[1]);
     m_motorImpulse = within[2];
-    m_lowerImpulse = b2Max(beyond[2], 0.0f);
-    m_upperImpulse = b2Max(-beyond[2], 0.0f);
+    m_limitImpulse = beyond[2];
 }
 
 b2Vec2 b2RevoluteJoint::GetAnchorA() const
@@ -131,7 +129,7 @@ b2Vec2 b2RevoluteJoint::GetReactionForce(float32 inv_dt) const
 
 float32 b2RevoluteJoint::GetReactionTorque(float32 inv_dt) const
 {
-    return inv_dt * (m_motorImpulse + m_lowerImpulse - m_upperImpulse);
+    return inv_dt * (m_motorImpulse + m_limitImpulse);
 }
 
 float32 b2RevoluteJoint::GetJointAngle() const
@@ -162,8 +160,7 @@ void b2RevoluteJoint::EnableLimit(bool flag)
         WakeBodies();
         m_enableLimit = flag;
         NoteChange();
-        m_lowerImpulse = 0.0f;
-        m_upperImpulse = 0.0f;
+        m_limitImpulse = 0.0f;
     }
 }
 
@@ -179,8 +176,7 @@ void b2RevoluteJoint::SetLimits(float32 lower, float32 upper)
         m_lowerAngle = lower;
         m_upperAngle = upper;
         NoteChange();
-        m_lowerImpulse = 0.0f;
-        m_upperImpulse = 0.0f;
+        m_limitImpulse = 0.0f;
     }
 }
 

@@ -43,7 +43,7 @@ struct JointAccess::Snapshot
         archive(j.m_localAnchorA, j.m_localAnchorB, j.m_referenceAngle, j.m_enableLimit,
                 j.m_lowerAngle, j.m_upperAngle, j.m_enableMotor, j.m_motorSpeed,
                 j.m_maxMotorTorque);
-        archive(j.m_impulse, j.m_motorImpulse, j.m_lowerImpulse, j.m_upperImpulse);
+        archive(j.m_impulse, j.m_motorImpulse, j.m_limitImpulse);
     }
 
     template <class Archive>
@@ -53,7 +53,7 @@ struct JointAccess::Snapshot
         archive(j.m_localAnchorA, j.m_localAnchorB, j.m_localAxisA, j.m_referenceAngle,
                 j.m_enableLimit, j.m_lowerTranslation, j.m_upperTranslation, j.m_enableMotor,
                 j.m_maxMotorForce, j.m_motorSpeed);
-        archive(j.m_impulse, j.m_motorImpulse, j.m_lowerImpulse, j.m_upperImpulse, j.m_axis);
+        archive(j.m_impulse, j.m_motorImpulse, j.m_limitImpulse, j.m_axis);
     }
 
     template <class Archive>

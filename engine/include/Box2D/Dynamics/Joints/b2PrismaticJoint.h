@@ -89,7 +89,6 @@ protected:
     // [N s].
     b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f);
     float32 m_motorImpulse = 0.0f;
-    float32 m_lowerImpulse = 0.0f;
-    float32 m_upperImpulse = 0.0f;
-    b2Vec2 m_axis; ///< in world axes, of the last step
+    float32 m_limitImpulse = 0.0f; // positive at the lower limit
+    b2Vec2 m_axis;                 ///< in world axes, of the last step
 };

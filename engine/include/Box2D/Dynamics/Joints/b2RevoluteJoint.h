@@ -84,6 +84,5 @@ protected:
     // Impulses of the last step: of the point [N s]; of the motor and the limits [N m s].
     b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f);
     float32 m_motorImpulse = 0.0f;
-    float32 m_lowerImpulse = 0.0f;
-    float32 m_upperImpulse = 0.0f;
+    float32 m_limitImpulse = 0.0f; // positive at the lower limit
 };
