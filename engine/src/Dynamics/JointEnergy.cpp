@@ -142,6 +142,14 @@ bool HoldsAlongALine(const b2Joint& joint)
     return type == e_distanceJoint || type == e_ropeJoint || type == e_pulleyJoint;
 }
 
+/// Whether a point is more than so many radii of gyration from the centre of mass.
+bool IsFarOut(const b2Body& body, const b2Vec2& point, float32 radii)
+{
+    const BodyData& data = Data(body);
+    const float32 squared = (point - data.worldCenter).LengthSquared();
+    return data.SolverInvInertia() * squared > radii * radii * data.SolverInvMass();
+}
+
 template <class Joint>
 const Joint& As(const b2Joint& joint)
 {
@@ -178,14 +186,20 @@ bool IsAtRisk(const b2Joint& joint)
         return true;
     }
     const float32 most = HoldsAlongALine(joint) ? kLongLeverOfLine : kLongLever;
-    const auto isLong = [most](const BodyData& body, const b2Vec2& point) {
-        const b2Vec2 lever = point - body.worldCenter;
-        return body.SolverInvInertia() * lever.LengthSquared() > most * most * body.SolverInvMass();
-    };
+    return HasLeverOnB(joint, most) || HasLeverOnA(joint, most);
+}
+
+bool HasLeverOnA(const b2Joint& joint, float32 radii)
+{
     // Where B is held is where the forces on A act; they may be far apart.
-    const b2Vec2 onB = joint.GetAnchorB();
-    return isLong(b, onB) || (joint.GetType() != e_mouseJoint &&
-                              isLong(a, HasChangingLevers(joint) ? onB : joint.GetAnchorA()));
+    return joint.GetType() != e_mouseJoint &&
+           IsFarOut(*joint.GetBodyA(),
+                    HasChangingLevers(joint) ? joint.GetAnchorB() : joint.GetAnchorA(), radii);
+}
+
+bool HasLeverOnB(const b2Joint& joint, float32 radii)
+{
+    return IsFarOut(*joint.GetBodyB(), joint.GetAnchorB(), radii);
 }
 
 bool HasChangingLevers(const b2Joint& joint)

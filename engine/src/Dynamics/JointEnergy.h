@@ -37,6 +37,10 @@ double StoredBetween(const SpringState& before, const SpringState& after);
 bool IsAtRisk(const b2Joint& joint);
 /// Whether that depends on the pose too.
 bool HasChangingLevers(const b2Joint& joint);
+/// Whether what the joint does to a body acts on it farther from its centre than so many of its
+/// radii of gyration.
+bool HasLeverOnA(const b2Joint& joint, float32 radii);
+bool HasLeverOnB(const b2Joint& joint, float32 radii);
 
 bool HasSpring(const b2Joint& joint);
 /// Of one that has. Bodies by solver index, with what has moved since the start of the step; null

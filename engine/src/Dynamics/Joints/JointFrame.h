@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../BodyPose.h"
+#include "../JointEnergy.h"
 #include "../JointLanes.h"
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
@@ -101,6 +102,22 @@ inline b2Vec2 ClampLength(const b2Vec2& v, float32 limit)
 inline float32 CarryOver(const SolverContext& context)
 {
     return context.warmStarting ? context.stepRatio : 0.0f;
+}
+
+/// The same for a joint at points of its bodies. None where a body turns so far in a step, on a
+/// lever, that the impulses no longer point where they should: a few iterations do not take them
+/// back, so bodies gain energy and the impulses grow from step to step.
+inline float32 CarryOver(const SolverContext& context, const b2Joint& joint)
+{
+    // A pendulum's pull is off by half of itself then. With 1 rad some random worlds burst.
+    constexpr float32 kMaxTurn = 0.5f; // [rad]
+    constexpr float32 kRadii = 1.0f;   // on shorter levers the body hardly turns with the joint
+    const auto turns = [&context](const b2Body& body) {
+        return b2Abs(context.timeStep * context.bodies[Data(body).SolverIndex()].w) > kMaxTurn;
+    };
+    const bool isStale = (turns(*joint.GetBodyA()) && HasLeverOnA(joint, kRadii)) ||
+                         (turns(*joint.GetBodyB()) && HasLeverOnB(joint, kRadii));
+    return isStale ? 0.0f : CarryOver(context);
 }
 
 /// Keeps that share of an impulse; one that is not finite is forgotten.

@@ -37,7 +37,7 @@ b2PrismaticJoint::b2PrismaticJoint(const b2PrismaticJointDef* def)
 
 void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const float32 share = box2d::CarryOver(context);
+    const float32 share = box2d::CarryOver(context, *this);
     box2d::Carry(m_impulse, share);
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
     box2d::Carry(m_limitImpulse, m_enableLimit ? share : 0.0f);

@@ -30,7 +30,7 @@ b2RevoluteJoint::b2RevoluteJoint(const b2RevoluteJointDef* def)
 
 void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const float32 share = box2d::CarryOver(context);
+    const float32 share = box2d::CarryOver(context, *this);
     box2d::Carry(m_impulse, share);
     box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
     box2d::Carry(m_limitImpulse, m_enableLimit ? share : 0.0f);
