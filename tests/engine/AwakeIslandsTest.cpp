@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
 
-#include <Dynamics/Access.h>
-#include <Dynamics/SolverArrays.h>
-#include <Dynamics/World.h>
+#include <Dynamics/Solver/SolverMemory.h>
+#include <Dynamics/State/Access.h>
+#include <Dynamics/State/World.h>
+#include <Dynamics/SubSteps/SubStepMemory.h>
 
 #include <gtest/gtest.h>
 
@@ -26,12 +27,12 @@ struct Row
         }
     }
 
-    box2d::SolverArrays& Arrays() { return *box2d::Data(*boxes.front()).world->solver; }
+    box2d::World& World() { return *box2d::Data(*boxes.front()).world; }
     void ExpectLookedAt(std::size_t count)
     {
-        EXPECT_EQ(std::size_t(Arrays().islands.Count()), count);
-        EXPECT_EQ(Arrays().contactSystem.Count(), count);
-        EXPECT_EQ(Arrays().carryGuard.Count(), count);
+        EXPECT_EQ(std::size_t(World().solver->islands.Count()), count);
+        EXPECT_EQ(World().subSteps->contacts.Count(), count);
+        EXPECT_EQ(World().subSteps->carryGuard.Count(), count);
     }
 
     Scene scene;
@@ -76,7 +77,7 @@ TEST(AwakeIslands, AreNotLookedForWhereNothingIsHeld)
     row.ExpectLookedAt(1);
     row.boxes[0]->SetTransform(b2Vec2(0.0f, 50.0f), 0.0f);
     row.scene.Step(2);
-    EXPECT_EQ(row.Arrays().contactSystem.Count(), 0u);
+    EXPECT_EQ(row.World().subSteps->contacts.Count(), 0u);
 }
 
 TEST(AwakeIslands, AreNumberedFromZeroOn)

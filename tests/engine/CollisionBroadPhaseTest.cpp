@@ -3,7 +3,7 @@
 
 #include <Box2D/Collision/b2BroadPhase.h>
 #include <Box2D/Dynamics/b2Fixture.h>
-#include <Dynamics/Proxies.h>
+#include <Dynamics/State/Proxies.h>
 
 #include <gtest/gtest.h>
 

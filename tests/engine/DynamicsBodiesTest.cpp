@@ -2,7 +2,7 @@
 #include "DynamicsInvariants.h"
 #include "DynamicsScene.h"
 
-#include <Dynamics/Access.h>
+#include <Dynamics/State/Access.h>
 
 #include <gtest/gtest.h>
 

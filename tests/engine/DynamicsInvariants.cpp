@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsInvariants.h"
 
-#include <Dynamics/Access.h>
-#include <Dynamics/World.h>
+#include <Dynamics/State/Access.h>
+#include <Dynamics/State/World.h>
 
 #include <Box2D/Box2D.h>
 

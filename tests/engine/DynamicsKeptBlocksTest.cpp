@@ -2,8 +2,8 @@
 #include "DynamicsInvariants.h"
 #include "DynamicsScene.h"
 
-#include <Dynamics/ConstraintGraph.h>
-#include <Dynamics/World.h>
+#include <Dynamics/State/ConstraintGraph.h>
+#include <Dynamics/State/World.h>
 
 #include <gtest/gtest.h>
 

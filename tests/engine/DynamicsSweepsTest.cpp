@@ -2,9 +2,9 @@
 #include "DynamicsScene.h"
 
 #include <Box2D/Collision/b2TimeOfImpact.h>
-#include <Dynamics/Access.h>
-#include <Dynamics/Sweeps.h>
-#include <Dynamics/World.h>
+#include <Dynamics/Contacts/Sweeps.h>
+#include <Dynamics/State/Access.h>
+#include <Dynamics/State/World.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,8 @@
 #include "DynamicsMisuse.h"
 #include "DynamicsScene.h"
 
-#include <Dynamics/ContactBlocks.h>
+#include <Common/WideInstructions.h>
+#include <Dynamics/Solver/ContactBlocks.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
 
-#include <Dynamics/EnergyGuard.h>
-#include <Dynamics/SolverArrays.h>
-#include <Dynamics/World.h>
+#include <Dynamics/Energy/EnergyGuard.h>
+#include <Dynamics/Solver/SolverMemory.h>
+#include <Dynamics/State/World.h>
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ struct Pair
     }
 
     box2d::World& World() { return *box2d::Data(*a).world; }
-    box2d::SolverArrays& Arrays() { return *World().solver; }
+    box2d::SolverMemory& Arrays() { return *World().solver; }
     box2d::SolverBody& At(const b2Body* body)
     {
         return Arrays().bodies[std::size_t(box2d::Data(*body).SolverIndex())];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
 
-#include <Dynamics/JointEnergy.h>
+#include <Dynamics/Joints/JointEnergy.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
 
-#include <Dynamics/Access.h>
-#include <Dynamics/ConstraintGraph.h>
-#include <Dynamics/ContactBlocks.h>
-#include <Dynamics/JointSchedule.h>
+#include <Dynamics/Joints/JointSchedule.h>
+#include <Dynamics/Solver/ContactBlocks.h>
+#include <Dynamics/State/Access.h>
+#include <Dynamics/State/ConstraintGraph.h>
 
 #include <gtest/gtest.h>
 

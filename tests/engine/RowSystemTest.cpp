@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
 
-#include <Dynamics/BoundedSystem.h>
+#include <Dynamics/Direct/BoundedSystem.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
 
-#include <Dynamics/ContactBlocks.h>
+#include <Common/WideInstructions.h>
+#include <Dynamics/Solver/ContactBlocks.h>
 
 #include <gtest/gtest.h>
 

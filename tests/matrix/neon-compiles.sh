@@ -21,6 +21,6 @@ compile -x c++ - <<'END'
 #error "Simd.h does not know the processor."
 #endif
 END
-for source in "$engine"/src/Collision/CollidePolygons.cpp "$engine"/src/Dynamics/*Blocks.cpp; do
+for source in "$engine"/src/Collision/CollidePolygons.cpp "$engine"/src/Dynamics/*/*Blocks.cpp; do
     compile "$source"
 done

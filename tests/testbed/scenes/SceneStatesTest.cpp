@@ -4,7 +4,7 @@
 #include <golden/StateHash.h>
 #include <scenes/Scene.h>
 
-#include <Dynamics/ContactBlocks.h>
+#include <Dynamics/Solver/ContactBlocks.h>
 
 #include <gtest/gtest.h>
 

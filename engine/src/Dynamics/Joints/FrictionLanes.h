@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../JointLanes.h"
+#include "JointLanes.h"
 
 /// The solver of b2FrictionJoint, whose source has the formulas; with a wanted speed that of
 /// b2MotorJoint as well.

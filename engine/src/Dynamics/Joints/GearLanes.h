@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../JointLanes.h"
+#include "JointLanes.h"
 
 /// The solver of b2GearJoint, whose source has the formulas. Its bodies are those of two joints,
 /// the frame and the body of each; a body may be one of both.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../Reach.h"
+#include "../State/Reach.h"
 
 #include <Box2D/Common/b2Math.h>
 

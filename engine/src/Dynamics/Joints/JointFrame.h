@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../BodyPose.h"
-#include "../JointEnergy.h"
-#include "../JointLanes.h"
+#include "../State/BodyPose.h"
+#include "JointEnergy.h"
+#include "JointLanes.h"
 
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Body.h>

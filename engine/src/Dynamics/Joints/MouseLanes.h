@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../JointLanes.h"
+#include "JointLanes.h"
 
 /// The solver of b2MouseJoint, whose source has the formulas. Body A takes no part.
 namespace box2d

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../JointLanes.h"
+#include "JointLanes.h"
 
 /// The solver of b2PulleyJoint, whose source has the formulas.
 namespace box2d

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2GearJoint.h>
 
-#include "../Access.h"
-#include "../JointDefinitions.h"
+#include "../State/Access.h"
 #include "GearLanes.h"
 #include "JointChecks.h"
+#include "JointDefinitions.h"
 #include "JointFrame.h"
 #include "JointRows.h"
 

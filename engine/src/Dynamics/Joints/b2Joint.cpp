@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 
-#include "../World.h"
+#include "../State/World.h"
 
 #include <Box2D/Dynamics/b2Body.h>
 

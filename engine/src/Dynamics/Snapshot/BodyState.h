@@ -4,7 +4,7 @@
 #include "BroadPhaseState.h"
 #include "References.h"
 
-#include "../World.h"
+#include "../State/World.h"
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
 #include <Box2D/Collision/Shapes/b2CircleShape.h>

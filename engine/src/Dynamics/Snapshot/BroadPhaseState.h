@@ -4,7 +4,7 @@
 #include "Archive.h"
 #include "SnapshotAccess.h"
 
-#include "../Proxies.h"
+#include "../State/Proxies.h"
 
 /// The trees as they are: which pairs are found first depends on their form, and which numbers new
 /// proxies get on the order of their free nodes.

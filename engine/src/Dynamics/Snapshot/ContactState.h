@@ -4,7 +4,7 @@
 #include "BroadPhaseState.h"
 #include "References.h"
 
-#include "../World.h"
+#include "../State/World.h"
 
 namespace box2d
 {

@@ -4,8 +4,8 @@
 #include "References.h"
 #include "SnapshotAccess.h"
 
-#include "../ConstraintGraph.h"
-#include "../Islands.h"
+#include "../State/ConstraintGraph.h"
+#include "../State/Islands.h"
 
 /// The lists that bodies, contacts and joints are in, in their order, which is that in which they
 /// are solved and events are told.

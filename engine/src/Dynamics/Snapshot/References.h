@@ -3,7 +3,7 @@
 
 #include "Archive.h"
 
-#include "../Access.h"
+#include "../State/Access.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>

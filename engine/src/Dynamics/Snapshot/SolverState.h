@@ -4,8 +4,10 @@
 #include "References.h"
 #include "SnapshotAccess.h"
 
-#include "../SolverArrays.h"
-#include "../World.h"
+#include "../Energy/EnergyGuard.h"
+#include "../Solver/SolverMemory.h"
+#include "../State/World.h"
+#include "../SubSteps/SubStepMemory.h"
 
 /// What the solver's memory leaves to the next step. Most of it is filled anew in each step; what
 /// is made when joints or contacts come or go follows from the lists, but not all of it:
@@ -138,22 +140,22 @@ void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& w
 template <class Archive>
 void VisitSolver(Archive& archive, World& world)
 {
-    SolverArrays& arrays = *world.solver;
+    SubStepMemory& subSteps = *world.subSteps;
     for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
     {
-        SnapshotAccess::Visit(archive, arrays.contacts[color], world, color);
+        SnapshotAccess::Visit(archive, world.solver->contacts[color], world, color);
     }
-    SnapshotAccess::Visit(archive, arrays.energyGuard, world);
-    SnapshotAccess::Visit(archive, arrays.jointSystem, world);
+    SnapshotAccess::Visit(archive, *world.energyGuard, world);
+    SnapshotAccess::Visit(archive, subSteps.joints, world);
     // How what flies through a step of small ones is accelerated, for the impacts that remain.
-    auto count = int32(arrays.ways.size());
+    auto count = int32(subSteps.ways.size());
     archive.Count(count, sizeof(int32));
-    arrays.ways.resize(std::size_t(count));
-    arrays.kicks.resize(std::size_t(count));
-    for (std::size_t i = 0; i < arrays.ways.size(); ++i)
+    subSteps.ways.resize(std::size_t(count));
+    subSteps.kicks.resize(std::size_t(count));
+    for (std::size_t i = 0; i < subSteps.ways.size(); ++i)
     {
-        archive.Within(arrays.ways[i], WayOfBody::Together, WayOfBody::InTree);
-        archive(arrays.kicks[i].acceleration);
+        archive.Within(subSteps.ways[i], WayOfBody::Together, WayOfBody::InTree);
+        archive(subSteps.kicks[i].acceleration);
     }
 }
 

@@ -63,7 +63,7 @@ void VisitWorld(Archive& archive, World& world)
     // The program's own: owner, filters, listeners, drawing, profile and threads. Counts follow
     // from the lists, pairs from the contacts; the rest is scratch.
     auto& [owner, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
-           oldManifolds, attention, solver, threads, bodyList, jointList, contactList, bodyCount,
+           oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads, bodyList, jointList, contactList, bodyCount,
            jointCount, gearCount, inactiveCount, contactCount, bodyNumber, jointNumber, gravity,
            defaultFilter, filter, listener, destructionListener, debugDraw, subStepCount,
            lastSubSteps, inverseStep, stepNumber, profile, contactManager, profiling, allowSleep,

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "Narrowphase.h"
+
+#include "../../Collision/Manifolds.h"
+
+#include <Box2D/Collision/Shapes/b2ChainShape.h>
+
+namespace box2d
+{
+
+namespace
+{
+
+bool IsThin(b2Shape::Type type)
+{
+    return type == b2Shape::e_edge || type == b2Shape::e_chain;
+}
+
+// Thin before polygon before circle.
+int32 Rank(b2Shape::Type type)
+{
+    return IsThin(type) ? 0 : (type == b2Shape::e_polygon ? 1 : 2);
+}
+
+void CollideEdge(b2Manifold* manifold, const b2EdgeShape& edge, const b2Shape& b,
+                 const b2Transform& bInA)
+{
+    if (b.GetType() == b2Shape::e_circle)
+    {
+        CollideEdgeAndCircle(manifold, edge, static_cast<const b2CircleShape&>(b), bInA);
+    }
+    else
+    {
+        CollideEdgeAndPolygon(manifold, edge, static_cast<const b2PolygonShape&>(b), bInA);
+    }
+}
+
+} // namespace
+
+bool CanCollide(b2Shape::Type a, b2Shape::Type b)
+{
+    return !(IsThin(a) && IsThin(b));
+}
+
+bool MustSwap(b2Shape::Type a, b2Shape::Type b)
+{
+    return Rank(b) < Rank(a);
+}
+
+void Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b, int32,
+             const b2Transform& bInA)
+{
+    switch (a.GetType())
+    {
+    case b2Shape::e_circle:
+        CollideCircles(manifold, static_cast<const b2CircleShape&>(a),
+                       static_cast<const b2CircleShape&>(b), bInA);
+        break;
+    case b2Shape::e_polygon:
+        if (b.GetType() == b2Shape::e_circle)
+        {
+            CollidePolygonAndCircle(manifold, static_cast<const b2PolygonShape&>(a),
+                                    static_cast<const b2CircleShape&>(b), bInA);
+        }
+        else
+        {
+            CollidePolygons(manifold, static_cast<const b2PolygonShape&>(a),
+                            static_cast<const b2PolygonShape&>(b), bInA);
+        }
+        break;
+    case b2Shape::e_edge:
+        CollideEdge(manifold, static_cast<const b2EdgeShape&>(a), b, bInA);
+        break;
+    default: {
+        b2EdgeShape edge;
+        static_cast<const b2ChainShape&>(a).GetChildEdge(&edge, childA);
+        CollideEdge(manifold, edge, b, bInA);
+        break;
+    }
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../State/Solver.h"
+
+#include <Box2D/Collision/Shapes/b2ChainShape.h>
+#include <Box2D/Collision/Shapes/b2CircleShape.h>
+#include <Box2D/Collision/Shapes/b2EdgeShape.h>
+#include <Box2D/Collision/Shapes/b2PolygonShape.h>
+#include <Box2D/Dynamics/Internal/BodyData.h>
+
+#include <cmath>
+
+/// The ways of bodies during a step, and cheap questions about them: where a body is at a time, how
+/// far it goes, whether two could touch at all. Continuous collision asks them before it looks for
+/// the time of an impact; none of this changes a body.
+namespace box2d
+{
+
+inline Pose Between(const Pose& from, const Pose& to, double share)
+{
+    return Pose{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
+                from.angle + share * (to.angle - from.angle)};
+}
+
+/// The body's pose at a fraction of the step that its way still covers.
+inline Pose PoseAt(const BodyData& body, float32 time)
+{
+    if (body.sweepStart >= 1.0f || time >= 1.0f)
+    {
+        return body.pose;
+    }
+    if (time == body.sweepStart)
+    {
+        return body.previous;
+    }
+    const double share = (double(time) - double(body.sweepStart)) / (1.0 - double(body.sweepStart));
+    return Between(body.previous, body.pose, share);
+}
+
+/// The rest of the way as a sweep from 0 to 1, seen from `origin`, with angles near zero.
+inline b2Sweep SweepFrom(const BodyData& body, const Pose& start, const Pose& origin)
+{
+    constexpr double turn = 2.0 * 3.14159265358979323846;
+    const double wholeTurns = turn * std::floor(start.angle / turn);
+    b2Sweep sweep;
+    sweep.localCenter = body.localCenter;
+    sweep.c0 = b2Vec2(float32(start.x - origin.x), float32(start.y - origin.y));
+    sweep.c = b2Vec2(float32(body.pose.x - origin.x), float32(body.pose.y - origin.y));
+    sweep.a0 = float32(start.angle - wholeTurns);
+    sweep.a = float32(body.pose.angle - wholeTurns);
+    sweep.alpha0 = 0.0f;
+    return sweep;
+}
+
+/// The box around a circle that moves straight on.
+inline b2AABB BoxOfWay(const b2Vec2& from, const b2Vec2& to, float32 radius)
+{
+    const b2Vec2 reach(radius, radius);
+    b2AABB box;
+    box.lowerBound = b2Min(from, to) - reach;
+    box.upperBound = b2Max(from, to) + reach;
+    return box;
+}
+
+/// Whether a turn [rad] takes a shape far out of the boxes of its start and of its end: more than a
+/// quarter, which only small steps allow.
+inline bool IsWide(double turn)
+{
+    return std::abs(turn) > 1.01 * double(b2_maxRotation);
+}
+
+/// The box around a shape at the start and at the end of a sweep; of one that turns far, around the
+/// circle that holds its body, as far as `maxExtent` [m].
+inline b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep, float32 maxExtent)
+{
+    if (IsWide(double(sweep.a - sweep.a0)))
+    {
+        return BoxOfWay(sweep.c0, sweep.c, maxExtent);
+    }
+    if (shape.GetType() == b2Shape::e_circle && sweep.localCenter == b2Vec2_zero &&
+        static_cast<const b2CircleShape&>(shape).m_p == b2Vec2_zero)
+    {
+        // A circle about the centre turns in place.
+        return BoxOfWay(sweep.c0, sweep.c, shape.m_radius);
+    }
+    b2Transform from;
+    b2Transform to;
+    sweep.GetTransform(&from, 0.0f);
+    sweep.GetTransform(&to, 1.0f);
+    b2AABB box;
+    b2AABB end;
+    shape.ComputeAABB(&box, from, child);
+    shape.ComputeAABB(&end, to, child);
+    box.Combine(end);
+    return box;
+}
+
+inline float32 Way(const BodyData& body)
+{
+    const float32 dx = float32(body.pose.x - body.previous.x);
+    const float32 dy = float32(body.pose.y - body.previous.y);
+    return b2Vec2(dx, dy).Length() +
+           b2Abs(float32(body.pose.angle - body.previous.angle)) * body.maxExtent;
+}
+
+/// Whether the body can be stopped where it is at that time. A platform that sleeps stands still,
+/// and no impact wakes it: what is left of its way must begin at 0 in the next step too.
+inline bool CanAdvance(const BodyData& body, float32 time)
+{
+    const bool moves = body.mobility == Mobility::Dynamic ||
+                       (body.mobility == Mobility::Kinematic && body.IsAwake());
+    return moves && body.sweepStart <= time;
+}
+
+inline bool IsFast(const BodyData& body)
+{
+    return body.IsDynamic() && Way(body) > kFastShare * body.minExtent;
+}
+
+/// How far apart two centres may be for the bodies to touch: a slop and a little more than the
+/// circles around them, for what rounding adds.
+inline float32 Reach(const BodyData& a, const BodyData& b)
+{
+    return 1.00001f * (a.maxExtent + b.maxExtent) + b2_linearSlop;
+}
+
+inline bool IsWithin(const b2Vec2& offset, float32 reach)
+{
+    return !(offset.LengthSquared() > reach * reach); // what is no number counts as near
+}
+
+/// Whether two bodies on their straight ways come as near to each other as their circles reach:
+/// nothing of them can touch else. The ways go from the given poses to the present ones.
+inline bool CirclesMeet(const BodyData& a, const Pose& fromA, const BodyData& b, const Pose& fromB)
+{
+    const b2Vec2 start(float32(fromB.x - fromA.x), float32(fromB.y - fromA.y));
+    const b2Vec2 end(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
+    const b2Vec2 way = end - start;
+    const float32 along = -b2Dot(start, way);
+    const float32 square = way.LengthSquared();
+    // Where on the way, from 0 to 1, the centres are nearest.
+    const float32 share = along <= 0.0f || square == 0.0f ? 0.0f : b2Min(along / square, 1.0f);
+    const b2Vec2 nearest = start + share * way;
+    return IsWithin(nearest, Reach(a, b));
+}
+
+/// A circle about the centre of mass: it goes straight on, and nobody sees it turn.
+inline bool IsRoundAbout(const BodyData& body, const b2Shape& shape)
+{
+    return shape.GetType() == b2Shape::e_circle &&
+           static_cast<const b2CircleShape&>(shape).m_p == body.localCenter;
+}
+
+/// The time of impact of two such circles, in closed form: the share of their ways, which go from
+/// the given poses to the present ones, after which their centres are as near as b2TimeOfImpact
+/// lets shapes come; 1 when they never are.
+inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData& b,
+                            const Pose& fromB, float32 radii)
+{
+    // With d0 from centre to centre at the start and w the way of B as seen from A
+    //   |d0 + t w| = D,  t = (d0^2 - D^2) / (-d0.w + sqrt((d0.w)^2 - w^2 (d0^2 - D^2)))
+    const double d0x = fromB.x - fromA.x;
+    const double d0y = fromB.y - fromA.y;
+    const double wx = (b.pose.x - a.pose.x) - d0x;
+    const double wy = (b.pose.y - a.pose.y) - d0y;
+    const double D =
+        double(b2Max(b2_linearSlop, radii - 3.0f * b2_linearSlop)) + double(0.25f * b2_linearSlop);
+    const double square = d0x * d0x + d0y * d0y;
+    const double outside = square - D * D;
+    if (outside < 0.0)
+    {
+        return square > 0.0 ? 0.0f : 1.0f; // there is no way out for the same centre
+    }
+    const double along = d0x * wx + d0y * wy;
+    const double root = along * along - (wx * wx + wy * wy) * outside;
+    if (along >= 0.0 || root < 0.0)
+    {
+        return 1.0f;
+    }
+    return float32(b2Min(outside / (std::sqrt(root) - along), 1.0));
+}
+
+/// How far a point is from the line of an edge, or beyond one of its ends along it.
+inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& point)
+{
+    b2Vec2 along = v2 - v1;
+    const float32 length = along.Normalize();
+    const b2Vec2 offset = point - v1;
+    const float32 way = b2Dot(along, offset);
+    return b2Max(b2Abs(b2Cross(along, offset)), b2Max(-way, way - length));
+}
+
+/// How far a point is in front of a face of the shape, in the shape's frame: the most of all faces,
+/// and no more than its distance from the shape's core. A circle has no faces.
+inline float32 InFront(const b2Shape& shape, int32 child, const b2Vec2& point)
+{
+    float32 most = -b2_maxFloat;
+    if (shape.GetType() == b2Shape::e_polygon)
+    {
+        const auto& polygon = static_cast<const b2PolygonShape&>(shape);
+        for (int32 i = 0; i < polygon.m_count; ++i)
+        {
+            most = b2Max(most, b2Dot(polygon.m_normals[i], point - polygon.m_vertices[i]));
+        }
+    }
+    else if (shape.GetType() == b2Shape::e_edge)
+    {
+        const auto& edge = static_cast<const b2EdgeShape&>(shape);
+        most = InFrontOfEdge(edge.m_vertex1, edge.m_vertex2, point);
+    }
+    else if (shape.GetType() == b2Shape::e_chain)
+    {
+        const b2Vec2* vertices = static_cast<const b2ChainShape&>(shape).m_vertices + child;
+        most = InFrontOfEdge(vertices[0], vertices[1], point);
+    }
+    return most;
+}
+
+/// Whether the other body, all of its circle, stays in front of one face of the shape for all of
+/// its way, farther than a time of impact looks. Many small bodies near a large one do. It is
+/// enough to know the end, where the rotation is known, and how far the other's centre can have
+/// come from: as seen from the body it goes its way, and turns about the body against its turn.
+inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& shape, int32 child,
+                         const BodyData& other, const Pose& otherFrom)
+{
+    const b2Vec2 start(float32(otherFrom.x - from.x), float32(otherFrom.y - from.y));
+    const b2Vec2 end(float32(other.pose.x - body.pose.x), float32(other.pose.y - body.pose.y));
+    const float32 away = b2Max(start.Length(), end.Length());
+    const float32 way =
+        (end - start).Length() + b2Abs(float32(body.pose.angle - from.angle)) * away;
+    const b2Vec2 center = b2MulT(body.rotation, end) + body.localCenter;
+    // The last part is for what rounding adds.
+    const float32 reach = way + other.maxExtent + shape.m_radius + 2.0f * b2_linearSlop +
+                          0.00001f * (away + way + body.maxExtent + other.maxExtent);
+    return InFront(shape, child, center) > reach;
+}
+
+/// Whether two children that might have a contact could touch during the step or at its end. Only a
+/// bullet that is asked about again in the next step may be told no, and only about what stands
+/// still or is such a bullet too: else nobody would ask when the other moves.
+inline bool WaysMeet(const BodyData& a, const b2Shape& shapeA, int32 childA, const BodyData& b,
+                     const b2Shape& shapeB, int32 childB)
+{
+    const bool sweptA = (a.flags & kBodySwept) != 0;
+    const bool sweptB = (b.flags & kBodySwept) != 0;
+    if (!(sweptA && (sweptB || b.mobility == Mobility::Static)) &&
+        !(sweptB && a.mobility == Mobility::Static))
+    {
+        return true;
+    }
+    const float32 start = b2Max(a.sweepStart, b.sweepStart);
+    const Pose fromA = PoseAt(a, start);
+    const Pose fromB = PoseAt(b, start);
+    return CirclesMeet(a, fromA, b, fromB) &&
+           !(a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, childA, b, fromB)
+                                       : StaysInFront(b, fromB, shapeB, childB, a, fromA));
+}
+
+} // namespace box2d

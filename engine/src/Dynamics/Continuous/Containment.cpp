@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "Containment.h"
+
+#include "../Contacts/Sweeps.h"
+#include "../Energy/EnergyGuard.h"
+#include "../Solver/SolverMemory.h"
+#include "../State/Access.h"
+#include "../State/World.h"
+#include "../SubSteps/SubStepMemory.h"
+#include "ImpactJoints.h"
+#include "ImpactMemory.h"
+
+#include <Box2D/Collision/Shapes/b2CircleShape.h>
+#include <Box2D/Collision/Shapes/b2PolygonShape.h>
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <utility>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// In the body's frame. Edges and chains have no inside: they go with the centre of mass.
+b2Vec2 CentreOf(const b2Shape& shape, const BodyData& body)
+{
+    if (shape.GetType() == b2Shape::e_circle)
+    {
+        return static_cast<const b2CircleShape&>(shape).m_p;
+    }
+    if (shape.GetType() == b2Shape::e_polygon)
+    {
+        return static_cast<const b2PolygonShape&>(shape).m_centroid;
+    }
+    return body.localCenter;
+}
+
+/// Where the body at that pose has a point that is `offset` from its centre of mass, seen from
+/// another body's centre.
+b2Vec2 PointAt(const Pose& pose, const b2Vec2& offset, const Pose& origin)
+{
+    const b2Vec2 centre(float32(pose.x - origin.x), float32(pose.y - origin.y));
+    return offset == b2Vec2_zero ? centre : centre + b2Mul(b2Rot(float32(pose.angle)), offset);
+}
+
+} // namespace
+
+Containment::Containment(World& world)
+    : m_world(world), m_starts(world.impacts->starts), m_turns(world.impacts->turns)
+{
+    m_starts.clear();
+    m_turns.clear();
+}
+
+void Containment::NoteStarts()
+{
+    for (const b2Body* body : m_world.awakeBodies)
+    {
+        m_starts.push_back(ImpactStart{&Data(*body), Data(*body).previous});
+    }
+}
+
+void Containment::NoteTurn(const BodyData& body)
+{
+    ImpactStart* start = NotedStart(body);
+    if (body.IsDynamic() && start != nullptr)
+    {
+        m_turns.push_back(ImpactTurn{body.previous, body.sweepStart, start->lastTurn});
+        start->lastTurn = int32(m_turns.size()) - 1;
+    }
+}
+
+bool Containment::Hold(ImpactJoints& joints)
+{
+    bool any = false;
+    for (b2Contact* contact : m_world.awakeContacts)
+    {
+        const ContactData& c = Data(*contact);
+        // Only of what touches has a listener been asked.
+        const bool letThrough = c.IsTouching() && !c.IsEnabled();
+        if ((c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor())
+        {
+            any = Hold(c, joints) || any;
+        }
+    }
+    return any;
+}
+
+/// Null for what has woken since.
+ImpactStart* Containment::NotedStart(const BodyData& body) const
+{
+    const auto index = std::size_t(body.awakeIndex); // of what is not awake, beyond all
+    return index < m_starts.size() && m_starts[index].body == &body ? &m_starts[index] : nullptr;
+}
+
+const Pose& Containment::StartOf(const BodyData& body) const
+{
+    const ImpactStart* start = NotedStart(body);
+    return start != nullptr ? start->pose : body.previous;
+}
+
+/// Whether the centre of what moves gets into what stands still, or through it, between two times.
+bool Containment::Crosses(const Part& moved, const Part& still, const Moment& from,
+                          const Moment& to, Crossing& crossing)
+{
+    const BodyData& body = Data(*moved.body);
+    const BodyData& wall = Data(*still.body);
+    const auto rotationAt = [&wall](const Pose& pose) {
+        return pose.angle == wall.pose.angle ? wall.rotation : b2Rot(float32(pose.angle));
+    };
+    const b2Vec2 offset = CentreOf(*moved.shape, body) - body.localCenter;
+    b2RayCastInput way; // in the wall's frame, which moves with it
+    way.p1 =
+        b2MulT(rotationAt(from.still), PointAt(from.moved, offset, from.still)) + wall.localCenter;
+    way.p2 = b2MulT(rotationAt(to.still), PointAt(to.moved, offset, to.still)) + wall.localCenter;
+    way.maxFraction = 1.0f;
+    b2Transform here;
+    here.SetIdentity();
+    b2RayCastOutput hit;
+    if (!still.shape->RayCast(&hit, way, here, still.child))
+    {
+        return false;
+    }
+    crossing.place =
+        way.p1 + hit.fraction * (way.p2 - way.p1) + b2_linearSlop * hit.normal - wall.localCenter;
+    crossing.normal = hit.normal;
+    return true;
+}
+
+/// The first of the step.
+bool Containment::FindCrossing(const Part& moved, const Part& still, Crossing& crossing) const
+{
+    const BodyData& body = Data(*moved.body);
+    const BodyData& wall = Data(*still.body);
+    const ImpactStart* start = NotedStart(body);
+    int32 turn = start != nullptr ? start->lastTurn : -1;
+    Moment to{body.pose, wall.pose};
+    bool any = false;
+    for (; turn != -1; turn = m_turns[std::size_t(turn)].before)
+    {
+        const ImpactTurn& last = m_turns[std::size_t(turn)];
+        const Moment from{last.pose, PoseAt(wall, last.time)};
+        if (Crosses(moved, still, from, to, crossing))
+        {
+            crossing.turn = turn;
+            any = true;
+        }
+        to = from;
+    }
+    if (Crosses(moved, still, {StartOf(body), StartOf(wall)}, to, crossing))
+    {
+        crossing.turn = -1;
+        any = true;
+    }
+    return any;
+}
+
+bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
+{
+    Part moved{c.bodyB, c.fixtureB->GetShape(), c.childB};
+    Part still{c.bodyA, c.fixtureA->GetShape(), c.childA};
+    if (!Data(*moved.body).IsDynamic())
+    {
+        std::swap(moved, still);
+    }
+    BodyData& body = Data(*moved.body);
+    const BodyData& wall = Data(*still.body);
+    Crossing crossing;
+    if (!body.IsDynamic() || !FindCrossing(moved, still, crossing))
+    {
+        return false;
+    }
+    if (ImpactStart* start = NotedStart(body))
+    {
+        start->lastTurn = crossing.turn; // its way ends here
+    }
+    joints.NoteStarts();
+    joints.NoteStopped(body);
+    const b2Vec2 offset = CentreOf(*moved.shape, body) - body.localCenter;
+    const b2Vec2 end = PointAt(body.pose, offset, wall.pose);
+    const b2Vec2 held = b2Mul(wall.rotation, crossing.place);
+    const b2Vec2 shift = held - end;
+    const b2Vec2 normal = b2Mul(wall.rotation, crossing.normal);
+    body.pose.x += double(shift.x);
+    body.pose.y += double(shift.y);
+    const b2Vec2 arm = end + shift;
+    const b2Vec2 wallSpeed = wall.linearVelocity + b2Cross(wall.angularVelocity, arm);
+    const float32 speed = b2Dot(body.linearVelocity - wallSpeed, normal);
+    body.linearVelocity -= b2Min(speed, 0.0f) * normal;
+    SynchronizePose(body);
+    m_world.UpdateProxies(body, true);
+    return true;
+}
+
+} // namespace box2d

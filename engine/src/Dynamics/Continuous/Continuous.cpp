@@ -1,0 +1,533 @@
+// SPDX-License-Identifier: MIT
+#include "../Contacts/Narrowphase.h"
+#include "../Contacts/Sweeps.h"
+#include "../Energy/EnergyGuard.h"
+#include "../Solver/SolverMemory.h"
+#include "../State/Access.h"
+#include "../State/World.h"
+#include "../SubSteps/SubStepMemory.h"
+#include "Containment.h"
+#include "Impact.h"
+#include "ImpactJoints.h"
+#include "ImpactMemory.h"
+
+#include "../../Collision/SearchCounts.h"
+
+#include <Box2D/Collision/b2TimeOfImpact.h>
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <algorithm>
+#include <mutex>
+
+/// Continuous collision: impacts that the discrete step went through are found in the order of
+/// their times, the two bodies are taken back to the impact, solved there with what they touch, and
+/// moved on for what is left of the step (Catto, "Continuous Collision", GDC 2013). An event
+/// changes the ways of its own bodies only, so only their contacts are looked at again.
+namespace box2d
+{
+
+namespace
+{
+
+constexpr int32 kMostRounds = 4;    ///< of closing joints and holding bodies on their side
+constexpr int32 kContactGrain = 64; ///< contacts that one thread takes at a time
+
+bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
+{
+    return a.time != b.time ? a.time > b.time : a.order > b.order;
+}
+
+/// Bodies that continuous collision stops at: immovable ones, or anything when a bullet is
+/// involved.
+bool IsObstacle(const BodyData& body)
+{
+    return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
+}
+
+/// The separation at which b2TimeOfImpact finds an impact, and what it may be off [m].
+constexpr float32 kImpactSeparation = -3.0f * b2_linearSlop;
+constexpr float32 kImpactTolerance = 0.25f * b2_linearSlop;
+
+/// How a point of the body, at `arm` from where its centre is now, has moved since then [m].
+b2Vec2 MoveOf(const BodyData& body, const Pose& since, const b2Vec2& arm)
+{
+    const b2Vec2 way(float32(body.pose.x - since.x), float32(body.pose.y - since.y));
+    return way + b2Cross(float32(body.pose.angle - since.angle), arm);
+}
+
+/// [m], negative in an overlap.
+float32 Deepest(const b2WorldManifold& manifold, int32 points)
+{
+    return *std::min_element(manifold.separations, manifold.separations + points);
+}
+
+class ContinuousCollision
+{
+public:
+    ContinuousCollision(World& world, float32 timeStep, int32 velocityIterations)
+        : m_world(world), m_memory(*world.impacts), m_timeStep(timeStep),
+          m_impact(world, timeStep, velocityIterations), m_joints(world), m_containment(world),
+          m_events(m_memory.events), m_bodies(m_impact.Bodies()), m_before(m_memory.before),
+          m_contacts(m_impact.Contacts())
+    {
+        m_events.clear();
+    }
+
+    void Run();
+    /// Adds what the searches counted to the public numbers.
+    void PublishCounts() const
+    {
+        if (m_counts.toiCalls > 0)
+        {
+            m_counts.Publish();
+        }
+    }
+
+private:
+    void LookAt(b2Body& body);
+    void FindImpactTimes();
+    float32 TimeOfImpact(const ContactData& c, SearchCounts& counts) const;
+    void AddEvent(b2Contact& contact, float32 time);
+    bool IsCandidate(const ContactData& c) const;
+    bool IsValid(const ImpactEvent& event) const;
+    bool Resolve(const ImpactEvent& event);
+    void AddNeighbours(b2Body& body, float32 time);
+    bool Sinks(const ContactData& c) const;
+    static bool GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB);
+    static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
+    void Advance(BodyData& body, float32 time);
+    bool HasNewWay(std::size_t index) const;
+    ImpactBackup Save(b2Body& body) const;
+    void Restore(const ImpactBackup& backup);
+
+    World& m_world;
+    ImpactMemory& m_memory;
+    float32 m_timeStep;
+    Impact m_impact; // the present event
+    ImpactJoints m_joints;
+    Containment m_containment;
+    Array<ImpactEvent>& m_events; // a heap, the earliest first
+    int32 m_order = 0;
+    Array<b2Body*>& m_bodies;      // of the present event
+    Array<ImpactBackup>& m_before; // the same bodies as they were
+    Array<b2Contact*>& m_contacts; // of the present event
+    SearchCounts m_counts;
+    std::mutex m_countsMutex; // held while threads add theirs
+};
+
+void ContinuousCollision::Run()
+{
+    const Array<b2Contact*>& contacts = m_world.awakeContacts;
+    FindImpactTimes();
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+        AddEvent(*contacts[i], m_memory.times[i]);
+    }
+    m_world.stepComplete = true;
+    if (!m_events.empty())
+    {
+        m_containment.NoteStarts();
+        m_joints.NoteStarts();
+    }
+    bool any = false;
+    while (!m_events.empty())
+    {
+        std::pop_heap(m_events.begin(), m_events.end(), IsLater);
+        const ImpactEvent event = m_events.back();
+        m_events.pop_back();
+        if (!IsValid(event) || !Resolve(event))
+        {
+            continue;
+        }
+        any = true;
+        if (m_world.subStepping)
+        {
+            m_world.stepComplete = false;
+            m_world.energyGuard->ChargeImpacts();
+            return;
+        }
+    }
+    // What is drawn back may get across a wall, and what is taken back from there open its joints.
+    (void)m_containment.Hold(m_joints);
+    for (int32 i = 0; i < kMostRounds && m_joints.Close(); ++i)
+    {
+        m_world.FindNewContacts();
+        if (!m_containment.Hold(m_joints))
+        {
+            break;
+        }
+    }
+    if (m_world.proxies.HasMoved())
+    {
+        m_world.FindNewContacts(); // where that has put bodies, as after all that moves them
+    }
+    if (any)
+    {
+        m_world.energyGuard->ChargeImpacts();
+    }
+}
+
+void ContinuousCollision::FindImpactTimes()
+{
+    const Array<b2Contact*>& contacts = m_world.awakeContacts;
+    m_memory.times.resize(contacts.size());
+    ParallelFor(m_world.threads.get(), int32(contacts.size()), kContactGrain,
+                [&](int32 begin, int32 end) {
+                    SearchCounts counts;
+                    for (auto i = std::size_t(begin); i < std::size_t(end); ++i)
+                    {
+                        ContactData& c = Data(*contacts[i]);
+                        if (m_world.stepComplete && c.toiCount != 0)
+                        {
+                            c.toiCount = 0;
+                        }
+                        m_memory.times[i] = IsCandidate(c) ? TimeOfImpact(c, counts) : 1.0f;
+                    }
+                    if (counts.toiCalls > 0)
+                    {
+                        const std::lock_guard<std::mutex> lock(m_countsMutex);
+                        m_counts.Add(counts);
+                    }
+                });
+}
+
+void ContinuousCollision::LookAt(b2Body& body)
+{
+    for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
+    {
+        const ContactData& c = Data(*edge->contact);
+        if (IsCandidate(c))
+        {
+            AddEvent(*edge->contact, TimeOfImpact(c, m_counts));
+        }
+    }
+}
+
+bool ContinuousCollision::IsCandidate(const ContactData& c) const
+{
+    // The bodies are not even looked at where the contact alone decides.
+    if (((c.flags & kContactObstacle) == 0 && !m_world.hasBullets) || c.IsSensor() ||
+        !c.IsEnabled() || c.toiCount >= b2_maxSubSteps)
+    {
+        return false;
+    }
+    const BodyData& a = Data(*c.bodyA);
+    const BodyData& b = Data(*c.bodyB);
+    if (!IsObstacle(a) && !IsObstacle(b))
+    {
+        return false;
+    }
+    // What touched at the start of the step was solved there; only a fast body can get through it.
+    return !c.IsTouching() || IsFast(a) || IsFast(b) || Sinks(c);
+}
+
+/// Whether a body that touched the ground has gone deeper into it within the step, to where an
+/// impact is found: the iterations of one step do not hold up what is hit hard from above. With
+/// sub-steps they do. Of two dynamic bodies neither is ground: a bullet that stopped at each of the
+/// bodies it pushes would lose its way.
+bool ContinuousCollision::Sinks(const ContactData& c) const
+{
+    const BodyData& a = Data(*c.bodyA);
+    const BodyData& b = Data(*c.bodyB);
+    if (m_world.subStepCount > 1 || (a.IsDynamic() && b.IsDynamic()) ||
+        Way(a) + Way(b) < kImpactTolerance)
+    {
+        return false;
+    }
+    const float32 start = b2Max(a.sweepStart, b.sweepStart);
+    const Pose fromA = PoseAt(a, start);
+    const Pose fromB = PoseAt(b, start);
+    b2WorldManifold end;
+    end.Initialize(&c.manifold, a.transform, c.radiusA, b.transform, c.radiusB);
+    for (int32 i = 0; i < c.manifold.pointCount; ++i)
+    {
+        const b2Vec2 apart = MoveOf(b, fromB, end.points[i] - b.worldCenter) -
+                             MoveOf(a, fromA, end.points[i] - a.worldCenter);
+        if (end.separations[i] < kImpactSeparation && b2Dot(apart, end.normal) < -kImpactTolerance)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Of a candidate, as a fraction of the step; 1 when there is none.
+float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& counts) const
+{
+    const BodyData& a = Data(*c.bodyA);
+    const BodyData& b = Data(*c.bodyB);
+    const float32 start = b2Max(a.sweepStart, b.sweepStart);
+    if (start >= 1.0f)
+    {
+        return 1.0f;
+    }
+    const Pose fromA = PoseAt(a, start);
+    const Pose fromB = PoseAt(b, start);
+    if (!CirclesMeet(a, fromA, b, fromB))
+    {
+        return 1.0f;
+    }
+    const b2Shape& shapeA = *c.fixtureA->GetShape();
+    const b2Shape& shapeB = *c.fixtureB->GetShape();
+    if (IsRoundAbout(a, shapeA) && IsRoundAbout(b, shapeB))
+    {
+        ++counts.toiCalls; // in closed form, without an iteration
+        const float32 t = CircleImpact(a, fromA, b, fromB, shapeA.m_radius + shapeB.m_radius);
+        return b2Min(start + (1.0f - start) * t, 1.0f);
+    }
+    if (a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, c.childA, b, fromB)
+                                  : StaysInFront(b, fromB, shapeB, c.childB, a, fromA))
+    {
+        return 1.0f;
+    }
+    b2TOIInput input;
+    input.sweepA = SweepFrom(a, fromA, fromA);
+    input.sweepB = SweepFrom(b, fromB, fromA);
+    if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA, a.maxExtent),
+                       SweptBox(shapeB, c.childB, input.sweepB, b.maxExtent)))
+    {
+        return 1.0f;
+    }
+    input.proxyA.Set(&shapeA, c.childA);
+    input.proxyB.Set(&shapeB, c.childB);
+    input.tMax = 1.0f;
+    const b2TOIOutput output = FindImpact(input, m_world.profiling, counts);
+    if (output.state == b2TOIOutput::e_overlapped && GoesDeeper(c, input.sweepA, input.sweepB))
+    {
+        return start;
+    }
+    return output.state == b2TOIOutput::e_touching ? b2Min(start + (1.0f - start) * output.t, 1.0f)
+                                                   : 1.0f;
+}
+
+/// Whether bodies that overlap already go so much deeper on their ways that they could come out on
+/// the other side: sweeps have not held a light body off that something heavy drives, or what turns
+/// comes out with one end while the other goes in. What comes out of an overlap, or sinks slowly,
+/// is for the next step.
+bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA,
+                                     const b2Sweep& sweepB)
+{
+    if (!c.IsTouching())
+    {
+        return false;
+    }
+    b2Transform fromA, fromB, toA, toB;
+    sweepA.GetTransform(&fromA, 0.0f);
+    sweepB.GetTransform(&fromB, 0.0f);
+    sweepA.GetTransform(&toA, 1.0f);
+    sweepB.GetTransform(&toB, 1.0f);
+    b2WorldManifold start;
+    start.Initialize(&c.manifold, fromA, c.radiusA, fromB, c.radiusB);
+    const float32 thinnest =
+        b2Min(Data(*c.bodyA).IsDynamic() ? Data(*c.bodyA).minExtent : b2_maxFloat,
+              Data(*c.bodyB).IsDynamic() ? Data(*c.bodyB).minExtent : b2_maxFloat);
+    for (int32 i = 0; i < c.manifold.pointCount; ++i)
+    {
+        const b2Vec2 point = start.points[i];
+        const b2Vec2 apart = b2Mul(toB, b2MulT(fromB, point)) - b2Mul(toA, b2MulT(fromA, point));
+        if (b2Dot(apart, start.normal) < -kFastShare * thinnest)
+        {
+            return true;
+        }
+    }
+    b2Manifold there;
+    Collide(&there, *c.fixtureA->GetShape(), c.childA, *c.fixtureB->GetShape(), c.childB,
+            b2MulT(toA, toB));
+    if (there.pointCount == 0)
+    {
+        return false;
+    }
+    b2WorldManifold end;
+    end.Initialize(&there, toA, c.radiusA, toB, c.radiusB);
+    return b2Dot(start.normal, end.normal) < 0.0f ||
+           Deepest(end, there.pointCount) <
+               Deepest(start, c.manifold.pointCount) - kFastShare * thinnest;
+}
+
+void ContinuousCollision::AddEvent(b2Contact& contact, float32 time)
+{
+    if (time < 1.0f)
+    {
+        const ContactData& c = Data(contact);
+        m_events.push_back(ImpactEvent{time, m_order++, &contact, Data(*c.bodyA).sweepVersion,
+                                       Data(*c.bodyB).sweepVersion});
+        std::push_heap(m_events.begin(), m_events.end(), IsLater);
+    }
+}
+
+bool ContinuousCollision::IsValid(const ImpactEvent& event) const
+{
+    const ContactData& c = Data(*event.contact);
+    return Data(*c.bodyA).sweepVersion == event.versionA &&
+           Data(*c.bodyB).sweepVersion == event.versionB && c.toiCount < b2_maxSubSteps &&
+           c.IsEnabled();
+}
+
+ImpactBackup ContinuousCollision::Save(b2Body& body) const
+{
+    const BodyData& data = Data(body);
+    return ImpactBackup{&body,           data.pose,           data.previous,
+                        data.sweepStart, data.linearVelocity, data.angularVelocity,
+                        data.rotation,   data.transform,      data.worldCenter};
+}
+
+/// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
+/// changed its velocity.
+bool ContinuousCollision::HasNewWay(std::size_t index) const
+{
+    const BodyData& data = Data(*m_bodies[index]);
+    const Pose& before = m_before[index].pose;
+    return data.IsDynamic() || data.pose.x != before.x || data.pose.y != before.y ||
+           data.pose.angle != before.angle;
+}
+
+void ContinuousCollision::Restore(const ImpactBackup& backup)
+{
+    BodyData& data = Data(*backup.body);
+    if (data.sweepStart != backup.sweepStart)
+    {
+        data.linearVelocity +=
+            (1.0f - data.sweepStart) * m_timeStep * m_impact.AccelerationOf(data);
+    }
+    data.pose = backup.pose;
+    data.previous = backup.previous;
+    data.sweepStart = backup.sweepStart;
+    data.rotation = backup.rotation;
+    data.transform = backup.transform;
+    data.worldCenter = backup.worldCenter;
+}
+
+/// Stops the body where it is at that time.
+void ContinuousCollision::Advance(BodyData& body, float32 time)
+{
+    if (!CanAdvance(body, time))
+    {
+        return;
+    }
+    body.pose = PoseAt(body, time);
+    body.previous = body.pose;
+    body.sweepStart = time;
+    body.linearVelocity -= (1.0f - time) * m_timeStep * m_impact.AccelerationOf(body);
+    SynchronizePose(body);
+}
+
+/// False when it turned out that nothing touches, or that the contact was switched off.
+bool ContinuousCollision::Resolve(const ImpactEvent& event)
+{
+    ContactData& c = Data(*event.contact);
+    b2Body& bodyA = *c.bodyA;
+    b2Body& bodyB = *c.bodyB;
+    const ImpactBackup backupA = Save(bodyA);
+    const ImpactBackup backupB = Save(bodyB);
+    Advance(Data(bodyA), event.time);
+    Advance(Data(bodyB), event.time);
+    ++c.toiCount;
+    m_world.UpdateContact(*event.contact);
+    if (!c.IsEnabled() || !c.IsTouching())
+    {
+        c.flags &= ~std::uint32_t(kContactEnabled); // for the rest of the step
+        Restore(backupA);
+        Restore(backupB);
+        return false;
+    }
+    m_world.Wake(bodyA);
+    m_world.Wake(bodyB);
+
+    m_bodies.assign({&bodyA, &bodyB});
+    m_before.assign({backupA, backupB});
+    m_contacts.assign(1, event.contact);
+    AddNeighbours(bodyA, event.time);
+    AddNeighbours(bodyB, event.time);
+    m_impact.SolvePositions(bodyA, bodyB);
+    m_impact.SolveVelocities(event.time);
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+    {
+        BodyData& data = Data(*m_bodies[i]);
+        if (HasNewWay(i))
+        {
+            ++data.sweepVersion;
+            m_joints.NoteStopped(data);
+            m_containment.NoteTurn(data);
+            m_world.UpdateProxies(data, true);
+        }
+    }
+    m_world.FindNewContacts();
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+    {
+        if (HasNewWay(i))
+        {
+            LookAt(*m_bodies[i]);
+        }
+    }
+    return true;
+}
+
+/// Whether a body could touch another that was not known to be part of the event.
+bool ContinuousCollision::IsNear(const BodyData& body, const BodyData& other, bool known,
+                                 float32 time)
+{
+    const Pose pose = known || !CanAdvance(other, time) ? other.pose : PoseAt(other, time);
+    const b2Vec2 offset(float32(pose.x - body.pose.x), float32(pose.y - body.pose.y));
+    return IsWithin(offset, Reach(body, other));
+}
+
+// What the body touches at the time of the impact takes part, except ordinary dynamic bodies: they
+// are not swept, and would get the impulse a second time.
+void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
+{
+    if (!Data(body).IsDynamic())
+    {
+        return;
+    }
+    for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
+    {
+        b2Contact* contact = edge->contact;
+        ContactData& c = Data(*contact);
+        b2Body& other = *edge->other;
+        if (m_contacts.size() >= std::size_t(b2_maxTOIContacts) || c.IsSensor() ||
+            !(IsObstacle(Data(body)) || IsObstacle(Data(other))) ||
+            std::find(m_contacts.begin(), m_contacts.end(), contact) != m_contacts.end())
+        {
+            continue;
+        }
+        const bool known = std::find(m_bodies.begin(), m_bodies.end(), &other) != m_bodies.end();
+        if (!c.IsTouching() && !IsNear(Data(body), Data(other), known, time))
+        {
+            c.flags |= kContactEnabled; // as every contact that is looked at
+            continue;
+        }
+        const ImpactBackup backup = Save(other);
+        if (!known)
+        {
+            Advance(Data(other), time);
+        }
+        m_world.UpdateContact(*contact);
+        if (!c.IsEnabled() || !c.IsTouching())
+        {
+            if (!known)
+            {
+                Restore(backup);
+            }
+            continue;
+        }
+        m_contacts.push_back(contact);
+        if (!known)
+        {
+            m_bodies.push_back(&other);
+            m_before.push_back(backup);
+        }
+    }
+}
+
+} // namespace
+
+void World::SolveContinuous(float32 timeStep, int32 velocityIterations)
+{
+    ContinuousCollision continuous(*this, timeStep, velocityIterations);
+    continuous.Run();
+    continuous.PublishCounts();
+}
+
+} // namespace box2d

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: MIT
+#include "Impact.h"
+
+#include "../Energy/EnergyGuard.h"
+#include "../Solver/SolverMemory.h"
+#include "../State/Access.h"
+#include "../State/World.h"
+#include "../SubSteps/SubStepMemory.h"
+#include "ImpactMemory.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// Corrections at an impact are gentle enough not to disturb: this many sweeps at most.
+constexpr int32 kImpactPositionIterations = 20;
+
+/// Newton's restitution at all points at once keeps the energy of what bounces without friction, if
+/// it is solved (the LCP of Smith et al., "Reflections on Simultaneous Impact", 2012). Between two
+/// walls one body is swept over until nothing changes any more, this often at most.
+constexpr int32 kCornerIterations = 64;
+
+/// What rounding adds to a kinetic energy, as a share of it.
+constexpr double kRounding = 1e-5;
+
+bool Bounces(const ContactConstraint& c)
+{
+    return std::any_of(c.points, c.points + c.pointCount,
+                       [](const ContactPoint& p) { return p.bias > 0.0f; });
+}
+
+} // namespace
+
+Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
+    : m_world(world), m_memory(*world.impacts), m_solver(*world.solver), m_timeStep(timeStep),
+      m_velocityIterations(velocityIterations), m_bodies(m_memory.bodies),
+      m_contacts(m_memory.contacts), m_bounced(m_memory.bounced),
+      m_bouncedImpulses(m_memory.bouncedImpulses), m_depths(m_memory.depths)
+{}
+
+/// Of a body that flies freely through a step of small ones; there only the speed is known at every
+/// time of the step.
+b2Vec2 Impact::AccelerationOf(const BodyData& body) const
+{
+    const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
+                       std::size_t(body.awakeIndex) < m_world.subSteps->ways.size() &&
+                       m_world.subSteps->ways[std::size_t(body.awakeIndex)] == WayOfBody::Flies;
+    return known ? m_world.subSteps->kicks[std::size_t(body.awakeIndex)].acceleration
+                 : b2Vec2(0.0f, 0.0f);
+}
+
+/// Whether a contact of the body has had all the impacts of a step that it may have. The body then
+/// stays where it is for the rest of the step, or else it would go through what it was held off
+/// eight times; it loses time, but no speed.
+bool Impact::IsSpent(b2Body& body)
+{
+    for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
+    {
+        const ContactData& c = Data(*edge->contact);
+        if (c.toiCount >= b2_maxSubSteps && c.IsEnabled() && c.IsTouching() && !c.IsSensor())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+void Impact::LoadBodies()
+{
+    m_solver.bodies.resize(m_world.awakeBodies.size() + 1);
+    m_context.bodies = m_solver.bodies.data();
+    m_solver.bodies[0] = SolverBody();
+    for (const b2Body* body : m_bodies)
+    {
+        const BodyData& data = Data(*body);
+        if (data.awakeIndex != -1)
+        {
+            SolverBody s;
+            s.v = data.linearVelocity;
+            s.w = data.angularVelocity;
+            m_solver.bodies[std::size_t(data.SolverIndex())] = s;
+        }
+    }
+}
+
+void Impact::Prepare()
+{
+    m_context.warmStarting = false;
+    LoadBodies();
+    m_memory.impulses.resize(m_contacts.size());
+    m_memory.overlaps.resize(m_contacts.size());
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
+    {
+        PrepareContact(*m_contacts[i], m_context, m_memory.impulses[i], m_memory.overlaps[i]);
+    }
+}
+
+/// How deep a point of a contact of the event is below the surfaces [m]; negative above. Skins
+/// around polygons and edges are no part of them.
+float32 Impact::DepthOf(std::size_t contact, int32 point) const
+{
+    const OverlapConstraint& o = m_memory.overlaps[contact];
+    const ContactData& c = Data(*m_contacts[contact]);
+    float32 skins = 0.0f;
+    for (const b2Fixture* fixture : {c.fixtureA, c.fixtureB})
+    {
+        skins += fixture->GetType() == b2Shape::e_circle ? 0.0f : fixture->GetShape()->m_radius;
+    }
+    return -skins - MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
+                        .separation;
+}
+
+void Impact::NoteDepths()
+{
+    m_depths.clear();
+    for (std::size_t i = 0; i < m_contacts.size() && m_world.subStepCount > 1; ++i)
+    {
+        for (int32 k = 0; k < 2; ++k)
+        {
+            m_depths.push_back(k < m_memory.impulses[i].pointCount ? DepthOf(i, k) : 0.0f);
+        }
+    }
+}
+
+/// Returns the energy that this adds at most.
+double Impact::CorrectBounces()
+{
+    double added = 0.0;
+    for (std::size_t i = 0; i < m_contacts.size() && !m_depths.empty(); ++i)
+    {
+        added += CorrectBounce(i);
+    }
+    return added;
+}
+
+/// An impact is found, and resolved, a little below the surfaces. Freely falling bodies have won
+/// speed there since they met, and lose it again: with the depths d before and d' after overlaps
+/// were pushed apart, and a the acceleration with which the bodies come together,
+///   u^2 = v^2 - 2 a d,    v'^2 = e^2 u^2 + 2 a d'.
+double Impact::CorrectBounce(std::size_t index)
+{
+    double added = 0.0;
+    ContactConstraint& c = m_memory.impulses[index];
+    const ContactData& data = Data(*m_contacts[index]);
+    const b2Vec2 apart = AccelerationOf(Data(*data.bodyB)) - AccelerationOf(Data(*data.bodyA));
+    const float32 a = -b2Dot(apart, c.normal);
+    for (int32 k = 0; k < c.pointCount; ++k)
+    {
+        float32& bias = c.points[k].bias;
+        if (bias > 0.0f && a != 0.0f)
+        {
+            const float32 e = data.restitution;
+            const float32 v = bias / e;
+            const float32 met =
+                b2Max(v * v - 2.0f * a * m_depths[2 * index + std::size_t(k)], 0.0f);
+            const float32 square = b2Max(e * e * met + 2.0f * a * DepthOf(index, k), 0.0f);
+            added += 0.5 * double(c.points[k].normalMass * b2Max(square - bias * bias, 0.0f));
+            bias = b2Sqrt(square);
+        }
+    }
+    return added;
+}
+
+/// For the rest of the step. In small steps, which allow higher speeds, the way is a parabola.
+void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const
+{
+    if (m_world.subStepCount == 1)
+    {
+        return MoveByVelocity(body, timeLeft, kMostMove);
+    }
+    body.v += 0.5f * timeLeft * acceleration;
+    const int32 parts = m_world.subStepCount;
+    for (int32 i = 0; i < parts; ++i)
+    {
+        MoveByVelocity(body, timeLeft / float32(parts), kMostSmallMove);
+    }
+    body.v += 0.5f * timeLeft * acceleration;
+}
+
+/// An impact is found a little below the surfaces; what is deeper started there, and other impacts
+/// of the step push it as well.
+void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
+{
+    const float32 most = kFarthestPush * m_timeStep;
+    const float32 way = PushOf(SolverBody(), pushed, maxExtent);
+    if (m_world.subStepCount > 1 && way > most)
+    {
+        ShortenPush(SolverBody(), pushed, most / way);
+    }
+}
+
+/// Only the two bodies of the impact may be moved.
+void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
+{
+    Prepare();
+    NoteDepths();
+    const int32 indexA = Data(bodyA).SolverIndex();
+    const int32 indexB = Data(bodyB).SolverIndex();
+    for (OverlapConstraint& o : m_memory.overlaps)
+    {
+        if (o.bodyA != indexA && o.bodyA != indexB)
+        {
+            o.invMassA = o.invInertiaA = 0.0f;
+        }
+        if (o.bodyB != indexA && o.bodyB != indexB)
+        {
+            o.invMassB = o.invInertiaB = 0.0f;
+        }
+    }
+    for (int32 i = 0; i < kImpactPositionIterations; ++i)
+    {
+        if (SolveOverlaps(m_memory.overlaps, m_context.bodies, {b2_toiBaugarte}, DirectionOf(i)) >=
+            -1.5f * b2_linearSlop)
+        {
+            break;
+        }
+    }
+    for (b2Body* body : {&bodyA, &bodyB})
+    {
+        BodyData& data = Data(*body);
+        if (data.IsDynamic())
+        {
+            SolverBody& s = m_solver.bodies[std::size_t(data.SolverIndex())];
+            if (!IsFinite(s))
+            {
+                continue;
+            }
+            LimitPush(s, data.maxExtent);
+            data.pose.x += double(s.d.x);
+            data.pose.y += double(s.d.y);
+            data.pose.angle += double(s.angle);
+            data.previous = data.pose;
+            SynchronizePose(data);
+        }
+    }
+}
+
+/// Whether one body bounces between things that stand still; more sweeps than were asked for cost
+/// little there.
+bool Impact::IsInCorner() const
+{
+    return m_world.subStepCount > 1 && m_contacts.size() > 1 &&
+           std::count_if(m_bodies.begin(), m_bodies.end(),
+                         [](const b2Body* body) { return Data(*body).IsDynamic(); }) == 1 &&
+           std::any_of(m_memory.impulses.begin(), m_memory.impulses.end(), Bounces);
+}
+
+void Impact::Sweep()
+{
+    const int32 count =
+        IsInCorner() ? b2Max(m_velocityIterations, kCornerIterations) : m_velocityIterations;
+    for (int32 i = 0; i < count; ++i)
+    {
+        if (!SolveContactVelocities(m_memory.impulses, m_context.bodies, DirectionOf(i)))
+        {
+            break;
+        }
+    }
+}
+
+template <class Function>
+void Impact::ForMoved(Function&& function) const
+{
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+    {
+        const BodyData& data = Data(*m_bodies[i]);
+        if (data.IsDynamic() && data.awakeIndex != -1)
+        {
+            function(data, m_context.bodies[data.SolverIndex()], i);
+        }
+    }
+}
+
+double Impact::KineticEnergyOfAll() const
+{
+    double sum = 0.0;
+    ForMoved([&](const BodyData& body, const SolverBody& state, std::size_t) {
+        sum += KineticEnergy(state, double(body.mass), double(body.inertia));
+    });
+    return sum;
+}
+
+/// Whether restitution could make more energy than there was. What moves by itself, a platform or a
+/// conveyor belt, may give some.
+bool Impact::KeepsEnergy() const
+{
+    const bool driven = std::any_of(m_bodies.begin(), m_bodies.end(), [](const b2Body* body) {
+        const BodyData& data = Data(*body);
+        return !data.IsDynamic() &&
+               (data.linearVelocity != b2Vec2_zero || data.angularVelocity != 0.0f);
+    });
+    return !driven &&
+           std::all_of(m_memory.impulses.begin(), m_memory.impulses.end(),
+                       [](const ContactConstraint& c) { return c.tangentSpeed == 0.0f; });
+}
+
+/// Newton's restitution together with friction can win energy (Kane and Levinson, "Dynamics: Theory
+/// and Applications", 1985). Without any bounce it never does, and a mixture of the two outcomes
+/// keeps all that is asked of contacts. With the share s of the bounce the energy is
+///   T0 + s (T1 - T0 - D) + s^2 D,
+/// D that of the difference of the velocities: the largest share that wins none is taken.
+void Impact::BounceLess(double most)
+{
+    const double bouncedEnergy = KineticEnergyOfAll();
+    m_bounced.resize(m_bodies.size());
+    ForMoved(
+        [this](const BodyData&, const SolverBody& state, std::size_t i) { m_bounced[i] = state; });
+    m_bouncedImpulses = m_memory.impulses;
+    Prepare();
+    for (ContactConstraint& c : m_memory.impulses)
+    {
+        c.points[0].bias = c.points[1].bias = 0.0f;
+    }
+    Sweep();
+    const double energy = KineticEnergyOfAll();
+    double difference = 0.0;
+    ForMoved([&](const BodyData& body, const SolverBody& state, std::size_t i) {
+        SolverBody apart;
+        apart.v = m_bounced[i].v - state.v;
+        apart.w = m_bounced[i].w - state.w;
+        difference += KineticEnergy(apart, double(body.mass), double(body.inertia));
+    });
+    if (!(difference > 0.0))
+    {
+        return;
+    }
+    const double half = 0.5 * (bouncedEnergy - energy - difference);
+    const double square = half * half - difference * b2Min(energy - most, 0.0);
+    const auto share = float32((std::sqrt(square) - half) / difference);
+    ForMoved([&](const BodyData&, SolverBody& state, std::size_t i) {
+        state.v += share * (m_bounced[i].v - state.v);
+        state.w += share * (m_bounced[i].w - state.w);
+    });
+    for (std::size_t i = 0; i < m_memory.impulses.size(); ++i)
+    {
+        for (int32 k = 0; k < 2; ++k)
+        {
+            ContactPoint& p = m_memory.impulses[i].points[k];
+            const ContactPoint& bounced = m_bouncedImpulses[i].points[k];
+            p.normalImpulse += share * (bounced.normalImpulse - p.normalImpulse);
+            p.tangentImpulse += share * (bounced.tangentImpulse - p.tangentImpulse);
+        }
+    }
+}
+
+void Impact::MoveOn(std::size_t index, float32 time)
+{
+    b2Body& body = *m_bodies[index];
+    BodyData& data = Data(body);
+    if (data.mobility == Mobility::Static || data.awakeIndex == -1)
+    {
+        return;
+    }
+    const ImpactBackup& before = m_memory.before[index];
+    if (!data.IsDynamic() && data.linearVelocity == before.v && data.angularVelocity == before.w)
+    {
+        // To where it was on its way: the rest of a step that was broken off may be called with
+        // another length, and the sum of the parts rounds otherwise than the whole.
+        data.pose = before.pose;
+        SynchronizePose(data);
+        return;
+    }
+    SolverBody& s = m_solver.bodies[std::size_t(data.SolverIndex())];
+    const bool wasStopped = data.sweepStart == time;
+    if (!data.IsDynamic() || !IsSpent(body))
+    {
+        MoveOn(s, wasStopped ? AccelerationOf(data) : b2Vec2(0.0f, 0.0f),
+               (1.0f - time) * m_timeStep);
+    }
+    if (!IsFinite(s))
+    {
+        s = SolverBody(); // it stops rather than vanish
+    }
+    data.linearVelocity = s.v;
+    data.angularVelocity = s.w;
+    data.pose.x += double(s.d.x);
+    data.pose.y += double(s.d.y);
+    data.pose.angle += double(s.angle);
+    SynchronizePose(data);
+}
+
+/// What the body would have ended the step with.
+EnergyGuard::Way Impact::WayOf(std::size_t index, float32 time) const
+{
+    const BodyData& data = Data(*m_bodies[index]);
+    const b2Vec2 left = (1.0f - time) * m_timeStep * AccelerationOf(data);
+    const bool wasStopped = data.sweepStart == time;
+    return {m_memory.before[index].pose, data.linearVelocity + (wasStopped ? left : b2Vec2_zero),
+            data.angularVelocity};
+}
+
+// Impulses are not kept: the contact is solved for the time that is left only.
+void Impact::SolveVelocities(float32 time)
+{
+    Prepare();
+    const double before = KineticEnergyOfAll();
+    const double most = (1.0 + kRounding) * (before + CorrectBounces());
+    Sweep();
+    if (KineticEnergyOfAll() > most && KeepsEnergy())
+    {
+        BounceLess(most);
+    }
+    const bool accounts = m_world.energyGuard->HasAccounts() && KeepsEnergy();
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+    {
+        BodyData& data = Data(*m_bodies[i]);
+        const EnergyGuard::Way way = WayOf(i, time);
+        MoveOn(i, time);
+        if (accounts)
+        {
+            m_world.energyGuard->NoteImpact(data, way);
+        }
+    }
+    if (m_world.listener)
+    {
+        for (const ContactConstraint& c : m_memory.impulses)
+        {
+            ReportImpulse(*m_world.listener, c);
+        }
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../Energy/EnergyGuard.h"
+#include "../State/Solver.h"
+
+#include <Box2D/Common/Array.h>
+
+/// One impact within a step: bodies that have been taken to its time and their contacts there are
+/// given speeds with which they part, and moved on for what is left of the step. Continuous
+/// collision, which finds impacts, fills it anew for each.
+namespace box2d
+{
+
+struct ContactData;
+struct ImpactMemory;
+struct SolverMemory;
+class World;
+
+class Impact
+{
+public:
+    Impact(World& world, float32 timeStep, int32 velocityIterations);
+
+    Array<b2Body*>& Bodies() { return m_bodies; }
+    Array<b2Contact*>& Contacts() { return m_contacts; }
+
+    /// Pushes overlaps of the two bodies that meet apart; only they are moved.
+    void SolvePositions(b2Body& bodyA, b2Body& bodyB);
+    /// And moves on. The time: as a fraction of the step.
+    void SolveVelocities(float32 time);
+
+    /// Of a body that flies freely through a step of small ones; there only the speed is known at
+    /// every time of the step. Else 0 [m/s^2].
+    b2Vec2 AccelerationOf(const BodyData& body) const;
+
+private:
+    static bool IsSpent(b2Body& body);
+    void LoadBodies();
+    void Prepare();
+    float32 DepthOf(std::size_t contact, int32 point) const;
+    void NoteDepths();
+    void LimitPush(SolverBody& pushed, float32 maxExtent) const;
+    double CorrectBounces();
+    double CorrectBounce(std::size_t index);
+    template <class Function>
+    void ForMoved(Function&& function) const;
+    bool IsInCorner() const;
+    void Sweep();
+    bool KeepsEnergy() const;
+    double KineticEnergyOfAll() const;
+    void BounceLess(double most);
+    EnergyGuard::Way WayOf(std::size_t index, float32 time) const;
+    void MoveOn(std::size_t index, float32 time);
+    void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
+
+    World& m_world;
+    ImpactMemory& m_memory;
+    SolverMemory& m_solver;
+    float32 m_timeStep;
+    int32 m_velocityIterations;
+    SolverContext m_context;
+    Array<b2Body*>& m_bodies;
+    Array<b2Contact*>& m_contacts;
+    Array<SolverBody>& m_bounced; // scratch of BounceLess: by body
+    Array<ContactConstraint>& m_bouncedImpulses;
+    Array<float32>& m_depths; // two of each contact, when they matter
+};
+
+} // namespace box2d

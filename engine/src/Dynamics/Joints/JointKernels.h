@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "JointLanes.h"
+
+#include "DistanceLanes.h"
+#include "FrictionLanes.h"
+#include "GearLanes.h"
+#include "MotorLanes.h"
+#include "MouseLanes.h"
+#include "PrismaticLanes.h"
+#include "PulleyLanes.h"
+#include "RevoluteLanes.h"
+#include "RopeLanes.h"
+#include "WeldLanes.h"
+#include "WheelLanes.h"
+
+/// What is done to blocks, for numbers F of 1, 4 or 8 lanes. Included by one source for each
+/// instruction set; nothing in it has external linkage.
+namespace box2d
+{
+namespace
+{
+
+template <template <class> class Lanes, class F>
+struct PairKernels
+{
+    using Joints = Lanes<F>;
+    static constexpr int kWidth = F::kLanes == 1 ? 1 : kJointLanes;
+    static constexpr int kFirst = kMassNumbers * kWidth; ///< of the kind's own numbers
+    static constexpr bool kHasPlainForm = Joints::kPlainImpulses != Joints::kImpulses;
+
+    /// Calls for each F of lanes, with their bodies in motion and the joints' numbers.
+    template <class Function>
+    BOX2D_INLINE static void ForMoving(const JointBlock& block, float32* numbers, float32* bodies,
+                                       Function&& function)
+    {
+        for (int lane = 0; lane < block.count; lane += F::kLanes)
+        {
+            const int32* a = block.bodyA + lane;
+            const int32* b = block.bodyB + lane;
+            MovingPair<F> pair = LoadMoving<F>(a, b, numbers + lane, bodies);
+            function(pair, numbers + kFirst + lane);
+            StoreMoving(pair, a, b, uint32(block.movesA) >> lane, uint32(block.movesB) >> lane,
+                        bodies);
+        }
+    }
+    static void WarmStart(const JointRun& run, float32* bodies)
+    {
+        for (const JointBlock& block : run)
+        {
+            ForMoving(block, run.NumbersOf(block), bodies,
+                      [&](MovingPair<F>& pair, const float32* own) {
+                          LoadNumbers<Joints, F>(own).WarmStart(pair, block.features);
+                      });
+        }
+    }
+    /// `Impulses` of each joint being written back.
+    template <int Impulses>
+    static void SolveVelocities(const JointBlock& block, float32* numbers, float32* bodies,
+                                uint8 features)
+    {
+        ForMoving(block, numbers, bodies, [&](MovingPair<F>& pair, float32* own) {
+            Joints joints = LoadNumbers<Joints, F>(own);
+            joints.SolveVelocity(pair, features);
+            StoreNumbers<Impulses, Joints, F>(own, joints);
+        });
+    }
+    /// Those that velocities are solved with; all, unless the kind says which.
+    static constexpr uint8 VelocityFeatures()
+    {
+        if constexpr (requires { Joints::kVelocityFeatures; })
+        {
+            return Joints::kVelocityFeatures;
+        }
+        return 0xFF;
+    }
+    /// Without features, the most common case, most numbers need not be read.
+    static void SolveVelocities(const JointRun& run, float32* bodies)
+    {
+        for (const JointBlock& block : run)
+        {
+            if ((block.features & VelocityFeatures()) == 0)
+            {
+                SolveVelocities<Joints::kPlainImpulses>(block, run.NumbersOf(block), bodies, 0);
+            }
+            else
+            {
+                SolveVelocities<Joints::kImpulses>(block, run.NumbersOf(block), bodies,
+                                                   block.features);
+            }
+        }
+    }
+    static bool SolvePositions(const JointRun& run, float32* bodies)
+    {
+        bool joined = true;
+        for (const JointBlock& block : run)
+        {
+            float32* numbers = run.NumbersOf(block);
+            joined = (kHasPlainForm && block.features == 0
+                          ? SolvePositions(block, numbers, bodies, 0)
+                          : SolvePositions(block, numbers, bodies, block.features)) &&
+                     joined;
+        }
+        return joined;
+    }
+    BOX2D_INLINE static bool SolvePositions(const JointBlock& block, float32* numbers,
+                                            float32* bodies, uint8 features)
+    {
+        bool joined = true;
+        for (int lane = 0; lane < block.count; lane += F::kLanes)
+        {
+            const int32* a = block.bodyA + lane;
+            const int32* b = block.bodyB + lane;
+            PlacedPair<F> pair = LoadPlaced<F>(a, b, numbers + lane, bodies);
+            const Joints joints = LoadNumbers<Joints, F>(numbers + kFirst + lane);
+            const auto held = joints.SolvePosition(pair, features);
+            joined = !Any(And(pair.CanMove(), Not(held))) && joined;
+            StorePlaced(pair, a, b, uint32(block.movesA) >> lane, uint32(block.movesB) >> lane,
+                        bodies);
+        }
+        return joined;
+    }
+};
+
+/// For what has no positions to hold, a friction or a motor joint.
+inline bool HoldsNoPositions(const JointRun&, float32*)
+{
+    return true;
+}
+
+template <template <class> class Lanes, class F>
+constexpr JointKernels KernelsFor()
+{
+    using Kernels = PairKernels<Lanes, F>;
+    JointKernels kernels = {int32(kMassNumbers + sizeof(Lanes<F>) / sizeof(F)), Kernels::WarmStart,
+                            Kernels::SolveVelocities, HoldsNoPositions};
+    if constexpr (Lanes<F>::kHoldsPositions)
+    {
+        kernels.solvePositions = Kernels::SolvePositions;
+    }
+    return kernels;
+}
+
+/// By b2JointType.
+template <class F>
+constexpr JointKernels kJointKernels[] = {
+    {},
+    KernelsFor<RevoluteLanes, F>(),
+    KernelsFor<PrismaticLanes, F>(),
+    KernelsFor<DistanceLanes, F>(),
+    KernelsFor<PulleyLanes, F>(),
+    KernelsFor<MouseLanes, F>(),
+    GearKernels<F>::All(),
+    KernelsFor<WheelLanes, F>(),
+    KernelsFor<WeldLanes, F>(),
+    KernelsFor<FrictionLanes, F>(),
+    KernelsFor<RopeLanes, F>(),
+    KernelsFor<MotorLanes, F>(),
+};
+
+} // namespace
+} // namespace box2d

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "JointSchedule.h"
+
+#include "../State/Access.h"
+#include "../State/ConstraintGraph.h"
+
+#include "../../Common/ThreadPool.h"
+
+#include <Box2D/Dynamics/Joints/b2GearJoint.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// Fewer of a kind than this are solved one by one: a block costs as much as that.
+constexpr std::ptrdiff_t kLeastLanes = 3;
+/// Blocks that one thread takes at a time.
+constexpr int32 kBlockGrain = 8;
+
+/// The bodies that a joint moves, two or four; some may be the same.
+struct JointBodies
+{
+    explicit JointBodies(b2Joint& joint)
+    {
+        if (joint.GetType() == e_gearJoint)
+        {
+            auto& gear = static_cast<b2GearJoint&>(joint);
+            for (b2Joint* part : {gear.GetJoint1(), gear.GetJoint2()})
+            {
+                Add(*part);
+            }
+        }
+        else
+        {
+            Add(joint);
+        }
+    }
+    b2Body** begin() { return bodies; }
+    b2Body** end() { return bodies + count; }
+
+private:
+    void Add(b2Joint& joint)
+    {
+        for (b2Body* body : {joint.GetBodyA(), joint.GetBodyB()})
+        {
+            if (Data(*body).IsDynamic()) // whatever stays where it is can be shared
+            {
+                bodies[count++] = body;
+            }
+        }
+    }
+
+    b2Body* bodies[4];
+    int32 count = 0;
+};
+
+} // namespace
+
+void JointSchedule::Update(const ConstraintGraph& graph)
+{
+    if (m_version != graph.JointVersion())
+    {
+        m_version = graph.JointVersion();
+        Build(graph.Joints());
+    }
+}
+
+Array<Array<b2Joint*>> JointSchedule::Levels() const
+{
+    Array<Array<b2Joint*>> levels;
+    for (std::size_t i = 0; i + 1 < m_levels.size(); ++i)
+    {
+        Array<b2Joint*>& joints = levels.emplace_back();
+        for (int32 k = m_levels[i]; k < m_levels[i + 1]; ++k)
+        {
+            const JointBlock& block = m_blocks[std::size_t(k)];
+            joints.insert(joints.end(), block.joint, block.joint + block.count);
+        }
+    }
+    return levels;
+}
+
+void JointSchedule::Build(const Array<b2Joint*>& joints)
+{
+    for (b2Joint* joint : joints)
+    {
+        for (b2Body* body : JointBodies(*joint))
+        {
+            Data(*body).jointLevel = 0; // the first that is free
+        }
+    }
+    m_levelOf.clear();
+    m_counts.clear();
+    for (b2Joint* joint : joints)
+    {
+        int32 level = 0;
+        JointBodies bodies(*joint);
+        for (b2Body* body : bodies)
+        {
+            level = b2Max(level, Data(*body).jointLevel);
+        }
+        for (b2Body* body : bodies)
+        {
+            Data(*body).jointLevel = level + 1;
+        }
+        m_levelOf.push_back(level);
+        m_counts.resize(b2Max(m_counts.size(), std::size_t(level) + 1));
+        ++m_counts[std::size_t(level)];
+    }
+    SortInto(joints);
+}
+
+/// Level by level, in each in the order of creation (counting sort).
+void JointSchedule::SortInto(const Array<b2Joint*>& joints)
+{
+    m_blocks.clear();
+    m_numbers.clear();
+    m_levels.clear();
+    m_ends.clear();
+    int32 end = 0;
+    for (const int32 count : m_counts)
+    {
+        m_ends.push_back(end);
+        end += count;
+    }
+    m_sorted.resize(joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i)
+    {
+        m_sorted[std::size_t(m_ends[std::size_t(m_levelOf[i])]++)] = joints[i];
+    }
+    int32 begin = 0;
+    for (const int32 count : m_counts)
+    {
+        AddLevel(m_sorted.data() + begin, m_sorted.data() + begin + count);
+        begin += count;
+    }
+    if (!m_levels.empty())
+    {
+        m_levels.push_back(int32(m_blocks.size()));
+    }
+}
+
+void JointSchedule::AddLevel(b2Joint* const* begin, b2Joint* const* end)
+{
+    m_levels.push_back(int32(m_blocks.size()));
+    int32 last = e_unknownJoint;
+    for (b2Joint* const* joint = begin; joint != end; ++joint)
+    {
+        last = b2Max(last, int32((*joint)->GetType()));
+    }
+    for (int32 type = e_unknownJoint + 1; type <= last; ++type)
+    {
+        AddKind(b2JointType(type), begin, end);
+    }
+}
+
+void JointSchedule::AddKind(b2JointType type, b2Joint* const* begin, b2Joint* const* end)
+{
+    const auto isOfKind = [type](const b2Joint* joint) { return joint->GetType() == type; };
+    const bool wide = std::count_if(begin, end, isOfKind) >= kLeastLanes;
+    JointBlock* block = nullptr;
+    for (b2Joint* const* joint = begin; joint != end; ++joint)
+    {
+        if (!isOfKind(*joint))
+        {
+            continue;
+        }
+        if (block == nullptr || block->count == block->width)
+        {
+            block = &m_blocks.emplace_back();
+            block->type = type;
+            block->width = wide ? kJointLanes : 1;
+            block->numbers = m_numbers.size();
+            m_numbers.resize(m_numbers.size() +
+                             std::size_t(KernelsOf(*block).numberCount * block->width));
+        }
+        block->joint[block->count++] = *joint;
+    }
+}
+
+template <class Function>
+void JointSchedule::ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& some)
+{
+    ParallelFor(threads, end - begin, kBlockGrain, [&](int32 first, int32 last) {
+        some(m_blocks.data() + begin + first, m_blocks.data() + begin + last);
+    });
+}
+
+/// `one` is called with runs, in order; on several threads, with those of a level at one time.
+template <class Function>
+void JointSchedule::ForRuns(ThreadPool* threads, Function&& one)
+{
+    const auto forRuns = [&](const JointBlock* begin, const JointBlock* end) {
+        while (begin != end)
+        {
+            const JointBlock* last = begin + 1;
+            while (last != end && last->kernels == begin->kernels)
+            {
+                ++last;
+            }
+            one(*begin->kernels, JointRun{begin, last, m_numbers.data()});
+            begin = last;
+        }
+    };
+    if (threads == nullptr)
+    {
+        forRuns(m_blocks.data(), m_blocks.data() + m_blocks.size());
+        return;
+    }
+    for (std::size_t i = 0; i + 1 < m_levels.size(); ++i)
+    {
+        ForBlocks(m_levels[i], m_levels[i + 1], threads, forRuns);
+    }
+}
+
+namespace
+{
+
+/// Puts the bodies of a pair into a lane, their masses being the first of the lane's numbers.
+void FillPair(const b2Body& bodyA, const b2Body& bodyB, int lane, int32* a, int32* b, uint8& movesA,
+              uint8& movesB, float32 (&masses)[4])
+{
+    const BodyData& dataA = Data(bodyA);
+    const BodyData& dataB = Data(bodyB);
+    a[lane] = dataA.SolverIndex();
+    b[lane] = dataB.SolverIndex();
+    masses[0] = dataA.SolverInvMass();
+    masses[1] = dataA.SolverInvInertia();
+    masses[2] = dataB.SolverInvMass();
+    masses[3] = dataB.SolverInvInertia();
+    movesA = uint8(movesA | int(Moves(masses[0], masses[1])) << lane);
+    movesB = uint8(movesB | int(Moves(masses[2], masses[3])) << lane);
+}
+
+} // namespace
+
+void JointSchedule::Fill(JointBlock& block, const SolverContext& context)
+{
+    block.kernels = &KernelsOf(block);
+    block.features = block.movesA = block.movesB = block.movesC = block.movesD = 0;
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        b2Joint* joint = block.joint[lane];
+        b2Joint* first = joint;
+        float32 masses[4];
+        if (block.type == e_gearJoint)
+        {
+            auto* gear = static_cast<b2GearJoint*>(joint);
+            first = gear->GetJoint1();
+            b2Joint* second = gear->GetJoint2();
+            FillPair(*second->GetBodyA(), *second->GetBodyB(), lane, block.bodyC, block.bodyD,
+                     block.movesC, block.movesD, masses);
+        }
+        FillPair(*first->GetBodyA(), *first->GetBodyB(), lane, block.bodyA, block.bodyB,
+                 block.movesA, block.movesB, masses);
+        JointLane out = {NumbersOf(block) + lane, block.width};
+        out.Write(masses);
+        out.first += std::size(masses) * std::size_t(block.width);
+        JointAccess::FillLane(*joint, context, out);
+        block.features = uint8(block.features | out.features);
+    }
+}
+
+void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
+{
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
+        std::for_each(begin, end, [&](JointBlock& block) { Fill(block, context); });
+    });
+    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+        kernels.warmStart(run, bodies);
+    });
+}
+
+void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads)
+{
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
+    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+        kernels.solveVelocities(run, bodies);
+    });
+}
+
+void JointSchedule::StoreImpulses(ThreadPool* threads)
+{
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
+        std::for_each(begin, end, [&](const JointBlock& block) { Keep(block); });
+    });
+}
+
+/// Puts the impulses of a block back into its joints.
+void JointSchedule::Keep(const JointBlock& block)
+{
+    float32* own = NumbersOf(block) + kMassNumbers * block.width;
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        JointAccess::KeepImpulses(*block.joint[lane], {own + lane, block.width});
+    }
+}
+
+bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* threads)
+{
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
+    std::atomic<bool> joined = true;
+    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+        if (!kernels.solvePositions(run, bodies) && joined.load(std::memory_order_relaxed))
+        {
+            joined.store(false, std::memory_order_relaxed);
+        }
+    });
+    return joined;
+}
+
+} // namespace box2d

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ContactBlocks.h"
+
+#include "../State/BodyLanes.h"
+
+/// The contact solver on blocks, for numbers F of 4 or 8 lanes. Line by line what ContactSolver.cpp
+/// does to one contact, in the same order of operations. Included by one source for each
+/// instruction set; nothing in it has external linkage.
+namespace box2d
+{
+namespace
+{
+
+constexpr float32 kNearlyNothing = b2_epsilon; ///< shorter than this has no direction
+
+/// How the bodies of each contact move, in the axes of its normal and tangent: see
+/// ContactSolver.cpp.
+template <class F>
+struct MotionLanes
+{
+    F along, across;
+    F wA, wB;
+    F push, drag;
+};
+
+template <class F>
+struct BlockSolver
+{
+    ContactBlock& block;
+    int lane;     // the first
+    F a[4], b[4]; // of a body vx, vy, w; the angle is along for the ride
+    Vector<F> normal;
+    F invMassA, invInertiaA, invMassB, invInertiaB, invMass;
+    MotionLanes<F> m;
+    F changes = F::Set(0.0f); // no bit set: no impulse has changed so far
+
+    BlockSolver(ContactBlock& from, int first, const float32* bodies) : block(from), lane(first)
+    {
+        LoadRows(bodies, kBodyStride, block.bodyA + lane, a);
+        LoadRows(bodies, kBodyStride, block.bodyB + lane, b);
+        normal = {At(block.normalX), At(block.normalY)};
+        invMassA = At(block.invMassA);
+        invInertiaA = At(block.invInertiaA);
+        invMassB = At(block.invMassB);
+        invInertiaB = At(block.invInertiaB);
+        invMass = invMassA + invMassB;
+        const Vector<F> apart = {b[0] - a[0], b[1] - a[1]};
+        m.along = apart.x * normal.x + apart.y * normal.y;
+        m.across = apart.x * normal.y - apart.y * normal.x;
+        m.wA = a[2];
+        m.wB = b[2];
+        m.push = m.drag = F::Set(0.0f);
+    }
+
+    void Store(float32* bodies)
+    {
+        const Vector<F> impulse = {m.push * normal.x + m.drag * normal.y,
+                                   m.push * normal.y - m.drag * normal.x};
+        a[0] = a[0] - invMassA * impulse.x;
+        a[1] = a[1] - invMassA * impulse.y;
+        a[2] = m.wA;
+        b[0] = b[0] + invMassB * impulse.x;
+        b[1] = b[1] + invMassB * impulse.y;
+        b[2] = m.wB;
+        StoreMoved(bodies, block.bodyA + lane, uint32(block.movesA) >> lane, a);
+        StoreMoved(bodies, block.bodyB + lane, uint32(block.movesB) >> lane, b);
+    }
+
+    F At(const float32* field) const { return F::Load(field + lane); }
+
+    bool HasChanged() const
+    {
+        const F zero = F::Set(0.0f);
+        return Any(Not(And(AtLeast(changes, zero), AtLeast(zero, changes))));
+    }
+    void Note(F change) { changes = OrBits(changes, change); }
+
+    void WarmStart(const PointLanes& p)
+    {
+        const F normalImpulse = At(p.normalImpulse);
+        const F tangentImpulse = At(p.tangentImpulse);
+        m.wA = m.wA - invInertiaA * (At(p.normalLeverA) * normalImpulse +
+                                     At(p.tangentLeverA) * tangentImpulse);
+        m.wB = m.wB + invInertiaB * (At(p.normalLeverB) * normalImpulse +
+                                     At(p.tangentLeverB) * tangentImpulse);
+        m.push = m.push + normalImpulse;
+        m.drag = m.drag + tangentImpulse;
+    }
+
+    void SolveFriction(PointLanes& p)
+    {
+        const F leverA = At(p.tangentLeverA);
+        const F leverB = At(p.tangentLeverB);
+        const F slip = m.across + m.wB * leverB - m.wA * leverA - At(block.tangentSpeed);
+        const F limit = At(block.friction) * At(p.normalImpulse);
+        const F old = At(p.tangentImpulse);
+        const F total = Max(-limit, Min(old - At(p.tangentMass) * slip, limit));
+        const F change = total - old;
+        m.across = m.across + invMass * change;
+        m.wA = m.wA - invInertiaA * leverA * change;
+        m.wB = m.wB + invInertiaB * leverB * change;
+        m.drag = m.drag + change;
+        Note(change);
+        total.Store(p.tangentImpulse + lane);
+    }
+
+    F NormalSpeed(const PointLanes& p) const
+    {
+        return m.along + m.wB * At(p.normalLeverB) - m.wA * At(p.normalLeverA);
+    }
+
+    void SolvePoint(PointLanes& p)
+    {
+        const F old = At(p.normalImpulse);
+        const F wanted = old - At(p.normalMass) * (NormalSpeed(p) - At(p.bias));
+        const F total = Max(wanted, F::Set(0.0f));
+        const F change = total - old;
+        m.along = m.along + invMass * change;
+        m.wA = m.wA - invInertiaA * At(p.normalLeverA) * change;
+        m.wB = m.wB + invInertiaB * At(p.normalLeverB) * change;
+        m.push = m.push + change;
+        Note(change);
+        total.Store(p.normalImpulse + lane);
+    }
+
+    /// Sets both impulses.
+    void ChangePair(PointLanes& p1, F old1, F x1, PointLanes& p2, F old2, F x2)
+    {
+        const F change1 = x1 - old1;
+        const F change2 = x2 - old2;
+        m.wA = m.wA - invInertiaA * (At(p1.normalLeverA) * change1 + At(p2.normalLeverA) * change2);
+        m.wB = m.wB + invInertiaB * (At(p1.normalLeverB) * change1 + At(p2.normalLeverB) * change2);
+        m.push = m.push + (change1 + change2);
+        Note(change1);
+        Note(change2);
+        x1.Store(p1.normalImpulse + lane);
+        x2.Store(p2.normalImpulse + lane);
+    }
+
+    /// The four ways of EnumerateImpulses. What rests pushes at both points, and where all lanes do
+    /// the others are not looked at; else they are tried from the last to the first.
+    BOX2D_INLINE void SolvePair(PointLanes& p1, PointLanes& p2)
+    {
+        const F zero = F::Set(0.0f);
+        const F k11 = At(block.k11);
+        const F k12 = At(block.k12);
+        const F k22 = At(block.k22);
+        const F old1 = At(p1.normalImpulse);
+        const F old2 = At(p2.normalImpulse);
+        const F b1 = NormalSpeed(p1) - At(p1.bias) - (k11 * old1 + k12 * old2);
+        const F b2 = NormalSpeed(p2) - At(p2.bias) - (k12 * old1 + k22 * old2);
+        const F inverse = F::Set(1.0f) / (k11 * k22 - k12 * k12);
+        const F both1 = inverse * (k12 * b2 - k22 * b1);
+        const F both2 = inverse * (k12 * b1 - k11 * b2);
+        const auto both = And(AtLeast(both1, zero), AtLeast(both2, zero));
+        if (!Any(Not(both)))
+        {
+            return ChangePair(p1, old1, both1, p2, old2, both2);
+        }
+        const auto neither = And(AtLeast(b1, zero), AtLeast(b2, zero));
+        F x1 = Select(neither, zero, old1);
+        F x2 = Select(neither, zero, old2);
+        const F second = -b2 / k22;
+        const auto secondOnly = And(AtLeast(second, zero), AtLeast(k12 * second + b1, zero));
+        x1 = Select(secondOnly, zero, x1);
+        x2 = Select(secondOnly, second, x2);
+        const F first = -b1 / k11;
+        const auto firstOnly = And(AtLeast(first, zero), AtLeast(k12 * first + b2, zero));
+        x1 = Select(firstOnly, first, x1);
+        x2 = Select(firstOnly, zero, x2);
+        ChangePair(p1, old1, Select(both, both1, x1), p2, old2, Select(both, both2, x2));
+    }
+
+    /// Some lanes together, others one point after the other: both ways, then each lane's own.
+    BOX2D_NOINLINE void SolveMixed(PointLanes& p1, PointLanes& p2)
+    {
+        const auto coupled = AtLeast(At(block.coupled), F::Set(1.0f));
+        const MotionLanes<F> before = m;
+        const F changesBefore = changes;
+        const F old1 = At(p1.normalImpulse);
+        const F old2 = At(p2.normalImpulse);
+        SolvePoint(p1);
+        SolvePoint(p2);
+        const MotionLanes<F> single = m;
+        const F single1 = At(p1.normalImpulse);
+        const F single2 = At(p2.normalImpulse);
+        m = before;
+        old1.Store(p1.normalImpulse + lane);
+        old2.Store(p2.normalImpulse + lane);
+        SolvePair(p1, p2);
+        m.wA = Select(coupled, m.wA, single.wA);
+        m.wB = Select(coupled, m.wB, single.wB);
+        m.push = Select(coupled, m.push, single.push);
+        const F x1 = Select(coupled, At(p1.normalImpulse), single1);
+        const F x2 = Select(coupled, At(p2.normalImpulse), single2);
+        changes = changesBefore;
+        Note(x1 - old1);
+        Note(x2 - old2);
+        x1.Store(p1.normalImpulse + lane);
+        x2.Store(p2.normalImpulse + lane);
+    }
+};
+
+template <class F>
+void WarmStartBlock(ContactBlock& block, float32* bodies)
+{
+    for (int lane = 0; lane < block.count; lane += F::kLanes)
+    {
+        BlockSolver<F> solver(block, lane, bodies);
+        solver.WarmStart(block.points[0]);
+        if (block.pointCount == 2)
+        {
+            solver.WarmStart(block.points[1]);
+        }
+        solver.Store(bodies);
+    }
+}
+
+/// False when no impulse changed.
+template <class F>
+bool SolveBlock(ContactBlock& block, float32* bodies)
+{
+    bool changed = false;
+    for (int lane = 0; lane < block.count; lane += F::kLanes)
+    {
+        BlockSolver<F> solver(block, lane, bodies);
+        PointLanes& p1 = block.points[0];
+        PointLanes& p2 = block.points[1];
+        solver.SolveFriction(p1);
+        if (block.pointCount == 1)
+        {
+            solver.SolvePoint(p1);
+        }
+        else
+        {
+            solver.SolveFriction(p2);
+            block.allCoupled ? solver.SolvePair(p1, p2) : solver.SolveMixed(p1, p2);
+        }
+        solver.Store(bodies);
+        changed = changed || solver.HasChanged();
+    }
+    return changed;
+}
+
+} // namespace
+} // namespace box2d

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: MIT
+#include "ContactBlocks.h"
+
+#include "../../Common/WideInstructions.h"
+#include "../State/Access.h"
+#include "../State/World.h"
+#include "ContactBlockPrepare.h"
+#include "OverlapBlockSolver.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+namespace box2d
+{
+
+#if defined(BOX2D_AVX2)
+// ContactBlocksAvx2.cpp
+void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
+                      const float32* bodies, float32 share);
+void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
+bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
+float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPace pace);
+#endif
+
+namespace
+{
+
+/// A contact alone costs less in one lane; two cost more in turn than side by side.
+template <class Block>
+bool IsAlone(const Block& block)
+{
+    return block.count == 1;
+}
+
+float32* Numbers(SolverBody* bodies)
+{
+    return reinterpret_cast<float32*>(bodies);
+}
+
+OverlapKind KindOf(const b2Manifold& manifold)
+{
+    return manifold.type == b2Manifold::e_circles ? OverlapKind::Centers
+           : manifold.type == b2Manifold::e_faceB ? OverlapKind::FaceB
+                                                  : OverlapKind::FaceA;
+}
+
+} // namespace
+
+void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies)
+{
+    constexpr std::size_t forms = 5; // of each the last block may be part empty
+    const std::size_t most =
+        sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + forms);
+    if (most > m_contacts.size())
+    {
+        // Some in reserve, for a colour that grows does so step by step, a small one too.
+        const std::size_t reserve = b2Max<std::size_t>(most / 8, 2);
+        m_contacts.resize(most + reserve);
+        m_overlaps.resize(most + reserve);
+        const std::size_t room = contactCount + (reserve + 1) * kBlockLanes;
+        m_sorted.reserve(room);
+        m_buckets.reserve(room);
+    }
+    m_sorted.resize(contactCount);
+    m_buckets.resize(contactCount);
+}
+
+void ContactBlocks::ClearTotals()
+{
+    if (m_totals.size() < std::size_t(m_count))
+    {
+        m_totals.resize(m_contacts.size());
+    }
+    std::fill_n(m_totals.begin(), m_count, BlockTotals());
+}
+
+int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
+{
+    ContactBlock& block = m_contacts[std::size_t(m_count)];
+    OverlapBlock& overlap = m_overlaps[std::size_t(m_count)];
+    block.count = 0;
+    block.pointCount = pointCount;
+    overlap.pointCount = pointCount;
+    overlap.kind = kind;
+    return m_count++;
+}
+
+/// By the place of the newer body, as near as a few buckets tell (counting sort).
+void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
+                         std::size_t bodyCount)
+{
+    const bool few = contacts.size() <= kBlockLanes; // whose order does not matter
+    if (sharesBodies || few)
+    {
+        std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
+        return;
+    }
+    constexpr std::size_t most = 64;
+    const std::size_t buckets = b2Min(most, contacts.size() / kBlockLanes + 1);
+    std::size_t ends[most] = {};
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+        const ContactData& c = Data(*contacts[i]);
+        const int32 place = b2Max(Data(*c.bodyA).awakeIndex, Data(*c.bodyB).awakeIndex);
+        m_buckets[i] = uint8(std::size_t(place) * buckets / bodyCount);
+        ++ends[m_buckets[i]];
+    }
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < buckets; ++i)
+    {
+        const std::size_t begin = end;
+        end += ends[i];
+        ends[i] = begin;
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+        m_sorted[ends[m_buckets[i]]++] = contacts[i];
+    }
+}
+
+void ContactBlocks::Assign(bool sharesBodies)
+{
+    m_count = 0;
+    int32 open[] = {-1, -1, -1, -1,
+                    -1, -1, -1}; // by form: three ways to measure, one or two points
+    for (b2Contact* contact : m_sorted)
+    {
+        ContactData& c = Data(*contact);
+        c.solvedAs = c.Form();
+        if (c.solvedAs == 0)
+        {
+            continue;
+        }
+        int32& last = open[c.solvedAs];
+        if (last == -1 || sharesBodies || Contacts(last).count == kBlockLanes)
+        {
+            last = Add(KindOf(c.manifold), c.manifold.pointCount);
+        }
+        ContactBlock& block = Contacts(last);
+        block.contact[block.count++] = contact;
+    }
+}
+
+namespace
+{
+
+/// Collects what a block is computed from. Bodies and contacts are read here and nowhere else.
+class Gatherer
+{
+public:
+    Gatherer(ContactBlock& block, OverlapBlock& overlap, ContactLanes& lanes)
+        : m_block(block), m_overlap(overlap), m_to(lanes)
+    {}
+
+    void Gather()
+    {
+        m_overlap.count = m_block.count;
+        m_block.movesA = m_block.movesB = 0;
+        for (int lane = 0; lane < m_block.count; ++lane)
+        {
+            GatherLane(lane, Data(*m_block.contact[lane]));
+        }
+        for (int lane = m_block.count; lane < kBlockLanes; ++lane)
+        {
+            PadLane(lane);
+        }
+        m_overlap.movesA = m_block.movesA;
+        m_overlap.movesB = m_block.movesB;
+    }
+
+private:
+    void GatherLane(int lane, const ContactData& c)
+    {
+        const BodyData& a = Data(*c.bodyA);
+        const BodyData& b = Data(*c.bodyB);
+        const b2Vec2 offset = CenterOffset(a, b);
+        m_overlap.offsetX[lane] = offset.x;
+        m_overlap.offsetY[lane] = offset.y;
+        m_block.friction[lane] = c.friction;
+        m_block.tangentSpeed[lane] = c.tangentSpeed;
+        m_to.restitution[lane] = c.restitution;
+        GatherBodies(lane, a, b);
+        const bool faceOnB = m_overlap.kind == OverlapKind::FaceB;
+        GatherGeometry(lane, c.manifold, faceOnB ? b : a, faceOnB ? a : b);
+        m_to.radiusFace[lane] = faceOnB ? c.radiusB : c.radiusA;
+        m_to.radiusOther[lane] = faceOnB ? c.radiusA : c.radiusB;
+    }
+
+    void GatherBodies(int lane, const BodyData& a, const BodyData& b)
+    {
+        m_block.bodyA[lane] = m_overlap.bodyA[lane] = a.SolverIndex();
+        m_block.bodyB[lane] = m_overlap.bodyB[lane] = b.SolverIndex();
+        const float32 massA = a.SolverInvMass();
+        const float32 inertiaA = a.SolverInvInertia();
+        const float32 massB = b.SolverInvMass();
+        const float32 inertiaB = b.SolverInvInertia();
+        m_block.invMassA[lane] = m_overlap.invMassA[lane] = massA;
+        m_block.invInertiaA[lane] = m_overlap.invInertiaA[lane] = inertiaA;
+        m_block.invMassB[lane] = m_overlap.invMassB[lane] = massB;
+        m_block.invInertiaB[lane] = m_overlap.invInertiaB[lane] = inertiaB;
+        m_block.movesA = uint8(m_block.movesA | int(Moves(massA, inertiaA)) << lane);
+        m_block.movesB = uint8(m_block.movesB | int(Moves(massB, inertiaB)) << lane);
+    }
+
+    void GatherGeometry(int lane, const b2Manifold& m, const BodyData& face, const BodyData& other)
+    {
+        m_to.sineFace[lane] = face.rotation.s;
+        m_to.cosineFace[lane] = face.rotation.c;
+        m_to.sineOther[lane] = other.rotation.s;
+        m_to.cosineOther[lane] = other.rotation.c;
+        m_to.normalX[lane] = m.localNormal.x;
+        m_to.normalY[lane] = m.localNormal.y;
+        m_to.referenceX[lane] = m.localPoint.x - face.localCenter.x;
+        m_to.referenceY[lane] = m.localPoint.y - face.localCenter.y;
+        for (int i = 0; i < m_block.pointCount; ++i)
+        {
+            const b2ManifoldPoint& p = m.points[i];
+            m_to.pointX[i][lane] = p.localPoint.x - other.localCenter.x;
+            m_to.pointY[i][lane] = p.localPoint.y - other.localCenter.y;
+            m_to.normalImpulse[i][lane] = p.normalImpulse;
+            m_to.tangentImpulse[i][lane] = p.tangentImpulse;
+        }
+    }
+
+    /// Far apart, without mass, at rest.
+    void PadLane(int lane)
+    {
+        m_block.friction[lane] = m_block.tangentSpeed[lane] = 0.0f;
+        m_overlap.offsetX[lane] = m_overlap.offsetY[lane] = 0.0f;
+        m_block.bodyA[lane] = m_overlap.bodyA[lane] = 0;
+        m_block.bodyB[lane] = m_overlap.bodyB[lane] = 0;
+        m_block.invMassA[lane] = m_overlap.invMassA[lane] = 0.0f;
+        m_block.invInertiaA[lane] = m_overlap.invInertiaA[lane] = 0.0f;
+        m_block.invMassB[lane] = m_overlap.invMassB[lane] = 0.0f;
+        m_block.invInertiaB[lane] = m_overlap.invInertiaB[lane] = 0.0f;
+        m_to.sineFace[lane] = m_to.sineOther[lane] = 0.0f;
+        m_to.cosineFace[lane] = m_to.cosineOther[lane] = 1.0f;
+        m_to.normalX[lane] = m_to.normalY[lane] = 0.0f;
+        m_to.referenceX[lane] = m_to.referenceY[lane] = 0.0f;
+        m_to.radiusFace[lane] = m_to.radiusOther[lane] = -1.0f;
+        m_to.restitution[lane] = 0.0f;
+        for (int i = 0; i < 2; ++i)
+        {
+            m_to.pointX[i][lane] = m_to.pointY[i][lane] = 0.0f;
+            m_to.normalImpulse[i][lane] = m_to.tangentImpulse[i][lane] = 0.0f;
+        }
+    }
+
+    ContactBlock& m_block;
+    OverlapBlock& m_overlap;
+    ContactLanes& m_to;
+};
+
+/// After the lanes have been computed: what stands for nothing must have something to divide by.
+void FinishCoupling(ContactBlock& block)
+{
+    block.allCoupled = block.pointCount == 2;
+    for (int lane = 0; lane < kBlockLanes && block.pointCount == 2; ++lane)
+    {
+        if (lane >= block.count)
+        {
+            block.k11[lane] = block.k22[lane] = block.coupled[lane] = 1.0f;
+            block.k12[lane] = 0.0f;
+        }
+        block.allCoupled = block.allCoupled && block.coupled[lane] == 1.0f;
+    }
+}
+
+} // namespace
+
+void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context)
+{
+    ContactLanes lanes;
+    Gatherer(block, overlap, lanes).Gather();
+    const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
+    const float32* bodies = Numbers(context.bodies);
+    if (IsAlone(block))
+    {
+        PrepareBlock<simd::Float1>(lanes, block, overlap, bodies, share);
+        FinishCoupling(block);
+        return;
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        PrepareBlockAvx2(lanes, block, overlap, bodies, share);
+        FinishCoupling(block);
+        return;
+    }
+#endif
+    PrepareBlock<simd::Float4>(lanes, block, overlap, bodies, share);
+    FinishCoupling(block);
+}
+
+void WarmStartBlock(ContactBlock& block, SolverBody* bodies)
+{
+    if (IsAlone(block))
+    {
+        return WarmStartBlock<simd::Float1>(block, Numbers(bodies));
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return WarmStartBlockAvx2(block, Numbers(bodies));
+    }
+#endif
+    WarmStartBlock<simd::Float4>(block, Numbers(bodies));
+}
+
+bool SolveBlock(ContactBlock& block, SolverBody* bodies)
+{
+    if (IsAlone(block))
+    {
+        return SolveBlock<simd::Float1>(block, Numbers(bodies));
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return SolveBlockAvx2(block, Numbers(bodies));
+    }
+#endif
+    return SolveBlock<simd::Float4>(block, Numbers(bodies));
+}
+
+float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, PushPace pace)
+{
+    if (IsAlone(block))
+    {
+        return SolveOverlapBlock<simd::Float1>(block, Numbers(bodies), pace);
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return SolveOverlapBlockAvx2(block, Numbers(bodies), pace);
+    }
+#endif
+    return SolveOverlapBlock<simd::Float4>(block, Numbers(bodies), pace);
+}
+
+void StoreImpulses(const ContactBlock& block)
+{
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        b2Manifold& manifold = Data(*block.contact[lane]).manifold;
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            manifold.points[i].normalImpulse = block.points[i].normalImpulse[lane];
+            manifold.points[i].tangentImpulse = block.points[i].tangentImpulse[lane];
+        }
+    }
+}
+
+OverlapConstraint OverlapOf(const OverlapBlock& block, int lane)
+{
+    OverlapConstraint o;
+    o.offset.Set(block.offsetX[lane], block.offsetY[lane]);
+    o.normal.Set(block.normalX[lane], block.normalY[lane]);
+    o.reference.Set(block.referenceX[lane], block.referenceY[lane]);
+    for (int i = 0; i < 2; ++i)
+    {
+        o.points[i].Set(block.pointX[i][lane], block.pointY[i][lane]);
+    }
+    o.radius = block.radius[lane];
+    o.invMassA = block.invMassA[lane];
+    o.invInertiaA = block.invInertiaA[lane];
+    o.invMassB = block.invMassB[lane];
+    o.invInertiaB = block.invInertiaB[lane];
+    o.bodyA = block.bodyA[lane];
+    o.bodyB = block.bodyB[lane];
+    o.pointCount = block.pointCount;
+    o.kind = block.kind;
+    return o;
+}
+
+float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, PushPace pace)
+{
+    return SolveNearlyOnePoint(OverlapOf(block, lane), bodies, pace);
+}
+
+} // namespace box2d

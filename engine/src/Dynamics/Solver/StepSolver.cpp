@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: MIT
+#include "StepSolver.h"
+
+#include "../State/Access.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <atomic>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// Impulses grow with the step as long as they come from forces that last. Those of hits do not:
+/// after a very short step this much of them, and no more, is carried over.
+constexpr float32 kMostStepRatio = 10.0f;
+
+/// Of two polygons' skins and a slop [m]: nobody sees such an overlap, nor that it stays.
+constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
+constexpr float32 kLeftOverlap = 3.0f * b2_linearSlop; ///< what pushing may leave of any [m]
+/// What is pushed out of skins faster than so many times what slow means does not rest.
+constexpr float32 kSkinsPace = 10.0f;
+/// For so long nothing must have set off before it rests [s]: one step may slow down by rounding.
+constexpr float32 kCalm = 0.04f;
+
+} // namespace
+
+StepSolver::StepSolver(World& world, float32 timeStep)
+    : m_world(world), m_memory(*world.solver), m_threads(world.threads.get())
+{
+    m_context.timeStep = timeStep;
+    m_context.inverseStep = 1.0f / timeStep;
+    m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMostStepRatio);
+    m_context.warmStarting = world.warmStarting;
+    m_memory.deep.clear();
+}
+
+void StepSolver::WakeJointNeighbours()
+{
+    // Waking adds joints to the list, so it is read anew each time.
+    for (std::size_t i = 0; i < m_world.graph.Joints().size(); ++i)
+    {
+        b2Joint* joint = m_world.graph.Joints()[i];
+        m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
+        World::KeepDrivenAwake(*joint);
+    }
+    // A joint between a platform and something asleep is in no list.
+    for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
+    {
+        b2Body* body = m_world.awakeBodies[i];
+        b2JointEdge* edge = body->GetType() == b2_kinematicBody ? body->GetJointList() : nullptr;
+        for (; edge; edge = edge->next)
+        {
+            if (edge->joint->IsActive())
+            {
+                m_world.WakeNeighbours(*body, *edge->other);
+            }
+        }
+    }
+    m_world.graph.SortJoints();
+}
+
+void StepSolver::IntegrateVelocities()
+{
+    m_memory.bodies.resize(m_world.awakeBodies.size() + 1);
+    m_memory.bodies[0] = SolverBody();
+    m_context.bodies = m_memory.bodies.data();
+    ForBodies([this](std::size_t i) {
+        m_memory.bodies[i + 1] = WithForces(Data(*m_world.awakeBodies[i]));
+    });
+}
+
+SolverBody StepSolver::WithForces(const BodyData& body) const
+{
+    const float32 h = m_context.timeStep;
+    SolverBody s;
+    s.v = body.linearVelocity;
+    s.w = body.angularVelocity;
+    if (body.IsDynamic())
+    {
+        s.v += h * (body.gravityScale * m_world.gravity + body.invMass * body.force);
+        s.w += h * body.invInertia * body.torque;
+        // dv/dt = -c v, one implicit step: stable for any c.
+        s.v *= 1.0f / (1.0f + h * body.linearDamping);
+        s.w *= 1.0f / (1.0f + h * body.angularDamping);
+    }
+    s.v = Bounded(s.v);
+    s.w = Bounded(s.w);
+    return s;
+}
+
+void StepSolver::PrepareContacts()
+{
+    m_memory.colorCount = 0;
+    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    {
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        const std::size_t count = m_world.graph.Contacts(color).size();
+        if (count > 0)
+        {
+            m_memory.colors[m_memory.colorCount++] = color;
+            m_memory.contacts[color].Reserve(count, color == ConstraintGraph::kOverflow);
+        }
+    }
+    ParallelFor(m_threads, m_memory.colorCount, 1, [this](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            AssignBlocks(m_memory.colors[i]);
+        }
+    });
+    ForBlocks([this](ContactBlock& block, OverlapBlock& overlap) {
+        PrepareBlock(block, overlap, m_context);
+    });
+}
+
+void StepSolver::WarmStart()
+{
+    ForBlocks(
+        [this](ContactBlock& block, OverlapBlock&) { WarmStartBlock(block, m_context.bodies); });
+    m_memory.joints.Update(m_world.graph);
+    m_memory.joints.Prepare(m_context, m_threads);
+}
+
+/// As far as the last step's do not serve again. A listener may give any contact another form at
+/// any time.
+void StepSolver::AssignBlocks(int32 color)
+{
+    const bool sharesBodies = color == ConstraintGraph::kOverflow;
+    ConstraintGraph& graph = m_world.graph;
+    const ConstraintGraph::Change change = graph.ChangeOf(color);
+    if (change == ConstraintGraph::Change::Contacts)
+    {
+        m_memory.contacts[color].Sort(graph.Contacts(color), sharesBodies,
+                                      m_world.awakeBodies.size());
+    }
+    if (change != ConstraintGraph::Change::None || m_world.listener != nullptr)
+    {
+        m_memory.contacts[color].Assign(sharesBodies);
+    }
+    graph.Settle(color);
+}
+
+// Blocks of a colour share no bodies: only in the overflow, which is one part, does the direction
+// within a colour matter.
+
+bool StepSolver::SolveContacts(Direction direction)
+{
+    std::atomic<bool> changed = false;
+    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        bool some = false;
+        for (int32 i = 0; i < end - begin; ++i)
+        {
+            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
+            some = SolveBlock(blocks.Contacts(index), m_context.bodies) || some;
+        }
+        if (some && !changed.load(std::memory_order_relaxed))
+        {
+            changed.store(true, std::memory_order_relaxed);
+        }
+    });
+    return changed;
+}
+
+/// Returns the smallest separation [m], or 0 if that is smaller.
+float32 StepSolver::SolveOverlaps(Direction direction, PushPace pace)
+{
+    std::atomic<float32> smallest = 0.0f;
+    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        float32 found = 0.0f;
+        for (int32 i = 0; i < end - begin; ++i)
+        {
+            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
+            found = b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, pace));
+        }
+        float32 before = smallest.load(std::memory_order_relaxed);
+        while (found < before && !smallest.compare_exchange_weak(before, found))
+        {}
+    });
+    return smallest;
+}
+
+void StepSolver::SolveVelocities(int32 iterations)
+{
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        m_memory.joints.SolveVelocities(m_context, m_threads);
+        const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
+        // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
+        if (!changed && m_memory.joints.IsEmpty())
+        {
+            break;
+        }
+    }
+    m_world.sweepsTurned = !m_world.sweepsTurned;
+    m_memory.joints.StoreImpulses(m_threads);
+    ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
+}
+
+/// In the order of the colours; notes them before any is put to sleep.
+void StepSolver::NoteImpulses()
+{
+    m_memory.reported.clear();
+    for (int32 i = 0; i < ConstraintGraph::kColorCount && m_world.listener != nullptr; ++i)
+    {
+        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
+        for (b2Contact* contact : m_world.graph.Contacts(color))
+        {
+            if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
+            {
+                m_memory.reported.push_back(contact);
+            }
+        }
+    }
+}
+
+void StepSolver::ReportImpulses()
+{
+    for (b2Contact* contact : m_memory.reported)
+    {
+        if (m_world.listener != nullptr) // it may take itself away
+        {
+            ReportImpulse(*m_world.listener, *contact);
+        }
+    }
+}
+
+void StepSolver::SolvePositions(int32 iterations)
+{
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        // The slop is what is aimed at; three of them is near enough.
+        const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -3.0f * b2_linearSlop;
+        const bool joined = m_memory.joints.SolvePositions(m_context, m_threads);
+        if (apart && joined)
+        {
+            break;
+        }
+    }
+    if (!m_memory.joints.IsEmpty())
+    {
+        TurnAsSeen();
+    }
+}
+
+/// A correction of poses turns to first order: by the arc tangent of the angle that is counted. Far
+/// out on a lever such angles are large, and a body that ends elsewhere than where the sweeps saw
+/// it is turned again in the next step, and on and on.
+void StepSolver::TurnAsSeen()
+{
+    constexpr float32 kSmallTurn = 0.25f; // [rad], then it is out by 0.005
+    ForBodies([this](std::size_t i) {
+        SolverBody& s = m_memory.bodies[i + 1];
+        const float32 drift = m_context.timeStep * s.w;
+        if (b2Abs(s.angle - drift) > kSmallTurn)
+        {
+            s.angle = drift + b2MulT(b2Rot(drift), s.q).GetAngle();
+        }
+    });
+}
+
+void StepSolver::IntegratePositions()
+{
+    ForBodies([this](std::size_t i) {
+        MoveByVelocity(m_memory.bodies[i + 1], m_context.timeStep, kMostMove);
+    });
+}
+
+// A pendulum where it turns, or what is thrown up below a weak gravity, is slow for long, but its
+// speed changes all the time. What touches something is not asked, for piles tremble.
+bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep)
+{
+    constexpr float32 kMostGain = 0.25f / b2_timeToSleep; // of the tolerance, in a second
+    const float32 linear = timeStep * kMostGain * b2_linearSleepTolerance;
+    const float32 angular = timeStep * kMostGain * b2_angularSleepTolerance;
+    return body.colorMask == 0 &&
+           ((moved.v - body.linearVelocity).LengthSquared() > linear * linear ||
+            b2Abs(moved.w - body.angularVelocity) > angular);
+}
+
+// What leaves a balance, as a rod on its end, is slow for very long, and gets faster all the time.
+// With one step joints tremble by more than that, and piles with any number.
+bool StepSolver::IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep)
+{
+    constexpr float32 kLeastGain = 1.0f / 15.0f; // of the tolerance, in a second
+    const float32 linear = timeStep * kLeastGain * b2_linearSleepTolerance;
+    const float32 angular = timeStep * kLeastGain * b2_angularSleepTolerance;
+    return body.colorMask == 0 && (moved.v.Length() > body.linearVelocity.Length() + linear ||
+                                   b2Abs(moved.w) > b2Abs(body.angularVelocity) + angular);
+}
+
+/// Which bodies overlap by more than their skins. What is put together without room for the skins
+/// is pushed apart for minutes where there is much of it, from the outside in, and may rest
+/// meanwhile: the skins are there to be overlapped.
+void StepSolver::FindDeep()
+{
+    Array<uint8>& deep = m_memory.deep;
+    deep.assign(m_world.awakeBodies.size() + 1, 0);
+    ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
+        const OverlapBlock& block = blocks.Overlaps(i);
+        // At a rate of 0 it is only measured.
+        if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kLeftOverlap)
+        {
+            return;
+        }
+        for (int32 lane = 0; lane < block.count; ++lane)
+        {
+            const OverlapConstraint o = OverlapOf(block, lane);
+            const bool skins = o.radius <= 1.01f * 2.0f * b2_polygonRadius;
+            const float32 most = skins ? kUnseenOverlap : kLeftOverlap;
+            for (int32 point = 0; point < o.pointCount; ++point)
+            {
+                const float32 separation =
+                    MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
+                        .separation;
+                if (separation < -most)
+                {
+                    deep[std::size_t(o.bodyA)] = deep[std::size_t(o.bodyB)] = 1;
+                }
+            }
+        }
+    });
+}
+
+bool StepSolver::IsPushedOut(const BodyData& body) const
+{
+    return m_memory.deep.empty() || m_memory.deep[std::size_t(body.SolverIndex())] != 0;
+}
+
+// Slow means slow in both velocity and what position correction did: something that is still being
+// pushed out of an overlap does not sleep, unless the overlap is only one of skins. A platform is
+// told how to move: it stays awake however slow it is.
+float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
+{
+    const float32 h = m_context.timeStep;
+    if (!body.IsDynamic())
+    {
+        const bool still = moved.v == b2Vec2(0.0f, 0.0f) && moved.w == 0.0f;
+        return still && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
+    }
+    const float32 pace = IsPushedOut(body) ? h : kSkinsPace * h;
+    const float32 linear = pace * b2_linearSleepTolerance;
+    const float32 angular = pace * b2_angularSleepTolerance;
+    const bool slow =
+        moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
+        b2Abs(moved.w) <= b2_angularSleepTolerance && moved.d.LengthSquared() <= linear * linear &&
+        b2Abs(moved.angle) <= angular;
+    if (!slow || (body.flags & kBodyAutoSleep) == 0)
+    {
+        return 0.0f;
+    }
+    const float32 time = body.sleepTime + h;
+    if (m_world.subStepCount > 1 && body.sleepTime < b2_timeToSleep && IsSettingOff(body, moved, h))
+    {
+        return b2Min(time, b2_timeToSleep - kCalm);
+    }
+    return time >= b2_timeToSleep && IsTurning(body, moved, h) ? body.sleepTime : time;
+}
+
+void StepSolver::WriteBack()
+{
+    m_memory.left.resize(m_world.awakeBodies.size());
+    ForBodies([this](std::size_t i) {
+        m_memory.left[i] = WriteBack(Data(*m_world.awakeBodies[i]), m_memory.bodies[i + 1]);
+    });
+    int32 bullets = 0;
+    for (std::size_t i = 0; m_world.hasBullets && i < m_memory.left.size(); ++i)
+    {
+        bullets += (Data(*m_world.awakeBodies[i]).flags & kBodySwept) != 0;
+    }
+    m_world.proxies.BeginMoves(bullets);
+    for (std::size_t i = 0; i < m_memory.left.size(); ++i)
+    {
+        if (m_memory.left[i] != 0)
+        {
+            m_world.MoveProxies(Data(*m_world.awakeBodies[i]));
+        }
+    }
+    m_world.proxies.EndMoves();
+}
+
+/// Whether a shape has left its box.
+bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
+{
+    if (!IsFinite(s))
+    {
+        s = SolverBody(); // it stops rather than vanish
+    }
+    body.sleepTime = SleepTimeAfter(body, s);
+    body.linearVelocity = s.v;
+    body.angularVelocity = s.w;
+    body.previous = body.pose;
+    body.sweepStart = 0.0f;
+    ++body.sweepVersion;
+    if (s.d == b2Vec2(0.0f, 0.0f) && s.angle == 0.0f)
+    {
+        return false;
+    }
+    const float32 room = body.room;
+    body.pose.x += double(s.d.x);
+    body.pose.y += double(s.d.y);
+    body.pose.angle += double(s.angle);
+    s.angle == 0.0f ? SynchronizePlace(body) : SynchronizePose(body);
+    // What it really did: far out, or turned very often, a pose is coarser than a step.
+    const b2Vec2 moved(float32(body.pose.x - body.previous.x),
+                       float32(body.pose.y - body.previous.y));
+    const float32 turned = b2Abs(float32(body.pose.angle - body.previous.angle));
+    const float32 way = moved.Length() + turned * body.maxExtent;
+    const bool fast = way > kFastShare * body.minExtent;
+    if (way < room && !(fast && (body.flags & kBodyBullet) != 0))
+    {
+        body.room = room - way; // no shape can have left its box
+        return false;
+    }
+    return World::RefreshBoxes(body, fast);
+}
+
+void StepSolver::LetRest()
+{
+    if (!m_world.allowSleep)
+    {
+        return;
+    }
+    for (std::size_t i = m_world.awakeBodies.size(); i-- > 0;)
+    {
+        b2Body* body = m_world.awakeBodies[i];
+        const BodyData& data = Data(*body);
+        m_world.islands.ReportSleepTime(data);
+        if (data.mobility == Mobility::Kinematic && data.sleepTime >= b2_timeToSleep)
+        {
+            m_world.PutToSleep(*body);
+        }
+    }
+    for (const int32 island : m_world.islands.FindSleepy(b2_timeToSleep))
+    {
+        m_world.PutToSleep(island);
+    }
+}
+
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MostMove& most)
+{
+    const b2Vec2 way = timeStep * body.v;
+    if (way.LengthSquared() > most.way * most.way)
+    {
+        body.v *= most.way / way.Length();
+    }
+    const float32 turn = timeStep * body.w;
+    if (turn * turn > most.turn * most.turn)
+    {
+        body.w *= most.turn / b2Abs(turn);
+    }
+    body.d += timeStep * body.v;
+    const float32 delta = timeStep * body.w;
+    body.angle += delta;
+    body.q = b2Mul(body.q, b2Rot(delta));
+}
+
+} // namespace box2d

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../State/World.h"
+#include "SolverMemory.h"
+
+namespace box2d
+{
+
+/// The stages of solving one step, in the order in which World::SolveAwake calls them, over arrays
+/// that the world lends.
+class StepSolver
+{
+public:
+    StepSolver(World& world, float32 timeStep);
+
+    void WakeJointNeighbours();
+    void IntegrateVelocities();
+    void PrepareContacts();
+    void WarmStart();
+    void SolveVelocities(int32 iterations);
+    void NoteImpulses();
+    void ReportImpulses();
+    void IntegratePositions();
+    void SolvePositions(int32 iterations);
+    void WriteBack();
+    void LetRest();
+
+protected:
+    void AssignBlocks(int32 color);
+    template <class Function>
+    void ForColors(Direction direction, Function&& some);
+    /// One block after the other, on the given threads.
+    template <class Function>
+    void ForEachBlock(Direction direction, ThreadPool* threads, Function&& one);
+    template <class Function>
+    void ForBlocks(Function&& function);
+    template <class Function>
+    void ForBodies(Function&& function);
+    SolverBody WithForces(const BodyData& body) const;
+    bool WriteBack(BodyData& body, SolverBody& moved) const;
+    bool SolveContacts(Direction direction);
+    float32 SolveOverlaps(Direction direction, PushPace pace);
+    void TurnAsSeen();
+    void FindDeep();
+    bool IsPushedOut(const BodyData& body) const;
+    float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
+    static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
+    static bool IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep);
+
+    // What one thread takes at a time.
+    static constexpr int32 kBlockGrain = 8;
+    static constexpr int32 kBodyGrain = 64;
+
+    World& m_world;
+    SolverMemory& m_memory;
+    ThreadPool* m_threads; // may be null
+    SolverContext m_context;
+};
+
+/// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
+/// each on all threads. `some` is called with a colour's blocks and the part of them to work on.
+template <class Function>
+void StepSolver::ForColors(Direction direction, Function&& some)
+{
+    const int32 count = m_memory.colorCount;
+    for (int32 i = 0; i < count; ++i)
+    {
+        const int32 color = m_memory.colors[direction == Direction::Forward ? i : count - 1 - i];
+        ContactBlocks& blocks = m_memory.contacts[color];
+        ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
+        ParallelFor(threads, blocks.Count(), kBlockGrain,
+                    [&](int32 begin, int32 end) { some(blocks, begin, end); });
+    }
+}
+
+template <class Function>
+void StepSolver::ForEachBlock(Direction direction, ThreadPool* threads, Function&& one)
+{
+    const int32 count = m_memory.colorCount;
+    for (int32 i = 0; i < count; ++i)
+    {
+        const int32 color = m_memory.colors[direction == Direction::Forward ? i : count - 1 - i];
+        ContactBlocks& blocks = m_memory.contacts[color];
+        ParallelFor(color == ConstraintGraph::kOverflow ? nullptr : threads, blocks.Count(),
+                    kBlockGrain, [&](int32 begin, int32 end) {
+                        for (int32 k = 0; k < end - begin; ++k)
+                        {
+                            one(blocks, direction == Direction::Forward ? begin + k : end - 1 - k);
+                        }
+                    });
+    }
+}
+
+template <class Function>
+void StepSolver::ForBlocks(Function&& function)
+{
+    ForColors(Direction::Forward, [&](ContactBlocks& blocks, int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            function(blocks.Contacts(i), blocks.Overlaps(i));
+        }
+    });
+}
+
+template <class Function>
+void StepSolver::ForBodies(Function&& function)
+{
+    ParallelFor(m_threads, int32(m_world.awakeBodies.size()), kBodyGrain,
+                [&](int32 begin, int32 end) {
+                    for (int32 i = begin; i < end; ++i)
+                    {
+                        function(std::size_t(i));
+                    }
+                });
+}
+
+} // namespace box2d

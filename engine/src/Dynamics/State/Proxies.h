@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../../Common/ThreadPool.h"
+
+#include <Box2D/Collision/b2DynamicTree.h>
+#include <Box2D/Common/Array.h>
+#include <Box2D/Dynamics/Internal/BodyData.h>
+
+struct b2FixtureProxy;
+
+/// The world's broad phase: a dynamic tree for each mobility, so that what never moves costs
+/// nothing, and the list of proxies whose boxes have moved since pairs were last looked for. Knows
+/// boxes, not shapes or filters.
+namespace box2d
+{
+
+struct SnapshotAccess;
+
+class Proxies
+{
+public:
+    static constexpr int32 kTreeCount = 3; // by Mobility
+
+    static constexpr int32 kTreeBits = 2;
+
+    /// An id holds the tree's node and, in its lowest two bits, the mobility.
+    static Mobility MobilityOf(int32 proxyId) { return static_cast<Mobility>(proxyId & 3); }
+
+    /// `categories`: bits for MayMeet; all unless said.
+    int32 Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy,
+                 uint16 categories = 0xFFFF);
+    void Destroy(int32 proxyId);
+    /// Gives the proxy another box and marks it as moved.
+    void Move(int32 proxyId, const b2AABB& fatBox);
+    /// The same where the box has only grown and soon is another anyway: cheaper.
+    void Grow(int32 proxyId, const b2AABB& fatBox);
+    /// Between these two so many proxies of dynamic bodies are moved: when that is a good part of
+    /// them, the tree is built anew at the end. Nothing may be asked meanwhile.
+    void BeginMoves(int32 count);
+    void EndMoves();
+    /// Marks it as moved, so that its pairs are looked for again.
+    void Touch(int32 proxyId);
+    void SetCategories(int32 proxyId, uint16 categories);
+    /// Whether any proxy of a mobility is of one of these categories.
+    bool MayMeet(uint16 categories, Mobility mobility) const
+    {
+        return (m_present[int32(mobility)] & categories) != 0;
+    }
+    const b2AABB& FatBox(int32 proxyId) const { return Tree(proxyId).GetFatAABB(proxyId >> 2); }
+    b2FixtureProxy* Get(int32 proxyId) const
+    {
+        return static_cast<b2FixtureProxy*>(Tree(proxyId).GetUserData(proxyId >> 2));
+    }
+
+    bool HasMoved() const { return !m_moved.empty(); }
+
+    /// Calls report(b2FixtureProxy* moved, b2FixtureProxy* other) for every overlapping pair with
+    /// at least one moved proxy of which one could be dynamic, each pair once; then forgets what
+    /// has moved. Pairs come in an order that depends on nothing but the calls made so far. The
+    /// trees are searched by all threads, for each moved proxy those that
+    /// isWanted(b2FixtureProxy* moved, Mobility) names, and pass over the pairs for which
+    /// isKnown(b2FixtureProxy* moved, b2FixtureProxy* other) is true; reports come from the calling
+    /// thread.
+    template <class IsWanted, class IsKnown, class Report>
+    void FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKnown, Report&& report);
+
+    /// Calls report(b2FixtureProxy*) -> bool for every proxy whose box overlaps; false ends the
+    /// query.
+    template <class Report>
+    void Query(const b2AABB& box, Report&& report) const;
+    /// Of one mobility only; returns whether the report let it run to the end.
+    template <class Report>
+    bool Query(const b2AABB& box, Mobility mobility, Report&& report) const;
+
+    const b2DynamicTree& TreeOf(Mobility mobility) const { return m_trees[int32(mobility)]; }
+    const b2DynamicTree* Trees() const { return m_trees; } ///< kTreeCount of them, by mobility
+    void ShiftOrigin(const b2Vec2& newOrigin);
+    int32 Count() const { return m_count; }
+
+private:
+    friend struct SnapshotAccess;
+    const b2DynamicTree& Tree(int32 proxyId) const { return m_trees[proxyId & 3]; }
+    b2DynamicTree& Tree(int32 proxyId) { return m_trees[proxyId & 3]; }
+    bool HasMoved(int32 proxyId) const;
+    /// Builds the static tree anew when it has grown by half since that was done last, and by so
+    /// many that it pays: a query looks at nearly half as many nodes then. All of it takes no
+    /// longer than the insertions did.
+    void RebuildStatic();
+
+    enum Mark : uint8
+    {
+        kAtRest,
+        kMoved,     // in m_moved
+        kLookedFor, // its pairs have been reported, or are about to be
+    };
+
+    struct Pair
+    {
+        int32 moved, other; // ids
+    };
+    /// What was found for a few moved proxies. When there is no room for all the search is done
+    /// again by the calling thread: memory is its to allocate.
+    struct Found
+    {
+        static constexpr int32 kProxies = 16;
+        static constexpr int32 kRoom = 4 * kProxies;
+        int32 count;
+        bool complete;
+        Pair pairs[kRoom];
+    };
+
+    /// Leaves each proxy that has moved, and still exists, once in the list.
+    void ListMoved();
+    template <class IsWanted, class IsKnown, class Report>
+    void FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& isKnown,
+                     Report&& report) const;
+    template <class IsKnown, class Report>
+    void FindDynamicPairs(const IsKnown& isKnown, const Report& report) const;
+    template <class IsWanted, class IsKnown>
+    void FindPairsOf(int32 begin, int32 end, const IsWanted& isWanted, const IsKnown& isKnown,
+                     Found& found) const;
+    void Count(int32 tree, uint16 categories, int32 change);
+
+    b2DynamicTree m_trees[kTreeCount];
+    Array<uint8> m_marks[kTreeCount];       // by node: one of the above
+    Array<uint16> m_categories[kTreeCount]; // by node
+    int32 m_categoryCounts[kTreeCount][16] = {};
+    uint16 m_present[kTreeCount] = {}; // categories that some proxy has
+    Array<int32> m_moved;              // ids, in the order they moved; some may be destroyed since
+    Array<Found> m_found;              // by the threads
+    int32 m_count = 0;
+    int32 m_staticAdded = 0; // to the static tree since it was built anew
+    bool m_rebuilds = false; // the dynamic tree, at the end of the present moves
+    int32 m_refits = 0;      // since the dynamic tree was built anew, plus 1
+    bool m_rebuilt = false;  // it was, since pairs were last looked for
+};
+
+template <class IsWanted, class IsKnown, class Report>
+void Proxies::FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& isKnown,
+                          Report&& report) const
+{
+    const b2AABB box = FatBox(moved);
+    b2FixtureProxy* const proxy = Get(moved);
+    const bool dynamic = MobilityOf(moved) == Mobility::Dynamic;
+    const int32 firstTree = dynamic ? 0 : int32(Mobility::Dynamic);
+    const int32 lastTree = int32(dynamic && m_rebuilt ? Mobility::Kinematic : Mobility::Dynamic);
+    for (int32 tree = firstTree; tree <= lastTree; ++tree)
+    {
+        if (!isWanted(proxy, static_cast<Mobility>(tree)))
+        {
+            continue;
+        }
+        m_trees[tree].ForEachOverlap(box, [&](int32 node) {
+            const int32 other = (node << 2) | tree;
+            // When both have moved, the pair is reported from the larger id only.
+            return other == moved || (other > moved && HasMoved(other)) ||
+                   isKnown(proxy, Get(other)) || report(other);
+        });
+    }
+}
+
+/// When many of the dynamic have moved all of their pairs are found in one go.
+template <class IsKnown, class Report>
+void Proxies::FindDynamicPairs(const IsKnown& isKnown, const Report& report) const
+{
+    const int32 dynamic = int32(Mobility::Dynamic);
+    const b2DynamicTree& tree = m_trees[dynamic];
+    const Array<uint8>& marks = m_marks[dynamic];
+    tree.ForEachPair([&](int32 a, int32 b) {
+        const int32 first = b2Min(a, b);
+        const int32 second = b2Max(a, b);
+        const bool moved =
+            marks[std::size_t(first)] != kAtRest || marks[std::size_t(second)] != kAtRest;
+        auto* const one = static_cast<b2FixtureProxy*>(tree.GetUserData(first));
+        auto* const another = static_cast<b2FixtureProxy*>(tree.GetUserData(second));
+        if (moved && !isKnown(one, another))
+        {
+            report(one, another);
+        }
+    });
+}
+
+template <class IsWanted, class IsKnown>
+void Proxies::FindPairsOf(int32 begin, int32 end, const IsWanted& isWanted, const IsKnown& isKnown,
+                          Found& found) const
+{
+    found.count = 0;
+    found.complete = true;
+    for (int32 i = begin; i < end && found.complete; ++i)
+    {
+        const int32 moved = m_moved[std::size_t(i)];
+        FindPairsOf(moved, isWanted, isKnown, [&](int32 other) {
+            found.complete = found.count < Found::kRoom;
+            if (found.complete)
+            {
+                found.pairs[found.count++] = {moved, other};
+            }
+            return found.complete;
+        });
+    }
+}
+
+template <class IsWanted, class IsKnown, class Report>
+void Proxies::FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKnown,
+                        Report&& report)
+{
+    RebuildStatic();
+    ListMoved();
+    const int32 count = int32(m_moved.size());
+    const auto reportAll = [&](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            const int32 moved = m_moved[std::size_t(i)];
+            FindPairsOf(moved, isWanted, isKnown, [&](int32 other) {
+                report(Get(moved), Get(other));
+                return true;
+            });
+        }
+    };
+    if (threads == nullptr || count < 4 * Found::kProxies)
+    {
+        reportAll(0, count);
+    }
+    else
+    {
+        const int32 groups = (count + Found::kProxies - 1) / Found::kProxies;
+        const auto beginOf = [&](int32 group) { return b2Min(group * Found::kProxies, count); };
+        m_found.resize(b2Max(m_found.size(), std::size_t(groups)));
+        ParallelFor(threads, groups, 1, [&](int32 first, int32 last) {
+            for (int32 group = first; group < last; ++group)
+            {
+                FindPairsOf(beginOf(group), beginOf(group + 1), isWanted, isKnown,
+                            m_found[std::size_t(group)]);
+            }
+        });
+        for (int32 group = 0; group < groups; ++group)
+        {
+            const Found& found = m_found[std::size_t(group)];
+            for (int32 i = 0; i < found.count && found.complete; ++i)
+            {
+                report(Get(found.pairs[i].moved), Get(found.pairs[i].other));
+            }
+            if (!found.complete)
+            {
+                reportAll(beginOf(group), beginOf(group + 1));
+            }
+        }
+    }
+    if (m_rebuilt)
+    {
+        FindDynamicPairs(isKnown, report);
+        m_rebuilt = false;
+    }
+    for (const int32 moved : m_moved)
+    {
+        m_marks[moved & 3][std::size_t(moved >> 2)] = kAtRest;
+    }
+    m_moved.clear();
+}
+
+template <class Report>
+bool Proxies::Query(const b2AABB& box, Mobility mobility, Report&& report) const
+{
+    const b2DynamicTree& tree = TreeOf(mobility);
+    bool goOn = true;
+    tree.ForEachOverlap(box, [&](int32 node) {
+        goOn = report(static_cast<b2FixtureProxy*>(tree.GetUserData(node)));
+        return goOn;
+    });
+    return goOn;
+}
+
+template <class Report>
+void Proxies::Query(const b2AABB& box, Report&& report) const
+{
+    Query(box, Mobility::Static, report) && Query(box, Mobility::Kinematic, report) &&
+        Query(box, Mobility::Dynamic, report);
+}
+
+} // namespace box2d

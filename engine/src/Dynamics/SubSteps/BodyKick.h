@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../State/Solver.h"
+
+/// What all that is no constraint does to a body, in small steps: gravity, forces, damping.
+namespace box2d
+{
+
+/// What damping c leaves of a velocity after a time t, and the time for which an acceleration
+/// counts: exp(-c t) and (1 - exp(-c t)) / c, with the Pade approximant (0, 2) for exp(-z), which
+/// is of second order and stable for any z.
+struct Decay
+{
+    Decay(float32 t, float32 c) : left(1.0f), time(t)
+    {
+        if (c > 0.0f)
+        {
+            const float32 z = c * t;
+            left = 1.0f / (1.0f + z + 0.5f * z * z);
+            time = t * (1.0f + 0.5f * z) * left; // (1 - left) / c without the difference
+        }
+    }
+    float32 left;
+    float32 time; ///< [s]
+};
+
+/// The same for all of a step.
+struct BodyKick
+{
+    b2Vec2 acceleration;                ///< [m/s^2]
+    float32 angularAcceleration = 0.0f; ///< [rad/s^2]
+    float32 linearDamping = 0.0f, angularDamping = 0.0f;
+
+    BodyKick() = default;
+    BodyKick(const BodyData& body, const b2Vec2& gravity)
+    {
+        if (body.IsDynamic())
+        {
+            acceleration = body.gravityScale * gravity + body.invMass * body.force;
+            angularAcceleration = body.invInertia * body.torque;
+            linearDamping = body.linearDamping;
+            angularDamping = body.angularDamping;
+        }
+    }
+
+    void Give(SolverBody& body, float32 time) const
+    {
+        const Decay linear(time, linearDamping);
+        const Decay angular(time, angularDamping);
+        body.v = Bounded(linear.left * body.v + linear.time * acceleration);
+        body.w = Bounded(angular.left * body.w + angular.time * angularAcceleration);
+    }
+};
+
+} // namespace box2d

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../Solver/ContactBlocks.h"
+
+namespace box2d
+{
+
+/// One contact of a block, as it bounces before the first kick of a step of small ones
+/// (StepSolver::Bounce). Knows no other contact and no joint.
+class Bouncer
+{
+public:
+    Bouncer(ContactBlock& block, BlockTotals& totals, int32 lane, SolverBody* bodies)
+        : m_block(block), m_totals(totals), m_lane(lane), m_a(bodies[block.bodyA[lane]]),
+          m_b(bodies[block.bodyB[lane]]), m_normal(block.normalX[lane], block.normalY[lane])
+    {}
+
+    /// False when it does not come near fast enough. Never wins energy: of a push x at a point
+    /// whose speed goes from v to v' the work is x (v + v') / 2. Both points are pushed together
+    /// only where both come near, so that v' = -e v at each that is pushed; where one goes away it
+    /// would be held at v' = 0, which is work, so it has to wait until it comes near itself.
+    /// Friction follows when the normal speeds are done, for what it turns they would not know of.
+    bool Bounce(float32 restitution)
+    {
+        const int32 count = m_block.pointCount;
+        float32 speeds[2] = {};
+        bool bounces = false;
+        for (int32 i = 0; i < count; ++i)
+        {
+            speeds[i] = NormalSpeed(i);
+            bounces = bounces || speeds[i] < -b2_velocityThreshold;
+        }
+        if (!bounces)
+        {
+            return false;
+        }
+        const float32 more = 1.0f + restitution;
+        float32 x[2] = {};
+        if (count == 2 && m_block.coupled[m_lane] != 0.0f && speeds[0] < 0.0f && speeds[1] < 0.0f &&
+            EnumerateImpulses(m_block.k11[m_lane], m_block.k12[m_lane], m_block.k22[m_lane],
+                              more * speeds[0], more * speeds[1], x[0], x[1]))
+        {
+            Push(0, x[0]);
+            Push(1, x[1]);
+        }
+        else
+        {
+            for (int32 i = 0; i < count; ++i)
+            {
+                const float32 coming = b2Max(-NormalSpeed(i), 0.0f);
+                x[i] = more * coming * m_block.points[i].normalMass[m_lane];
+                Push(i, x[i]);
+            }
+        }
+        for (int32 i = 0; i < count; ++i)
+        {
+            Rub(i, x[i]);
+        }
+        return true;
+    }
+
+private:
+    float32 NormalSpeed(int32 i) const
+    {
+        const PointLanes& p = m_block.points[i];
+        return b2Dot(m_b.v - m_a.v, m_normal) + m_b.w * p.normalLeverB[m_lane] -
+               m_a.w * p.normalLeverA[m_lane];
+    }
+    float32 TangentSpeed(int32 i) const
+    {
+        const PointLanes& p = m_block.points[i];
+        return b2Dot(m_b.v - m_a.v, b2Cross(m_normal, 1.0f)) + m_b.w * p.tangentLeverB[m_lane] -
+               m_a.w * p.tangentLeverA[m_lane] - m_block.tangentSpeed[m_lane];
+    }
+    void Push(int32 i, float32 impulse)
+    {
+        const PointLanes& p = m_block.points[i];
+        Apply(impulse, m_normal, p.normalLeverA[m_lane], p.normalLeverB[m_lane]);
+        m_totals.normal[i][m_lane] += impulse;
+    }
+    /// Friction of a push.
+    void Rub(int32 i, float32 impulse)
+    {
+        const PointLanes& p = m_block.points[i];
+        const float32 limit = m_block.friction[m_lane] * impulse;
+        const float32 drag = b2Clamp(-TangentSpeed(i) * p.tangentMass[m_lane], -limit, limit);
+        Apply(drag, b2Cross(m_normal, 1.0f), p.tangentLeverA[m_lane], p.tangentLeverB[m_lane]);
+        m_totals.tangent[i][m_lane] += drag;
+    }
+    void Apply(float32 impulse, const b2Vec2& direction, float32 leverA, float32 leverB)
+    {
+        if ((m_block.movesA >> m_lane & 1) != 0)
+        {
+            m_a.v -= (m_block.invMassA[m_lane] * impulse) * direction;
+            m_a.w -= m_block.invInertiaA[m_lane] * leverA * impulse;
+        }
+        if ((m_block.movesB >> m_lane & 1) != 0)
+        {
+            m_b.v += (m_block.invMassB[m_lane] * impulse) * direction;
+            m_b.w += m_block.invInertiaB[m_lane] * leverB * impulse;
+        }
+    }
+
+    ContactBlock& m_block;
+    BlockTotals& m_totals;
+    int32 m_lane;
+    SolverBody& m_a;
+    SolverBody& m_b;
+    b2Vec2 m_normal;
+};
+
+} // namespace box2d

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "CarryGuard.h"
+
+#include "../Solver/SolverMemory.h"
+#include "../State/Access.h"
+#include "../State/World.h"
+
+#include <algorithm>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// What rounding, and friction whose bound has changed at last, may add to an island's energy, as a
+/// share of it.
+constexpr double kTolerance = 1e-3;
+
+double KineticEnergyOf(const BodyData& body, const SolverBody& state)
+{
+    return body.IsDynamic() ? KineticEnergy(state, double(body.mass), double(body.inertia)) : 0.0;
+}
+
+bool Moves(const SolverBody& body)
+{
+    return body.v != b2Vec2_zero || body.w != 0.0f;
+}
+
+/// Calls for each contact, with its block, the block's totals, and its lane.
+template <class Function>
+void ForContacts(SolverMemory& solver, Function&& function)
+{
+    for (int32 i = 0; i < solver.colorCount; ++i)
+    {
+        ContactBlocks& blocks = solver.contacts[solver.colors[i]];
+        for (int32 k = 0; k < blocks.Count(); ++k)
+        {
+            for (int32 lane = 0; lane < blocks.Contacts(k).count; ++lane)
+            {
+                function(blocks.Contacts(k), blocks.Totals(k), lane);
+            }
+        }
+    }
+}
+
+int32 IslandOf(const SolverMemory& solver, const RowSides& sides)
+{
+    for (int32 i = 0; i < sides.count; ++i)
+    {
+        if (sides.sides[i] != nullptr)
+        {
+            return solver.islands.Of(sides.sides[i]->SolverIndex());
+        }
+    }
+    return -1;
+}
+
+} // namespace
+
+bool CarryGuard::Island::HasWon() const
+{
+    return !exempt && after > (1.0 + kTolerance) * before;
+}
+
+bool CarryGuard::HasWon(int32 island) const
+{
+    return island != -1 && m_islands[std::size_t(island)].HasWon();
+}
+
+bool CarryGuard::HasWon(const SolverMemory& solver, const RowSides& sides) const
+{
+    return HasWon(IslandOf(solver, sides));
+}
+
+void CarryGuard::Exempt(int32 island, bool really)
+{
+    if (island != -1 && really)
+    {
+        m_islands[std::size_t(island)].exempt = true;
+    }
+}
+
+void CarryGuard::Begin(SolverMemory& solver, const JointSystem& joints)
+{
+    const AwakeIslands& islands = solver.islands;
+    m_before.resize(solver.bodies.size());
+    m_islands.assign(std::size_t(islands.Count()), Island());
+    ForContacts(solver, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
+        const int32 a = islands.Of(block.bodyA[lane]);
+        const int32 b = islands.Of(block.bodyB[lane]);
+        const bool belt = block.tangentSpeed[lane] != 0.0f;
+        const auto moves = [&](int32 body) { return Moves(solver.bodies[std::size_t(body)]); };
+        Exempt(a, belt || (b == -1 && moves(block.bodyB[lane])));
+        Exempt(b, belt || (a == -1 && moves(block.bodyA[lane])));
+    });
+    joints.ForRowed([&](std::size_t joint, const JointRows&) {
+        const int32 island = IslandOf(solver, joints.Sides(joint));
+        Exempt(island, !joints.IsExact(joint));
+        for (b2Body* body : {joints.At(joint).GetBodyA(), joints.At(joint).GetBodyB()})
+        {
+            const int32 index = Data(*body).SolverIndex();
+            Exempt(island, islands.Of(index) == -1 && Moves(solver.bodies[std::size_t(index)]));
+        }
+    });
+}
+
+void CarryGuard::Note(const World& world, const SolverMemory& solver)
+{
+    std::copy(solver.bodies.begin(), solver.bodies.end(), m_before.begin());
+    for (Island& island : m_islands)
+    {
+        island.before = island.after = 0.0;
+    }
+    for (const b2Body* body : world.awakeBodies)
+    {
+        const BodyData& data = Data(*body);
+        const int32 island = solver.islands.Of(data.SolverIndex());
+        if (island != -1)
+        {
+            m_islands[std::size_t(island)].before +=
+                KineticEnergyOf(data, solver.bodies[std::size_t(data.SolverIndex())]);
+        }
+    }
+}
+
+bool CarryGuard::HasWon(const World& world, SolverMemory& solver, const JointSystem& joints)
+{
+    for (const b2Body* body : world.awakeBodies)
+    {
+        const BodyData& data = Data(*body);
+        const int32 island = solver.islands.Of(data.SolverIndex());
+        if (island != -1)
+        {
+            m_islands[std::size_t(island)].after +=
+                KineticEnergyOf(data, solver.bodies[std::size_t(data.SolverIndex())]);
+        }
+    }
+    SolverContext start, end;
+    start.bodies = m_before.data();
+    end.bodies = solver.bodies.data();
+    joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
+        const int32 island = IslandOf(solver, joints.Sides(joint));
+        if (rows.giving > 0 && island != -1)
+        {
+            m_islands[std::size_t(island)].before += joints.MostWork(joint, start, end);
+        }
+    });
+    return std::any_of(m_islands.begin(), m_islands.end(),
+                       [](const Island& island) { return island.HasWon(); });
+}
+
+void CarryGuard::TakeBack(SolverMemory& solver) const
+{
+    for (std::size_t i = 0; i < solver.bodies.size(); ++i)
+    {
+        if (HasWon(solver.islands.Of(int32(i))))
+        {
+            solver.bodies[i].v = m_before[i].v;
+            solver.bodies[i].w = m_before[i].w;
+        }
+    }
+    ForContacts(solver, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
+        if (!HasWon(solver.islands.Of(block.bodyA[lane])) &&
+            !HasWon(solver.islands.Of(block.bodyB[lane])))
+        {
+            return;
+        }
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            block.points[i].normalImpulse[lane] = block.points[i].tangentImpulse[lane] = 0.0f;
+            totals.firstNormal[i][lane] = totals.firstTangent[i][lane] = 0.0f;
+        }
+    });
+}
+
+} // namespace box2d

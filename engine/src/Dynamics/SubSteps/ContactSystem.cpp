@@ -1,0 +1,577 @@
+// SPDX-License-Identifier: MIT
+#include "ContactSystem.h"
+
+#include "../Solver/SolverMemory.h"
+#include "JointSystem.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <utility>
+
+namespace box2d
+{
+
+namespace
+{
+
+constexpr int32 kMostContacts = 128; ///< of a pile
+constexpr int32 kMostUpdates = 16;   ///< a body of it, see RowPattern
+/// Below this share of what friction can hold a contact sticks.
+constexpr double kSticks = 0.9999;
+constexpr int32 kMostRounds = 2;  ///< of finding what friction can hold
+constexpr double kEndless = 1e30; ///< [Ns]
+/// What a platform or a pusher presses against something that does not move has no solution: no
+/// impulses are enough, and those of the least energy grow without end. Contacts of such a pile
+/// give way, each by this share of what its impulses would do to it alone, so that no impulse
+/// exceeds what stops its bodies from the pusher's speed by more than the share's inverse. So it is
+/// where joints and contacts contradict each other.
+constexpr float32 kJammedSoftness = 0.1f;
+/// They cannot be held when they come together by more than this share of the pusher's speed.
+constexpr double kHeld = 1e-3;
+/// Nor when they push by more than so many times what brings all of the pile to the pusher's speed
+/// and stops its weight, whose speed in a kick is so many tolerances.
+constexpr double kMostLoad = 10.0;
+constexpr double kTolerancesOfWeight = 100.0;
+/// Overlaps that sweeps leave above the one are brought to the other [m]: under any load less than
+/// a slop is left.
+constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
+constexpr float32 kOverlap = 0.8f * b2_linearSlop;
+constexpr float32 kAllPushes = 1.01f; ///< of contacts in a row, a little more than their sum
+
+/// A contact of a block as an item: a row for each normal, and one for the tangent.
+class ContactItem
+{
+public:
+    ContactItem(ContactBlock& block, int32 lane) : m_block(block), m_lane(lane) {}
+
+    void FillRows(JointRows& rows) const
+    {
+        const ContactData& contact = Data(*m_block.contact[m_lane]);
+        rows.Clear();
+        rows.rows = 3;
+        JointRows::Column& a = rows.Of(Data(*contact.bodyA));
+        JointRows::Column& b = rows.Of(Data(*contact.bodyB));
+        const b2Vec2 normal(m_block.normalX[m_lane], m_block.normalY[m_lane]);
+        const b2Vec2 tangent = b2Cross(normal, 1.0f);
+        const float32 share = 1.0f / float32(m_block.pointCount);
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            const PointLanes& p = m_block.points[i];
+            a.AddTo(i, -normal, -p.normalLeverA[m_lane]);
+            b.AddTo(i, normal, p.normalLeverB[m_lane]);
+            a.AddTo(2, -share * tangent, -share * p.tangentLeverA[m_lane]);
+            b.AddTo(2, share * tangent, share * p.tangentLeverB[m_lane]);
+        }
+    }
+
+    void Fill(BoundedSystem::Item& item, const Vector3& speed, double tolerance)
+    {
+        item = BoundedSystem::Item();
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            item.impulse.at[i] = double(Normal(i));
+            item.most.at[i] = kEndless;
+            const bool pushes = Normal(i) > 0.0f || speed.at[i] < -tolerance;
+            item.active = uint8(item.active | int(pushes) << i);
+            item.impulse.at[2] += double(Tangent(i));
+        }
+        item.speeds.at[2] = double(m_block.tangentSpeed[m_lane]);
+        const double limit = Holds(item);
+        item.least.at[2] = -limit;
+        item.most.at[2] = limit;
+        if (b2Abs(item.impulse.at[2]) < kSticks * limit)
+        {
+            item.active |= 4;
+        }
+    }
+
+    double Holds(const BoundedSystem::Item& item) const
+    {
+        return double(m_block.friction[m_lane]) * (item.impulse.at[0] + item.impulse.at[1]);
+    }
+
+    /// The impulses are right for a kick of this length, and grow with it.
+    void PassOnInProportion(BlockTotals& totals)
+    {
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            totals.firstNormal[i][m_lane] = Normal(i);
+            totals.firstTangent[i][m_lane] = Tangent(i);
+        }
+    }
+
+    /// Friction in shares of what each point can hold.
+    void Take(const BoundedSystem::Item& item)
+    {
+        double load = 0.0;
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            load += item.impulse.at[i];
+        }
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            const double share = load > 0.0 ? item.impulse.at[i] / load : 0.0;
+            Normal(i) = float32(item.impulse.at[i]);
+            Tangent(i) = float32(share * item.impulse.at[2]);
+        }
+    }
+
+    /// Lets its points come together by so much of what their impulses would do to it alone.
+    void SetSoftness(JointRows& rows, float32 share) const
+    {
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            rows.laws[i].softness = share / m_block.points[i].normalMass[m_lane];
+        }
+    }
+
+    /// How far a speed is from what it should be: across as long as friction can do more.
+    float32 Off(const SolverBody* bodies)
+    {
+        const SolverBody& a = bodies[m_block.bodyA[m_lane]];
+        const SolverBody& b = bodies[m_block.bodyB[m_lane]];
+        const b2Vec2 normal(m_block.normalX[m_lane], m_block.normalY[m_lane]);
+        const b2Vec2 apart = b.v - a.v;
+        const float32 along = b2Dot(apart, normal);
+        const float32 across = b2Dot(apart, b2Cross(normal, 1.0f)) - m_block.tangentSpeed[m_lane];
+        float32 most = 0.0f;
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            const PointLanes& p = m_block.points[i];
+            const float32 speed =
+                along + b.w * p.normalLeverB[m_lane] - a.w * p.normalLeverA[m_lane];
+            most = b2Max(most, Normal(i) > 0.0f ? b2Abs(speed) : -speed);
+            if (b2Abs(Tangent(i)) < float32(kSticks) * m_block.friction[m_lane] * Normal(i))
+            {
+                most = b2Max(most, b2Abs(across + b.w * p.tangentLeverB[m_lane] -
+                                         a.w * p.tangentLeverA[m_lane]));
+            }
+        }
+        return most;
+    }
+
+private:
+    float32& Normal(int32 i) { return m_block.points[i].normalImpulse[m_lane]; }
+    float32& Tangent(int32 i) { return m_block.points[i].tangentImpulse[m_lane]; }
+
+    ContactBlock& m_block;
+    int32 m_lane;
+};
+
+/// With the friction that the first `contacts` items can hold, which follows from what is found.
+template <class Holds>
+void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Holds& holds,
+                          const SolverContext& context, double tolerance)
+{
+    for (std::size_t i = 0; i < contacts; ++i)
+    {
+        (void)system.Limit(context, i, 2, holds(i));
+    }
+    for (int32 round = 0; round < kMostRounds; ++round)
+    {
+        system.Minimize(context, tolerance);
+        bool changed = false;
+        for (std::size_t i = 0; i < contacts; ++i)
+        {
+            changed = system.Limit(context, i, 2, holds(i)) || changed;
+        }
+        if (!changed)
+        {
+            break;
+        }
+    }
+}
+
+/// Whether the first `contacts` items were to hold what cannot be held: bodies shoot away, or
+/// points still come together, or push by more than what the pusher and weight ask for.
+bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
+              double tolerance)
+{
+    if (system.HasBurst(context))
+    {
+        return true;
+    }
+    const double driven = system.FastestGiven(context);
+    if (!(driven > 0.0))
+    {
+        return false;
+    }
+    double mass = 0.0;
+    for (const BodyData* body : system.Bodies())
+    {
+        mass += 1.0 / double(body->SolverInvMass());
+    }
+    const double most = kMostLoad * mass * (driven + kTolerancesOfWeight * tolerance);
+    for (std::size_t i = 0; i < contacts; ++i)
+    {
+        const Vector3 speed = SpeedOf(context, system.Rows(i));
+        const Vector3& impulse = system.At(i).impulse;
+        if (b2Min(speed.at[0], speed.at[1]) < -(tolerance + kHeld * driven) ||
+            b2Max(impulse.at[0], impulse.at[1]) > most)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// An overlap as an item: rows for its points, which are to move apart by a share of what exceeds
+/// the slop, and may come as near as that.
+void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
+                 PushPace pace, JointRows& rows, BoundedSystem::Item& item)
+{
+    rows.Clear();
+    item = BoundedSystem::Item();
+    rows.rows = 3;
+    const float32 share = 1.0f / float32(o.pointCount);
+    JointRows::Column& a = rows.Of(Data(*contact.bodyA));
+    JointRows::Column& b = rows.Of(Data(*contact.bodyB));
+    for (int32 i = 0; i < o.pointCount; ++i)
+    {
+        const Overlap overlap = MeasureOverlap(o, i, bodies[o.bodyA], bodies[o.bodyB]);
+        a.AddTo(i, -overlap.normal, -b2Cross(overlap.armA, overlap.normal));
+        b.AddTo(i, overlap.normal, b2Cross(overlap.armB, overlap.normal));
+        const b2Vec2 tangent = share * b2Cross(overlap.normal, 1.0f);
+        a.AddTo(2, -tangent, -b2Cross(overlap.armA, tangent));
+        b.AddTo(2, tangent, b2Cross(overlap.armB, tangent));
+        const float32 out = -pace.rate * (overlap.separation + kOverlap);
+        item.speeds.at[i] = double(b2Min(out, pace.most));
+        item.most.at[i] = kEndless;
+        item.active = uint8(item.active | int(out > 0.0f) << i);
+    }
+}
+
+} // namespace
+
+template <class Function>
+void ContactSystem::ForContacts(SolverMemory& solver, Function&& function) const
+{
+    for (int32 i = 0; i < solver.colorCount; ++i)
+    {
+        const int32 color = solver.colors[i];
+        ContactBlocks& blocks = solver.contacts[color];
+        for (int32 k = 0; k < blocks.Count(); ++k)
+        {
+            const ContactBlock& block = blocks.Contacts(k);
+            for (int32 lane = 0; lane < block.count; ++lane)
+            {
+                const int32 island = solver.islands.Of(block.bodyA[lane]);
+                function(island != -1 ? island : solver.islands.Of(block.bodyB[lane]),
+                         Place{color, k, lane});
+            }
+        }
+    }
+}
+
+void ContactSystem::Begin(SolverMemory& solver, JointSystem& joints)
+{
+    if (solver.colorCount == 0)
+    {
+        m_free.insert(m_free.end(), m_used.begin(), m_used.end());
+        m_used.clear();
+        return;
+    }
+    m_contacts.assign(std::size_t(solver.islands.Count()), 0);
+    CountContacts(solver);
+    ChoosePiles(solver.islands);
+    if (!m_used.empty())
+    {
+        Gather(solver, joints);
+    }
+}
+
+void ContactSystem::CountContacts(SolverMemory& solver)
+{
+    ForContacts(solver, [this](int32 island, const Place&) {
+        if (island != -1)
+        {
+            ++m_contacts[std::size_t(island)];
+        }
+    });
+}
+
+/// An island keeps its pile from step to step: its system may serve again, and has room enough.
+void ContactSystem::ChoosePiles(const AwakeIslands& islands)
+{
+    const auto isPile = [this](int32 number) {
+        const int32 contacts = number != -1 ? m_contacts[std::size_t(number)] : 0;
+        return contacts > 0 && contacts <= kMostContacts;
+    };
+    m_pileOf.assign(m_contacts.size(), -1);
+    std::size_t kept = 0;
+    for (const int32 index : m_used)
+    {
+        Pile& pile = m_piles[std::size_t(index)];
+        const int32 number = islands.NumberOf(pile.island);
+        if (isPile(number))
+        {
+            m_pileOf[std::size_t(number)] = index;
+            m_used[kept++] = index;
+        }
+        else
+        {
+            m_free.push_back(index);
+        }
+    }
+    m_used.resize(kept);
+    for (int32 number = 0; number < islands.Count(); ++number)
+    {
+        int32& index = m_pileOf[std::size_t(number)];
+        if (index == -1 && isPile(number))
+        {
+            index = TakePile();
+            m_piles[std::size_t(index)].island = islands.At(number);
+            m_used.push_back(index);
+        }
+    }
+    for (const int32 index : m_used)
+    {
+        Pile& pile = m_piles[std::size_t(index)];
+        pile.contacts.clear();
+        pile.joints.clear();
+        pile.followed = false;
+    }
+}
+
+int32 ContactSystem::TakePile()
+{
+    if (m_free.empty())
+    {
+        m_piles.emplace_back();
+        return int32(m_piles.size()) - 1;
+    }
+    const int32 pile = m_free.back();
+    m_free.pop_back();
+    return pile;
+}
+
+void ContactSystem::Gather(SolverMemory& solver, JointSystem& joints)
+{
+    ForContacts(solver, [this](int32 island, const Place& place) {
+        const int32 pile = island != -1 ? m_pileOf[std::size_t(island)] : -1;
+        if (pile != -1)
+        {
+            m_piles[std::size_t(pile)].contacts.push_back(place);
+        }
+    });
+    // What a tree does by itself touches none of the contacts, though an island that has not been
+    // taken apart yet may still hold both.
+    joints.ForRowed([&](std::size_t i, const JointRows&) {
+        const RowSides& sides = joints.Sides(i);
+        for (const BodyData* body : sides.sides)
+        {
+            const int32 island = body != nullptr ? solver.islands.NumberOf(body->island) : -1;
+            const int32 pile = island != -1 ? m_pileOf[std::size_t(island)] : -1;
+            if (pile != -1)
+            {
+                m_piles[std::size_t(pile)].joints.push_back(int32(i));
+                break;
+            }
+        }
+    });
+}
+
+/// A pile that has grown beyond all it has been takes over what a free one has room in.
+void ContactSystem::FindRoom(Pile& pile)
+{
+    for (std::size_t i = 0; i < m_free.size() && m_sides.size() > pile.sides.capacity(); ++i)
+    {
+        Pile& other = m_piles[std::size_t(m_free[i])];
+        if (m_sides.size() <= other.sides.capacity())
+        {
+            std::swap(pile.sides, other.sides);
+            std::swap(pile.system, other.system);
+        }
+    }
+}
+
+/// Builds the system anew if it was for others. Whether there is one.
+bool ContactSystem::Follow(Pile& pile, SolverMemory& solver, JointSystem& joints)
+{
+    if (!pile.followed)
+    {
+        pile.followed = true;
+        m_sides.clear();
+        for (const Place& place : pile.contacts)
+        {
+            const ContactBlock& block = solver.contacts[place.color].Contacts(place.block);
+            const ContactData& contact = Data(*block.contact[place.lane]);
+            RowSides& s = m_sides.emplace_back();
+            s.Add(Data(*contact.bodyA));
+            s.Add(Data(*contact.bodyB));
+        }
+        for (const int32 joint : pile.joints)
+        {
+            m_sides.push_back(joints.Sides(std::size_t(joint)));
+        }
+        if (m_sides != pile.sides)
+        {
+            FindRoom(pile);
+            MakeRoom(pile.sides, m_sides.size());
+            pile.sides = m_sides;
+            pile.system.Build(m_sides, kMostUpdates, m_elimination);
+        }
+    }
+    return pile.system.IsExact();
+}
+
+void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
+                                    const SolverContext& context, float32 tolerance)
+{
+    for (const int32 index : m_used)
+    {
+        Pile& pile = m_piles[std::size_t(index)];
+        float32 off = 0.0f;
+        for (const Place& place : pile.contacts)
+        {
+            ContactBlock& block = solver.contacts[place.color].Contacts(place.block);
+            off = b2Max(off, ContactItem(block, place.lane).Off(context.bodies));
+        }
+        if (off > tolerance && Follow(pile, solver, joints))
+        {
+            SolveVelocities(pile, solver, joints, context, tolerance);
+        }
+        for (const Place& place : pile.contacts)
+        {
+            ContactBlocks& blocks = solver.contacts[place.color];
+            ContactItem(blocks.Contacts(place.block), place.lane)
+                .PassOnInProportion(blocks.Totals(place.block));
+        }
+    }
+}
+
+void ContactSystem::SolveVelocities(Pile& pile, SolverMemory& solver, JointSystem& joints,
+                                    const SolverContext& context, float32 tolerance)
+{
+    const auto contact = [&](std::size_t i) {
+        const Place& place = pile.contacts[i];
+        return ContactItem(solver.contacts[place.color].Contacts(place.block), place.lane);
+    };
+    BoundedSystem& system = pile.system;
+    const std::size_t count = pile.contacts.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        ContactItem item = contact(i);
+        item.FillRows(system.Rows(i));
+        item.Fill(system.At(i), SpeedOf(context, system.Rows(i)), double(tolerance));
+    }
+    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    {
+        joints.FillItem(std::size_t(pile.joints[i]), system.Rows(count + i), system.At(count + i));
+    }
+    const auto holds = [&](std::size_t i) { return contact(i).Holds(system.At(i)); };
+    const auto soften = [&](float32 share) {
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            contact(i).SetSoftness(system.Rows(i), share);
+        }
+    };
+    system.Mark(context);
+    MinimizeWithFriction(system, count, holds, context, double(tolerance));
+    const bool jammed = IsJammed(system, count, context, double(tolerance));
+    if (jammed)
+    {
+        system.GoBack(context);
+        soften(kJammedSoftness);
+        system.Mark(context); // what gives way stores energy
+        MinimizeWithFriction(system, count, holds, context, double(tolerance));
+    }
+    system.KeepIfBetter(context);
+    if (jammed)
+    {
+        soften(0.0f);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        contact(i).Take(system.At(i));
+    }
+    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    {
+        joints.TakeItem(std::size_t(pile.joints[i]), system.At(count + i));
+    }
+}
+
+void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
+                                  const SolverContext& context, PushPace pace)
+{
+    m_moves.resize(b2Max(m_moves.size(), solver.bodies.size()));
+    for (const int32 index : m_used)
+    {
+        Pile& pile = m_piles[std::size_t(index)];
+        float32 smallest = 0.0f;
+        for (const Place& place : pile.contacts)
+        {
+            const OverlapConstraint o =
+                OverlapOf(solver.contacts[place.color].Overlaps(place.block), place.lane);
+            for (int32 k = 0; k < o.pointCount; ++k)
+            {
+                smallest = b2Min(
+                    smallest, MeasureOverlap(o, k, context.bodies[o.bodyA], context.bodies[o.bodyB])
+                                  .separation);
+            }
+        }
+        if (smallest < -kMostOverlap && Follow(pile, solver, joints))
+        {
+            SolveOverlaps(pile, solver, joints, context, pace);
+        }
+    }
+}
+
+/// What is a velocity for velocities is a way here.
+void ContactSystem::SolveOverlaps(Pile& pile, SolverMemory& solver, JointSystem& joints,
+                                  const SolverContext& context, PushPace pace)
+{
+    SolverContext ways = context;
+    ways.bodies = m_moves.data();
+    BoundedSystem& system = pile.system;
+    const std::size_t count = pile.contacts.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Place& place = pile.contacts[i];
+        ContactBlocks& blocks = solver.contacts[place.color];
+        FillOverlap(OverlapOf(blocks.Overlaps(place.block), place.lane),
+                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, pace,
+                    system.Rows(i), system.At(i));
+    }
+    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    {
+        joints.FillWays(std::size_t(pile.joints[i]), system.Rows(count + i), system.At(count + i));
+    }
+    system.Minimize(ways, double(0.01f * b2_linearSlop));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Place& place = pile.contacts[i];
+        BoundedSystem::Item& item = system.At(i);
+        const double load = item.impulse.at[0] + item.impulse.at[1];
+        item.most.at[2] =
+            double(solver.contacts[place.color].Contacts(place.block).friction[place.lane]) * load;
+        item.least.at[2] = -item.most.at[2];
+        if (load > 0.0)
+        {
+            item.active |= 4;
+        }
+    }
+    system.Minimize(ways, double(0.01f * b2_linearSlop));
+    float32 farthest = 0.0f;
+    for (const BodyData* body : system.Bodies())
+    {
+        farthest = b2Max(farthest, m_moves[std::size_t(body->SolverIndex())].v.Length());
+    }
+    // Farther than all pushes in a row: there is no room, and what came out is rounding.
+    const bool hasRoom = farthest <= kAllPushes * float32(count + 1) * pace.most;
+    for (const BodyData* body : system.Bodies())
+    {
+        SolverBody& way = m_moves[std::size_t(body->SolverIndex())];
+        way = hasRoom ? way : SolverBody();
+        SolverBody& s = context.bodies[body->SolverIndex()];
+        s.d += way.v;
+        if (body->SolverInvInertia() > 0.0f)
+        {
+            s.Rotate(way.w);
+        }
+        way = SolverBody();
+    }
+}
+
+} // namespace box2d

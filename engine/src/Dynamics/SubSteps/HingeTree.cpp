@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+#include "HingeTree.h"
+
+#include "../Direct/RowPattern.h"
+#include "../Joints/JointFrame.h"
+#include "../State/Access.h"
+#include "Closing.h"
+
+#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace box2d
+{
+
+namespace
+{
+
+constexpr int32 kMostDrifts = 128; ///< in a step
+constexpr int32 kMostTries = 4;
+/// How far a swing may turn in a drift, squared: by what the last step leaves to expect, and by
+/// what came up in the step.
+constexpr double kEstimated = 1.8;
+constexpr double kFound = 2.8;
+/// A body that turns is followed as closely as one that swings this much as fast.
+constexpr double kTurns = 3.0;
+
+/// Of the energies of a step: more than a drift that sees all swings makes by its errors.
+constexpr double kWonShare = 2e-3;
+constexpr float32 kHardlyOpen = 5e-3f; ///< as contacts are let overlap [m]
+constexpr float32 kTorn = 0.05f;       ///< a hinge that is so far open is hard to close [m]
+
+int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, int32 least)
+{
+    const double square = squaredFrequency * double(timeStep) * double(timeStep) / mostSquared;
+    int32 count = least;
+    while (double(count) * double(count) < square && count < kMostDrifts)
+    {
+        ++count;
+    }
+    return count;
+}
+
+b2Vec2 ArmOf(const BodyData& body, const b2Vec2& local)
+{
+    return b2Mul(body.rotation, local - body.localCenter);
+}
+
+} // namespace
+
+bool HingeTree::JointEnd::ByBodyAndOrder(const JointEnd& a, const JointEnd& b)
+{
+    return a.body->number != b.body->number ? a.body->number < b.body->number : a.order < b.order;
+}
+
+bool HingeTree::JointEnd::ByBody(const JointEnd& a, const JointEnd& b)
+{
+    return a.body->number < b.body->number;
+}
+
+bool HingeTree::Build(const Array<b2Joint*>& joints)
+{
+    m_links.clear();
+    m_ends.clear();
+    for (b2Joint* joint : joints)
+    {
+        const BodyData& a = Data(*joint->GetBodyA());
+        const BodyData& b = Data(*joint->GetBodyB());
+        if (joint->GetType() != e_revoluteJoint || &a == &b)
+        {
+            return false;
+        }
+        m_ends.push_back({&a, joint, m_ends.size()});
+        m_ends.push_back({&b, joint, m_ends.size()});
+        if (!IsMoved(a) || !IsMoved(b))
+        {
+            if (!m_links.empty())
+            {
+                return false; // tied down twice
+            }
+            AddLink(*joint, IsMoved(a) ? b : a, -1);
+        }
+    }
+    std::sort(m_ends.begin(), m_ends.end(), JointEnd::ByBodyAndOrder);
+    if (m_links.empty())
+    {
+        m_links.emplace_back().body = m_ends.front().body;
+    }
+    const std::size_t count = joints.size() + (m_links.front().joint == nullptr ? 1 : 0);
+    for (std::size_t i = 0; i < m_links.size() && m_links.size() <= count; ++i)
+    {
+        const Link link = m_links[i];
+        const auto [first, last] = std::equal_range(
+            m_ends.begin(), m_ends.end(), JointEnd{link.body, nullptr, 0}, JointEnd::ByBody);
+        for (auto end = first; end != last; ++end)
+        {
+            if (end->joint != link.joint)
+            {
+                AddLink(*end->joint, *link.body, int32(i));
+            }
+        }
+    }
+    return m_links.size() == count;
+}
+
+/// Of the body that a joint holds to `above`.
+void HingeTree::AddLink(b2Joint& joint, const BodyData& above, int32 parent)
+{
+    const BodyData& a = Data(*joint.GetBodyA());
+    const bool isFirst = &a != &above;
+    Link& link = m_links.emplace_back();
+    link.body = isFirst ? &a : &Data(*joint.GetBodyB());
+    link.above = &above;
+    link.joint = static_cast<b2RevoluteJoint*>(&joint);
+    link.parent = parent;
+    link.direction = isFirst ? -1.0f : 1.0f;
+}
+
+bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
+{
+    for (Link& link : m_links)
+    {
+        const BodyData& body = *link.body;
+        if (body.invMass <= 0.0f || body.invInertia <= 0.0f)
+        {
+            return false;
+        }
+        link.state = &context.bodies[body.SolverIndex()];
+        link.kick = kicks[body.awakeIndex];
+        link.given = Pair();
+        link.givenTurn = 0.0;
+        link.mass = 1.0 / double(body.invMass);
+        link.turning = 1.0 / double(body.invInertia);
+        if (link.joint == nullptr)
+        {
+            continue;
+        }
+        const b2RevoluteJoint& joint = *link.joint;
+        const bool moved = link.parent == -1 && link.above->SolverIndex() != 0;
+        if (joint.IsMotorEnabled() || joint.IsLimitEnabled() || moved)
+        {
+            return false;
+        }
+        const bool isFirst = link.direction < 0.0f;
+        const b2Vec2& own = isFirst ? joint.GetLocalAnchorA() : joint.GetLocalAnchorB();
+        const b2Vec2& other = isFirst ? joint.GetLocalAnchorB() : joint.GetLocalAnchorA();
+        link.aboveState = &context.bodies[link.above->SolverIndex()];
+        link.arm = ArmOf(body, own);
+        link.aboveArm = ArmOf(*link.above, other);
+        link.offset = CenterOffset(*link.above, body);
+    }
+    return true;
+}
+
+/// A body that hinges pull straight with forces F at arms r turns back and forth with the frequency
+/// sqrt(sum F.r / I), and a leapfrog is thrown about by what it sees less than three times in a
+/// swing. The number of drifts stays the same for all of a step: to change it throws about as well.
+/// When it has turned out too small, or energy has come out of nothing, the step is done again.
+void HingeTree::Step(float32 timeStep, int32 smallSteps)
+{
+    for (Link& link : m_links)
+    {
+        link.start = *link.state;
+    }
+    const double expected = LastStrain(double(timeStep)) / double(timeStep);
+    const bool wereClosed = WidestGap() < kHardlyOpen;
+    int32 count = CountFor(kEstimated, expected, timeStep, smallSteps);
+    Outcome outcome = StepIn(count, timeStep, true);
+    for (int32 tries = 0; tries < kMostTries; ++tries)
+    {
+        const double found = outcome.squaredFrequency;
+        int32 needed = CountFor(kFound, found, timeStep, smallSteps);
+        needed = outcome.won ? b2Max(needed, b2Min(2 * count, kMostDrifts)) : needed;
+        if (needed <= count)
+        {
+            break;
+        }
+        count = b2Max(needed, CountFor(kEstimated, found, timeStep, smallSteps));
+        GoBack();
+        outcome = StepIn(count, timeStep, true);
+    }
+    if (outcome.won)
+    {
+        StepSafely(count, timeStep);
+    }
+    if (wereClosed && WidestGap() > kNearlyClosed)
+    {
+        CloseWholly(timeStep);
+    }
+    LeaveImpulses();
+}
+
+/// What a whip has opened within a step does not stay open; what was made open closes slowly.
+void HingeTree::CloseWholly(float32 timeStep)
+{
+    for (Link& link : m_links)
+    {
+        link.open.SetZero();
+    }
+    ClosePoses(timeStep);
+    Prepare();
+    Stop();
+}
+
+/// What cannot be followed, a heavy ball that pulls a slack chain straight at once, is to lose its
+/// energy rather than win.
+void HingeTree::StepSafely(int32 count, float32 timeStep)
+{
+    GoBack();
+    (void)StepIn(count, timeStep, false);
+    if (WidestGap() > kTorn)
+    {
+        GoBack();
+        m_stiffened = true;
+        (void)StepIn(count, timeStep, false);
+        m_stiffened = false;
+    }
+    TakeWonEnergy();
+}
+
+void HingeTree::GoBack()
+{
+    for (Link& link : m_links)
+    {
+        *link.state = link.start;
+    }
+}
+
+/// A leapfrog: half a kick, drifts and whole kicks in turn, half a kick. Without impulses the
+/// hinges are closed in a way that can only lose energy.
+HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpulses)
+{
+    const float32 time = timeStep / float32(count);
+    for (Link& link : m_links)
+    {
+        link.total = Pair();
+    }
+    Kick(0.5f * time);
+    Outcome outcome;
+    double before = 0.0;
+    for (int32 i = 1; i <= count; ++i)
+    {
+        for (Link& link : m_links)
+        {
+            link.noted = link.total;
+            MoveByVelocity(*link.state, time, kMostSmallMove);
+        }
+        byImpulses ? Close(time) : ClosePoses(time);
+        Kick(i < count ? time : 0.5f * time);
+        const double given = double(i < count ? time : 0.75f * time);
+        const double strain = Strain(given) / given;
+        // An impact is not a swing: what counts came up in two drifts on end.
+        outcome.squaredFrequency = std::max(outcome.squaredFrequency, std::min(strain, before));
+        before = strain;
+    }
+    const Energy energy = WonEnergy();
+    outcome.won = energy.now - energy.due > kWonShare * energy.moved;
+    return outcome;
+}
+
+HingeTree::Energy HingeTree::WonEnergy() const
+{
+    Energy energy;
+    for (const Link& link : m_links)
+    {
+        const SolverBody& now = *link.state;
+        const b2Vec2 way = now.d - link.start.d;
+        const double work =
+            link.mass * double(b2Dot(link.kick.acceleration, way)) +
+            link.turning * double(link.kick.angularAcceleration * (now.angle - link.start.angle));
+        const double before = KineticEnergy(link.start, link.mass, link.turning);
+        energy.now += KineticEnergy(now, link.mass, link.turning);
+        energy.due += before + work;
+        energy.moved += before + std::abs(work);
+    }
+    return energy;
+}
+
+/// Slows all down alike, which leaves hinges at rest, and a free tree its momentum.
+void HingeTree::TakeWonEnergy()
+{
+    const Energy energy = WonEnergy();
+    if (energy.now <= energy.due)
+    {
+        return;
+    }
+    double mass = 0.0;
+    double x = 0.0;
+    double y = 0.0;
+    for (const Link& link : m_links)
+    {
+        mass += link.mass;
+        x += link.mass * double(link.state->v.x);
+        y += link.mass * double(link.state->v.y);
+    }
+    const bool free = m_links.front().joint == nullptr;
+    const b2Vec2 mean = free ? b2Vec2(float32(x / mass), float32(y / mass)) : b2Vec2(0.0f, 0.0f);
+    const double common = 0.5 * mass * double(mean.LengthSquared());
+    const auto share = float32(
+        std::sqrt(std::max(energy.due - common, 0.0) / std::max(energy.now - common, 1e-30)));
+    for (Link& link : m_links)
+    {
+        link.state->v = mean + b2Min(share, 1.0f) * (link.state->v - mean);
+        link.state->w *= b2Min(share, 1.0f);
+    }
+}
+
+/// When they were measured.
+float32 HingeTree::WidestGap() const
+{
+    float32 widest = 0.0f;
+    for (const Link& link : m_links)
+    {
+        widest = b2Max(widest, link.joint != nullptr ? link.open.Length() : 0.0f);
+    }
+    return widest;
+}
+
+/// And stops the hinges.
+void HingeTree::Kick(float32 time)
+{
+    Prepare();
+    for (Link& link : m_links)
+    {
+        link.kick.Give(*link.state, time);
+    }
+    Stop();
+}
+
+/// The largest sum F.r / I, times the time in which the impulses since they were noted were given.
+double HingeTree::Strain(double time)
+{
+    double highest = 0.0;
+    for (std::size_t i = m_links.size(); i-- > 0;)
+    {
+        Link& link = m_links[i];
+        if (link.joint != nullptr)
+        {
+            const Pair f{link.total.x - link.noted.x, link.total.y - link.noted.y};
+            link.pull += link.lever.x * f.y - link.lever.y * f.x;
+            if (link.parent != -1)
+            {
+                m_links[std::size_t(link.parent)].pull -=
+                    link.aboveLever.x * f.y - link.aboveLever.y * f.x;
+            }
+        }
+        const double w = kTurns * double(link.state->w);
+        highest = std::max({highest, link.pull / link.turning, w * w * time});
+        link.pull = 0.0;
+    }
+    return highest;
+}
+
+/// The same of the impulses that the last step left in the joints.
+double HingeTree::LastStrain(double time)
+{
+    for (Link& link : m_links)
+    {
+        if (link.joint != nullptr)
+        {
+            link.open = TakeLevers(link);
+            const b2Vec2 impulse = link.direction * link.joint->GetReactionForce(1.0f);
+            link.total = {double(impulse.x), double(impulse.y)};
+            link.noted = Pair();
+        }
+    }
+    return Strain(time);
+}
+
+void HingeTree::LeaveImpulses() const
+{
+    for (const Link& link : m_links)
+    {
+        if (link.joint != nullptr)
+        {
+            const float32 within[3] = {link.direction * float32(link.total.x),
+                                       link.direction * float32(link.total.y), 0.0f};
+            const float32 beyond[3] = {};
+            JointAccess::SetRowImpulses(*link.joint, within, beyond);
+        }
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,504 @@
+// SPDX-License-Identifier: MIT
+#include "../State/Access.h"
+#include "Closing.h"
+#include "JointSystem.h"
+
+#include <algorithm>
+
+/// How the JointSystem closes joints after a drift.
+namespace box2d
+{
+
+namespace
+{
+
+/// The compliance, see the header, where closing with the usual one fails (Levenberg, "A Method for
+/// the Solution of Certain Non-Linear Problems in Least Squares", 1944): joints then stay open a
+/// little.
+constexpr double kDamped = 1e-2;
+/// In loops, where joints that hold the same twice share the load: with less, rounding throws them
+/// about. In a tree more than RowSystem's own would let a heavy load sag.
+constexpr double kLoopCompliance = 1e-5;
+
+constexpr int32 kMostPoseCloses = 24;
+constexpr int32 kMostCycles = 16; ///< parts of a drift
+/// Of kinetic energy, by closing: see HasGained.
+constexpr double kMostGain = 0.5;
+/// Forces within a step are larger than on average.
+constexpr double kCycleMargin = 0.75;
+/// Far larger where a rope or a rod jerks, or a limit stops what is heavy.
+constexpr double kSnapMargin = 6.0;
+
+double KineticEnergyOf(const BodyData& body, const SolverBody& state)
+{
+    const double invInertia = body.SolverInvInertia();
+    return KineticEnergy(state, 1.0 / double(body.SolverInvMass()),
+                         invInertia > 0.0 ? 1.0 / invInertia : 0.0);
+}
+
+} // namespace
+
+void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
+                                 const BodyKick* kicks)
+{
+    for (const std::size_t i : m_rowed)
+    {
+        NoteKick(i);
+    }
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        if (m_parts[std::size_t(i)].tree != nullptr)
+        {
+            continue;
+        }
+        const int32 cycles = Cycles(i, timeStep);
+        cycles > 1 ? DriftInCycles(i, cycles, context, timeStep, kicks)
+                   : ClosePart(i, context, timeStep);
+    }
+    CloseSwept(context, timeStep, sweeps);
+    AddTotals();
+}
+
+double JointSystem::ComplianceOf(int32 part) const
+{
+    return m_system.HasLoops(part) ? kLoopCompliance : RowSystem::kCompliance;
+}
+
+void JointSystem::NotePoses(const SolverContext& context)
+{
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        m_system.ForBodies(i, [&](const BodyData& body, std::size_t place) {
+            m_poses[place] = context.bodies[body.SolverIndex()];
+        });
+    }
+}
+
+/// How many a drift has to be split into. A body that joints pull straight with forces F at arms r
+/// turns back and forth with the frequency sqrt(sum F.r / I), and a leapfrog is thrown about by
+/// what it sees less than three times in a swing. The same number for all of a step: to change it
+/// throws about as well. Only where there are limits the kick before the drift counts too: a rope
+/// that snaps taut stops in one what has fallen for long. That kick is at least half as long as the
+/// drift, see DriftInCycles.
+int32 JointSystem::Cycles(int32 part, float32 timeStep) const
+{
+    const Part& p = m_parts[std::size_t(part)];
+    if (p.touched || p.driven)
+    {
+        return 1;
+    }
+    const double now =
+        p.gives ? m_system.SquaredFrequency(part) / (0.5 * double(timeStep)) : p.squaredFrequency;
+    const double margin = p.gives || p.lines ? kSnapMargin : kCycleMargin;
+    const double square =
+        margin * std::max(p.squaredFrequency, now) * double(timeStep) * double(timeStep);
+    int32 count = 1;
+    while (double(count * count) < square && count < kMostCycles)
+    {
+        ++count;
+    }
+    return count;
+}
+
+/// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
+/// after are those of half a drift later and earlier. A limit only pushes, over all of a kick: so
+/// where there are limits the first kick goes on with the impulses of the one before the drift, and
+/// the last is left to be met by the one after it.
+void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
+                                float32 timeStep, const BodyKick* kicks)
+{
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        SolverBody& s = context.bodies[body.SolverIndex()];
+        s.d = m_poses[place].d;
+        s.q = m_poses[place].q;
+        s.angle = m_poses[place].angle;
+    });
+    const float32 time = timeStep / float32(count);
+    const float32 back = 0.5f * (time - timeStep);
+    SolverContext cycle = context;
+    cycle.inverseStep = 1.0f / time;
+    KickPart(part, cycle, back, kicks);
+    MeetKick(part, cycle);
+    for (int32 i = 1; i <= count; ++i)
+    {
+        m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
+            MoveByVelocity(cycle.bodies[body.SolverIndex()], time, kMostSmallMove);
+        });
+        ClosePart(part, cycle, time);
+        KickPart(part, cycle, i < count ? time : back, kicks);
+        if (!m_parts[std::size_t(part)].gives)
+        {
+            MeetKick(part, cycle);
+        }
+        else if (i < count)
+        {
+            ForgetImpulses(part);
+            MeetKick(part, cycle);
+        }
+    }
+}
+
+/// By what is no constraint.
+void JointSystem::KickPart(int32 part, const SolverContext& context, float32 time,
+                           const BodyKick* kicks)
+{
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
+        kicks[body.awakeIndex].Give(context.bodies[body.SolverIndex()], time);
+    });
+}
+
+/// They are in the totals.
+void JointSystem::ForgetImpulses(int32 part)
+{
+    m_system.ForItems(part, [&](std::size_t joint) {
+        AddTotals(joint);
+        m_system.Rows(joint).SetImpulse(Impulses{}.at);
+    });
+}
+
+/// The joint's rows at the present poses, with the impulses that they have.
+const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& context)
+{
+    JointRows& rows = m_system.Rows(joint);
+    Impulses kept;
+    std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+    rows.Clear();
+    JointAccess::FillRows(*m_joints[joint], context, rows);
+    rows.SetImpulse(kept.at);
+    return rows;
+}
+
+/// At the present poses.
+void JointSystem::MeetKick(int32 part, const SolverContext& context)
+{
+    Part& p = m_parts[std::size_t(part)];
+    m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context); });
+    p.factored = false;
+    SolvePart(part, context);
+    if (p.gives)
+    {
+        m_system.ForItems(part, [&](std::size_t joint) { NoteKick(joint); });
+    }
+}
+
+void JointSystem::NoteKick(std::size_t joint)
+{
+    std::copy_n(m_system.Rows(joint).impulse, JointRows::kMostRows, m_kicks[joint].at);
+}
+
+void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)
+{
+    Part& p = m_parts[std::size_t(part)];
+    m_system.ForItems(part, [&](std::size_t joint) {
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            m_left[joint].at[k] = (1.0f - kClosedShare) * Lasting(m_system.Rows(joint).error[k]);
+        }
+        p.factored = (m_gives[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
+    });
+    if (!p.factored)
+    {
+        m_system.Factor(part, ComplianceOf(part));
+        p.factored = true;
+    }
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        m_opened[place] = context.bodies[body.SolverIndex()];
+    });
+    if (Close(part, context, timeStep) && !HasGained(part, context, timeStep))
+    {
+        return;
+    }
+    const auto giveBack = [&] {
+        m_system.ForItems(
+            part, [&](std::size_t joint) { m_system.Rows(joint).SetImpulse(m_kicks[joint].at); });
+    };
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        context.bodies[body.SolverIndex()] = m_opened[place];
+    });
+    giveBack();
+    p.damped = true;
+    m_system.Factor(part, kDamped);
+    (void)Close(part, context, timeStep);
+    p.damped = false;
+    giveBack();
+    if (WantClosedPoses(part, context) > b2_linearSlop)
+    {
+        ClosePoses(part, context);
+    }
+}
+
+/// Closes by poses alone, by the rows of each pose in turn (Newton's method), all but what m_left
+/// says: velocities that do not really close the joints would throw them about for long. Near a
+/// pose where rows contradict each other they are damped (Levenberg, "A Method for the Solution of
+/// Certain Non-Linear Problems in Least Squares", 1944); the best pose is kept.
+void JointSystem::ClosePoses(int32 part, const SolverContext& context)
+{
+    float32 best = b2_maxFloat;
+    double compliance = ComplianceOf(part);
+    for (int32 i = 0; i < kMostPoseCloses; ++i)
+    {
+        float32 widest = WantClosedPoses(part, context);
+        if (widest < best)
+        {
+            best = widest;
+            m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+                m_opened[place] = context.bodies[body.SolverIndex()];
+            });
+        }
+        else
+        {
+            m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+                context.bodies[body.SolverIndex()] = m_opened[place];
+            });
+            if (compliance == kDamped)
+            {
+                break;
+            }
+            compliance = kDamped;
+            widest = WantClosedPoses(part, context);
+        }
+        if (widest < kNearlyClosed || i + 1 == kMostPoseCloses)
+        {
+            break;
+        }
+        m_system.Factor(part, compliance);
+        m_system.Solve(part);
+        m_system.Apply(part, context, 1.0f, false);
+    }
+    m_parts[std::size_t(part)].factored = false;
+}
+
+/// The ways that close the joints, and the rows at the present poses. Returns how far they are
+/// open.
+float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
+{
+    float32 widest = 0.0f;
+    m_system.ForItems(part, [&](std::size_t joint) {
+        const JointRows& rows = FillHere(joint, context);
+        (void)SetActiveToClose(joint);
+        Vector3& lack = m_system.Lack(joint);
+        lack = Vector3{};
+        for (int32 k = 0; k < rows.Rigid(); ++k)
+        {
+            const float32 open = rows.error[k] - m_left[joint].at[k];
+            widest = b2Max(widest, b2Abs(open));
+            lack.at[k] = -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
+        }
+    });
+    return widest;
+}
+
+/// Pushes are found to first order: what is turned far by them, for overlaps and joints almost
+/// contradict each other, opens joints wherever it goes. All of a part are shortened alike, so
+/// that no body turns so far that this is more than a slop.
+void JointSystem::ShortenPushes(int32 part, const SolverContext& context)
+{
+    float32 share = 1.0f;
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        const float32 turn = b2Abs(context.bodies[body.SolverIndex()].angle - m_poses[place].angle);
+        // The chord and the arc are t^2 / 2 of the arm apart.
+        const float32 most = b2Sqrt(2.0f * b2_linearSlop / b2Max(body.maxExtent, b2_linearSlop));
+        share = turn > most ? b2Min(share, most / turn) : share;
+    });
+    if (share == 1.0f)
+    {
+        return;
+    }
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        SolverBody& s = context.bodies[body.SolverIndex()];
+        const SolverBody& before = m_poses[place];
+        const float32 turn = share * (s.angle - before.angle);
+        s.d = before.d + share * (s.d - before.d);
+        s.angle = before.angle + turn;
+        s.q = b2Mul(before.q, b2Rot(turn));
+    });
+}
+
+bool JointSystem::HasMoved(int32 part, const SolverContext& context) const
+{
+    bool any = false;
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        const SolverBody& s = context.bodies[body.SolverIndex()];
+        any = any || !(s.d == m_poses[place].d) || s.angle != m_poses[place].angle;
+    });
+    return any;
+}
+
+void JointSystem::CloseAfterPushes(const SolverContext& context)
+{
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        if (m_parts[std::size_t(i)].touched && HasMoved(i, context))
+        {
+            ShortenPushes(i, context);
+            ClosePoses(i, context);
+        }
+    }
+}
+
+void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& context)
+{
+    Update(graph);
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        m_now.Clear();
+        JointAccess::FillRows(*m_joints[i], context, m_now);
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            m_left[i].at[k] = k < m_now.Rigid() ? Lasting(m_now.error[k]) : 0.0f;
+        }
+    }
+}
+
+void JointSystem::LetGo(int32 part)
+{
+    m_system.ForBodies(
+        part, [&](const BodyData&, std::size_t place) { m_system.SetBallast(place, 0.0, 0.0); });
+}
+
+/// Whether closing has given velocities that no drift can call for. It takes back what going
+/// straight on instead of round has opened, which makes a body that turns by an angle a faster by
+/// the share a^2 / 2, until the next kick. The opened poses' velocities are those before.
+bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 timeStep) const
+{
+    const double small = double(kNearlyClosed) / double(timeStep);
+    double before = 0.0;
+    double after = 0.0;
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        const SolverBody& now = context.bodies[body.SolverIndex()];
+        before += (1.0 + kMostGain) * KineticEnergyOf(body, m_opened[place]) +
+                  0.5 * small * small / double(body.SolverInvMass());
+        after += KineticEnergyOf(body, now);
+    });
+    return after > before;
+}
+
+/// False when that has opened them further: near a pose where they contradict each other, the rows
+/// of before the drift point elsewhere. Damped, only the poses are changed: velocities that do not
+/// really close the joints would throw them about for long.
+bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeStep)
+{
+    float32 first = 0.0f;
+    for (int32 i = 0; i < kMostCloses; ++i)
+    {
+        float32 widest = 0.0f;
+        m_system.ForItems(part, [&](std::size_t joint) {
+            widest = b2Max(widest, WantClosed(joint, context, timeStep, 1.0f));
+        });
+        if (i > 0 && widest > first)
+        {
+            return false;
+        }
+        first = i == 0 ? widest : first;
+        m_system.Solve(part);
+        m_system.Apply(part, context, timeStep, !m_parts[std::size_t(part)].damped);
+        if (widest < kNearlyClosed)
+        {
+            break;
+        }
+    }
+    DrawTogether(part, context, timeStep);
+    return true;
+}
+
+/// What was open before the drift. Speeds that close it would stay.
+void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32 timeStep)
+{
+    bool any = false;
+    m_system.ForItems(part, [&](std::size_t joint) {
+        const JointRows& rows = m_system.Rows(joint);
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            const float32 open = k < rows.Rigid() ? Lasting(rows.error[k]) : 0.0f;
+            m_system.Lack(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
+            any = any || open != 0.0f;
+        }
+    });
+    if (any)
+    {
+        m_system.Solve(part);
+        m_system.Apply(part, context, timeStep, false);
+    }
+}
+
+/// By sweeps, only the poses are changed too.
+void JointSystem::CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps)
+{
+    if (m_system.Swept().empty())
+    {
+        return;
+    }
+    for (int32 i = 0; i < kMostCloses && SweepClosed(context, timeStep, sweeps) >= kNearlyClosed;
+         ++i)
+    {}
+    for (const int32 joint : m_system.Swept())
+    {
+        m_system.Rows(std::size_t(joint)).SetImpulse(m_kicks[std::size_t(joint)].at);
+    }
+}
+
+/// Once. Returns how far a joint was open.
+float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps)
+{
+    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    {
+        m_before[i] = context.bodies[m_sweptBodies[i]->SolverIndex()];
+    }
+    float32 widest = 0.0f;
+    for (const int32 joint : m_system.Swept())
+    {
+        const auto i = std::size_t(joint);
+        const Vector3 speed = SpeedOf(context, m_system.Rows(i));
+        widest = b2Max(widest, WantClosed(i, context, timeStep, 1.0f - kClosedShare));
+        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        {
+            m_speeds[i].at[k] = speed.at[k] + m_system.Lack(i).at[k];
+        }
+    }
+    for (int32 sweep = 0; sweep < sweeps; ++sweep)
+    {
+        for (const int32 joint : m_system.Swept())
+        {
+            const auto i = std::size_t(joint);
+            Lack(i, context, m_speeds[i]);
+            m_system.SolveSwept(i);
+            Push(context, m_system.Rows(i), m_system.Found(i));
+        }
+    }
+    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    {
+        SolverBody& body = context.bodies[m_sweptBodies[i]->SolverIndex()];
+        body.d += timeStep * (body.v - m_before[i].v);
+        const float32 turn = timeStep * (body.w - m_before[i].w);
+        body.angle += turn;
+        body.q = b2Mul(body.q, b2Rot(turn));
+        body.v = m_before[i].v;
+        body.w = m_before[i].w;
+    }
+    return widest;
+}
+
+/// The change of speed that closes a joint in the time, up to a share of what lasts. Returns how
+/// far that is.
+float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
+                                float32 lasting)
+{
+    JointRows& now = m_now;
+    now.Clear();
+    JointAccess::FillRows(*m_joints[joint], context, now);
+    const float32(&before)[3] = m_system.Rows(joint).error;
+    Vector3 error = now.giving > 0 ? Beyond(joint, now, timeStep) : Vector3{};
+    for (int32 k = 0; k < now.Rigid(); ++k)
+    {
+        error.at[k] = double(now.error[k]) - double(lasting * Lasting(before[k]));
+    }
+    float32 widest = 0.0f;
+    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    {
+        m_system.Lack(joint).at[k] = -error.at[k] / double(timeStep);
+        widest = b2Max(widest, b2Abs(float32(error.at[k])));
+    }
+    return widest;
+}
+
+} // namespace box2d

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include "JointSystem.h"
+
+#include "../State/Access.h"
+#include "../State/ConstraintGraph.h"
+
+#include <algorithm>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// Updates a body that a system may cost on average: a tree has one, a ladder two.
+constexpr int32 kMostUpdates = 16;
+/// Of finding what gives way: one is the rule.
+constexpr int32 kMostTries = 12;
+/// From this one on what gives way does not hold again: tries may go round in circles, and the last
+/// would leave something holding with more than it has, fifty times as much in a random world.
+constexpr int32 kSettlingTry = 6;
+constexpr double kEndless = 1e30; ///< [Ns]
+
+} // namespace
+
+void JointSystem::Update(const ConstraintGraph& graph)
+{
+    if (m_version == graph.JointVersion())
+    {
+        return;
+    }
+    m_version = graph.JointVersion();
+    m_joints = graph.Joints();
+    m_sides.clear();
+    for (b2Joint* joint : m_joints)
+    {
+        m_sides.push_back(SidesOf(*joint));
+    }
+    m_system.Build(m_sides, kMostUpdates, m_elimination);
+    m_parts.assign(std::size_t(m_system.Components()), Part());
+    BuildTrees();
+    m_gives.assign(m_joints.size(), 0);
+    m_yields.assign(m_joints.size(), Yields());
+    if (m_restoredVersion == m_version && m_restored.size() == m_joints.size())
+    {
+        m_yields.swap(m_restored);
+    }
+    m_restoredVersion = -1;
+    m_totals.resize(m_joints.size());
+    m_kicks.resize(m_joints.size());
+    m_speeds.resize(m_joints.size());
+    m_poses.resize(m_system.Bodies().size());
+    m_left.assign(m_joints.size(), Impulses());
+    m_opened.resize(m_system.Bodies().size());
+    m_before.resize(m_system.Bodies().size());
+    m_sweptBodies.clear();
+    for (const int32 joint : m_system.Swept())
+    {
+        for (const BodyData* body : m_sides[std::size_t(joint)].sides)
+        {
+            if (body != nullptr)
+            {
+                m_sweptBodies.push_back(body);
+            }
+        }
+    }
+    std::sort(m_sweptBodies.begin(), m_sweptBodies.end(),
+              [](const BodyData* a, const BodyData* b) { return a->number < b->number; });
+    m_sweptBodies.erase(std::unique(m_sweptBodies.begin(), m_sweptBodies.end()),
+                        m_sweptBodies.end());
+}
+
+void JointSystem::BuildTrees()
+{
+    m_treeOf.assign(m_parts.size(), -1);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+    {
+        if (m_system.HasLoops(int32(i)))
+        {
+            continue;
+        }
+        m_partJoints.clear();
+        m_system.ForItems(int32(i),
+                          [&](std::size_t item) { m_partJoints.push_back(m_joints[item]); });
+        m_trees.resize(b2Max(m_trees.size(), count + 1));
+        if (m_trees[count].Build(m_partJoints))
+        {
+            m_treeOf[i] = int32(count++);
+        }
+    }
+}
+
+void JointSystem::Begin(const SolverContext& context, float32 share, float32 lastInverseStep,
+                        const BodyKick* kicks)
+{
+    m_inTree.assign(m_joints.size(), 0);
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        BeginPart(i, context, kicks);
+    }
+    m_rowed.clear();
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
+    {
+        if (m_inTree[i] == 0)
+        {
+            m_rowed.push_back(i);
+            m_totals[i] = Totals();
+            TakeImpulses(i);
+        }
+    }
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        Part& part = m_parts[std::size_t(i)];
+        part.squaredFrequency =
+            part.tree == nullptr ? double(lastInverseStep) * m_system.SquaredFrequency(i) : 0.0;
+    }
+    for (const std::size_t i : m_rowed)
+    {
+        for (float32& impulse : m_system.Rows(i).impulse)
+        {
+            impulse *= share;
+        }
+    }
+}
+
+/// What is moved by contacts goes at their pace, and with them.
+void JointSystem::BeginPart(int32 index, const SolverContext& context, const BodyKick* kicks)
+{
+    Part& part = m_parts[std::size_t(index)];
+    part = Part();
+    m_system.ForBodies(index, [&](const BodyData& body, std::size_t) {
+        part.touched = part.touched || body.colorMask != 0;
+    });
+    const int32 tree = m_treeOf[std::size_t(index)];
+    if (tree != -1 && !part.touched && m_trees[std::size_t(tree)].Begin(context, kicks))
+    {
+        part.tree = &m_trees[std::size_t(tree)];
+        m_system.ForItems(index, [&](std::size_t joint) { m_inTree[joint] = 1; });
+    }
+}
+
+void JointSystem::TakeImpulses(std::size_t joint)
+{
+    JointRows& rows = m_system.Rows(joint);
+    JointAccess::GetRowImpulses(*m_joints[joint], rows.impulse);
+    for (float32& impulse : rows.impulse)
+    {
+        impulse = b2IsValid(impulse) ? impulse : 0.0f;
+    }
+}
+
+void JointSystem::StepTrees(float32 timeStep, int32 smallSteps)
+{
+    for (const Part& part : m_parts)
+    {
+        if (part.tree != nullptr)
+        {
+            part.tree->Step(timeStep, smallSteps);
+        }
+    }
+}
+
+void JointSystem::End()
+{
+    AddTotals();
+    for (const std::size_t i : m_rowed)
+    {
+        JointAccess::SetRowImpulses(*m_joints[i], m_totals[i].within, m_totals[i].beyond);
+    }
+}
+
+void JointSystem::Prepare(const SolverContext& context)
+{
+    for (const std::size_t i : m_rowed)
+    {
+        JointRows& rows = m_system.Rows(i);
+        Impulses kept;
+        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+        rows.Clear();
+        JointAccess::FillRows(*m_joints[i], context, rows);
+        std::copy_n(kept.at, rows.rows, rows.impulse);
+        m_gives[i] = rows.giving > 0;
+        if (rows.giving > 0)
+        {
+            Validate(rows, m_yields[i]);
+        }
+    }
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+    {
+        Part& part = m_parts[i];
+        part.gives = part.driven = part.lines = part.factored = false;
+        m_system.ForItems(int32(i), [&](std::size_t item) {
+            part.gives = part.gives || m_gives[item] != 0;
+            part.driven = part.driven || m_system.Rows(item).IsDriven();
+            part.lines = part.lines || m_system.Rows(item).length > 0.0f;
+        });
+    }
+}
+
+void JointSystem::WarmStart(const SolverContext& context, float32 share)
+{
+    for (const std::size_t i : m_rowed)
+    {
+        Start(context, i, share);
+    }
+}
+
+void JointSystem::Start(const SolverContext& context, std::size_t joint, float32 share)
+{
+    JointRows& rows = m_system.Rows(joint);
+    Vector3 impulse{};
+    bool any = false;
+    for (int32 k = 0; k < rows.rows; ++k)
+    {
+        const float32 carried = CarriedOver(joint, k, share);
+        rows.impulse[k] = 0.0f;
+        impulse.at[k] = double(carried);
+        any = any || carried != 0.0f;
+    }
+    if (any)
+    {
+        Push(context, rows, impulse);
+    }
+}
+
+/// What is missing of the wanted speeds.
+void JointSystem::Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted)
+{
+    const Vector3 speed = SpeedOf(context, m_system.Rows(joint));
+    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    {
+        m_system.Lack(joint).at[k] = wanted.at[k] - speed.at[k];
+    }
+}
+
+void JointSystem::SolvePart(int32 part, const SolverContext& context)
+{
+    Part& p = m_parts[std::size_t(part)];
+    for (int32 tries = 0; tries < kMostTries; ++tries)
+    {
+        if (!p.factored)
+        {
+            m_system.ForItems(part, [&](std::size_t joint) { SetActive(joint); });
+            m_system.Factor(part, ComplianceOf(part));
+            p.factored = true;
+        }
+        m_system.ForItems(part, [&](std::size_t joint) { WantSpeeds(joint, context); });
+        m_system.Solve(part);
+        m_system.Apply(part, context);
+        bool changed = false;
+        // What has been found at last is solved for, or else it would tear at what is rigid.
+        if (p.gives && tries + 1 < kMostTries)
+        {
+            // All by the same solution.
+            m_system.ForItems(part, [&](std::size_t joint) {
+                m_speeds[joint] = SpeedOf(context, m_system.Rows(joint));
+            });
+            m_system.ForItems(part, [&](std::size_t joint) {
+                changed =
+                    (m_gives[joint] != 0 && Reconsider(joint, context, tries >= kSettlingTry)) ||
+                    changed;
+            });
+        }
+        p.factored = !changed;
+        if (!changed)
+        {
+            break;
+        }
+    }
+}
+
+void JointSystem::SolveVelocities(const SolverContext& context, bool first)
+{
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        const Part& part = m_parts[std::size_t(i)];
+        if (part.tree == nullptr && (first || part.touched))
+        {
+            SolvePart(i, context);
+        }
+    }
+    for (const int32 joint : m_system.Swept())
+    {
+        const auto i = std::size_t(joint);
+        for (int32 tries = 0; tries < kMostTries; ++tries)
+        {
+            SetActive(i);
+            m_system.FactorSwept(i);
+            WantSpeeds(i, context);
+            m_system.SolveSwept(i);
+            Push(context, m_system.Rows(i), m_system.Found(i));
+            m_speeds[i] = SpeedOf(context, m_system.Rows(i));
+            if (m_gives[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
+            {
+                break;
+            }
+        }
+    }
+}
+
+void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const
+{
+    rows = m_system.Rows(joint);
+    item = BoundedSystem::Item();
+    for (int32 i = 0; i < rows.rows; ++i)
+    {
+        const Yield yield = i < rows.Rigid() ? Yield::Holds : m_yields[joint].of[i];
+        const JointRows::Law& law = rows.laws[i];
+        const bool bounded = i >= rows.Rigid() && law.most < b2_maxFloat;
+        item.impulse.at[i] = double(rows.impulse[i]);
+        item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, yield, i, 0.0);
+        item.least.at[i] = bounded && yield != Yield::Fastest ? -double(law.most) : -kEndless;
+        item.most.at[i] = bounded && yield != Yield::Slowest ? double(law.most) : kEndless;
+        const bool held = yield != Yield::Most && yield != Yield::Least;
+        item.active = uint8(item.active | int(held) << i);
+    }
+}
+
+void JointSystem::FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const
+{
+    rows = m_system.Rows(joint);
+    item = BoundedSystem::Item();
+    for (int32 i = 0; i < rows.rows; ++i)
+    {
+        const bool rigid = i < rows.Rigid();
+        const Yield yield = m_yields[joint].of[i];
+        item.least.at[i] = rigid || yield == Yield::Fastest ? -kEndless : 0.0;
+        item.most.at[i] = rigid || yield == Yield::Slowest ? kEndless : 0.0;
+        item.active = uint8(item.active | int(item.least.at[i] < item.most.at[i]) << i);
+    }
+}
+
+void JointSystem::TakeItem(std::size_t joint, const BoundedSystem::Item& item)
+{
+    JointRows& rows = m_system.Rows(joint);
+    for (int32 i = 0; i < rows.rows; ++i)
+    {
+        rows.impulse[i] = float32(item.impulse.at[i]);
+    }
+}
+
+} // namespace box2d

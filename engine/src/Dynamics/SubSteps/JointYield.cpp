@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: MIT
+#include "JointSystem.h"
+
+#include "../Joints/JointFrame.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// Motors, limits and friction in the JointSystem: each row that gives way either takes part in it,
+/// held at a speed, or has an impulse at its bound. From an exact solution it follows which of the
+/// two is wrong, for all rows at once; then it is solved again.
+namespace box2d
+{
+
+namespace
+{
+
+/// Impulses that are bounded as a vector count as the same within this share of the bound.
+constexpr float32 kSameImpulse = 1e-4f;
+constexpr int32 kMostNewtonSteps = 20;   ///< five are the rule
+constexpr double kLeastResponse = 1e-12; ///< of one direction, as a share of the other
+
+float32 WantedOf(const JointRows::Law& law)
+{
+    return b2Clamp(law.wanted, law.slowest, law.fastest);
+}
+
+/// A symmetric matrix of two rows.
+struct Pair
+{
+    double xx, xy, yy;
+};
+
+/// How impulses of the first two rows change their speeds.
+Pair ResponseOf(const JointRows& rows)
+{
+    Pair k{double(rows.laws[0].softness), 0.0, double(rows.laws[1].softness)};
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        const double m = c.invMass;
+        const double i = c.invInertia;
+        k.xx += m * double(c.x[0] * c.x[0] + c.y[0] * c.y[0]) + i * double(c.w[0] * c.w[0]);
+        k.xy += m * double(c.x[0] * c.x[1] + c.y[0] * c.y[1]) + i * double(c.w[0] * c.w[1]);
+        k.yy += m * double(c.x[1] * c.x[1] + c.y[1] * c.y[1]) + i * double(c.w[1] * c.w[1]);
+    }
+    return k;
+}
+
+/// Of impulses of a length, the one with which what lacks, g - K x with g = lacking + K now, is
+/// along it: (K + s) x = g, s >= 0. Newton's method for 1 / |x(s)| = 1 / most, in the axes of K
+/// (More and Sorensen, "Computing a Trust Region Step", 1983), converges from below. If an impulse
+/// that is no longer leaves nothing to lack, that one; else a little longer than `most`.
+b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, float32 most)
+{
+    const double half = 0.5 * (k.xx - k.yy);
+    const double root = std::sqrt(half * half + k.xy * k.xy);
+    const double large = 0.5 * (k.xx + k.yy) + root;
+    if (!(large > 0.0) || most == 0.0f)
+    {
+        return now;
+    }
+    const double small = b2Max((k.xx * k.yy - k.xy * k.xy) / large, 0.0);
+    // The axis of the larger, from the column that is not nearly zero.
+    double c = half >= 0.0 ? root + half : k.xy;
+    double s = half >= 0.0 ? k.xy : root - half;
+    const double length = std::sqrt(c * c + s * s);
+    c = length > 0.0 ? c / length : 1.0;
+    s = length > 0.0 ? s / length : 0.0;
+    const double gx = double(lacking.x) + k.xx * double(now.x) + k.xy * double(now.y);
+    const double gy = double(lacking.y) + k.xy * double(now.x) + k.yy * double(now.y);
+    const double g1 = c * gx + s * gy;
+    const double g2 = c * gy - s * gx;
+    const double bound = double(most);
+    double shift = b2Max(std::sqrt(g1 * g1 + g2 * g2) / bound - large, 0.0);
+    double x1 = 0.0, x2 = 0.0;
+    for (int32 i = 0; i < kMostNewtonSteps; ++i)
+    {
+        const double d1 = large + shift;
+        const double d2 = b2Max(small + shift, kLeastResponse * large);
+        x1 = g1 / d1;
+        x2 = g2 / d2;
+        const double square = x1 * x1 + x2 * x2;
+        const double size = std::sqrt(square);
+        if (size <= bound * (1.0 + 1e-6))
+        {
+            break;
+        }
+        shift += square / (x1 * x1 / d1 + x2 * x2 / d2) * (size - bound) / bound;
+    }
+    const double size = std::sqrt(x1 * x1 + x2 * x2);
+    const double scale =
+        shift > 0.0 && size > 0.0 ? (1.0 + double(kSameImpulse)) * bound / size : 1.0;
+    return b2Vec2(float32(scale * (c * x1 - s * x2)), float32(scale * (s * x1 + c * x2)));
+}
+
+/// What brings a row by itself to the speed wanted.
+float32 LackingImpulse(const JointRows& rows, int32 row, float32 speed)
+{
+    const JointRows::Law& law = rows.laws[row];
+    float32 response = law.softness;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        response += c.invMass * (c.x[row] * c.x[row] + c.y[row] * c.y[row]) +
+                    c.invInertia * c.w[row] * c.w[row];
+    }
+    const float32 lacking = WantedOf(law) - law.softness * rows.impulse[row] - speed;
+    return response > 0.0f ? lacking / response : 0.0f;
+}
+
+b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
+{
+    return b2Vec2(impulse[0], impulse[1]);
+}
+
+} // namespace
+
+/// What a joint was told since the last kick may have made impossible.
+void JointSystem::Validate(const JointRows& rows, Yields& yields)
+{
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const JointRows::Law& law = rows.laws[i];
+        Yield& yield = yields.of[i];
+        const bool unbounded = (yield == Yield::Slowest && law.slowest == -b2_maxFloat) ||
+                               (yield == Yield::Fastest && law.fastest == b2_maxFloat);
+        if (unbounded || law.most == b2_maxFloat)
+        {
+            yield = Yield::Holds;
+        }
+        if (yield == Yield::Holds && (law.most == 0.0f || law.DrivesAbove()))
+        {
+            yield = Yield::Most;
+        }
+        if (yield == Yield::Holds && law.DrivesBelow())
+        {
+            yield = Yield::Least;
+        }
+    }
+}
+
+/// The impulse that a row starts a kick with. What is solved exactly starts from none: it comes out
+/// the same, and joints that contradict each other do not wind up.
+float32 JointSystem::CarriedOver(std::size_t joint, int32 row, float32 share) const
+{
+    const JointRows& rows = m_system.Rows(joint);
+    const Yields& yields = m_yields[joint];
+    const bool alone = row >= rows.Rigid() && !(rows.disc && row < 2);
+    if (alone && yields.of[row] == Yield::Most)
+    {
+        return rows.laws[row].most;
+    }
+    if (alone && yields.of[row] == Yield::Least)
+    {
+        return -rows.laws[row].most;
+    }
+    const bool slips = rows.disc && row < 2 && yields.of[row] == Yield::Most;
+    return m_system.IsExact(joint) && !slips ? 0.0f : share * rows.impulse[row];
+}
+
+/// Rows whose impulses are at their bounds take no part in the system.
+void JointSystem::SetActive(std::size_t joint)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    uint8 active = 7;
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const Yield yield = m_yields[joint].of[i];
+        if (yield == Yield::Most || yield == Yield::Least)
+        {
+            active = uint8(active & ~(1u << i));
+        }
+    }
+    m_system.SetActive(joint, active);
+}
+
+/// When joints are closed only what is rigid, and what is at a limit, takes part: motors and
+/// springs give what they may in the kicks, and would give it a second time. Whether that are other
+/// rows than in the kick.
+bool JointSystem::SetActiveToClose(std::size_t joint)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    uint8 active = uint8((1u << rows.Rigid()) - 1u);
+    bool other = false;
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const Yield yield = m_yields[joint].of[i];
+        const bool bounded = yield == Yield::Slowest || yield == Yield::Fastest;
+        active = uint8(active | unsigned(bounded) << i);
+        other = other || yield == Yield::Holds;
+    }
+    m_system.SetActive(joint, active);
+    return other;
+}
+
+void JointSystem::WantSpeeds(std::size_t joint, const SolverContext& context)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    Vector3 wanted{};
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        wanted.at[i] = WantedSpeed(rows, m_yields[joint].of[i], i, double(rows.impulse[i]));
+    }
+    Lack(joint, context, wanted);
+}
+
+double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse)
+{
+    const JointRows::Law& law = rows.laws[row];
+    switch (yield)
+    {
+    case Yield::Holds:
+        return double(WantedOf(law)) - double(law.softness) * impulse;
+    case Yield::Slowest:
+        return double(law.slowest);
+    case Yield::Fastest:
+        return double(law.fastest);
+    case Yield::Most:
+    case Yield::Least:
+        break;
+    }
+    // What gives all it can wants no less for it: contacts that take up its work may let it hold.
+    return double(WantedOf(law));
+}
+
+double JointSystem::MostWork(std::size_t joint, const SolverContext& before,
+                             const SolverContext& after) const
+{
+    const JointRows& rows = m_system.Rows(joint);
+    const Vector3 from = SpeedOf(before, rows);
+    const Vector3 to = SpeedOf(after, rows);
+    double work = 0.0;
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const JointRows::Law& law = rows.laws[i];
+        const Yield yield = m_yields[joint].of[i];
+        const float32 within = rows.disc && i < 2 ? rows.impulse[i] : law.Within(rows.impulse[i]);
+        const float32 bound = yield == Yield::Slowest   ? law.slowest
+                              : yield == Yield::Fastest ? law.fastest
+                                                        : 0.0f;
+        const double wanted = b2Max(double(within) * double(law.wanted), 0.0) +
+                              b2Max(double(rows.impulse[i] - within) * double(bound), 0.0);
+        const double done = 0.5 * double(rows.impulse[i]) * (from.at[i] + to.at[i]);
+        work += b2Min(wanted, b2Max(done, 0.0));
+    }
+    return work;
+}
+
+/// Whether anything has changed, so that all has to be solved again.
+bool JointSystem::Reconsider(std::size_t joint, const SolverContext& context, bool settles)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    const Vector3& speed = m_speeds[joint];
+    bool changed = false;
+    int32 row = rows.Rigid();
+    if (rows.disc)
+    {
+        changed = ReconsiderDisc(context, joint, speed, settles);
+        row = 2;
+    }
+    for (; row < rows.rows; ++row)
+    {
+        changed = Reconsider(context, joint, row, float32(speed.at[row]), settles) || changed;
+    }
+    return changed;
+}
+
+bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, int32 row,
+                             float32 speed, bool settles)
+{
+    JointRows& rows = m_system.Rows(joint);
+    const JointRows::Law& law = rows.laws[row];
+    Yield& yield = m_yields[joint].of[row];
+    const float32 impulse = rows.impulse[row];
+    Yield next = After(law, yield, impulse, speed);
+    // The bounds change with every kick.
+    float32 bound = next == Yield::Most ? law.most : -law.most;
+    if (settles && next == Yield::Holds && yield != Yield::Holds)
+    {
+        next = yield;
+        bound = b2Clamp(impulse + LackingImpulse(rows, row, speed), -law.most, law.most);
+    }
+    const bool moves = (next == Yield::Most || next == Yield::Least) && impulse != bound;
+    if (moves)
+    {
+        Vector3 difference{};
+        difference.at[row] = double(bound) - double(impulse);
+        Push(context, rows, difference);
+        rows.impulse[row] = bound;
+    }
+    const bool changed = moves || next != yield;
+    yield = next;
+    return changed;
+}
+
+/// What follows from an impulse and a speed of a row. The law's graph, impulse over speed, falls in
+/// steps: beyond the most at the slowest, the most, from there to the least at the speed wanted,
+/// the least, beyond it at the fastest. Where the speed wanted is below the slowest, all speeds
+/// have the least and its most is not met, and the other way round.
+JointSystem::Yield JointSystem::After(const JointRows::Law& law, Yield yield, float32 impulse,
+                                      float32 speed)
+{
+    const float32 same = JointRows::kSameSpeed * (1.0f + b2Abs(speed));
+    const float32 wanted = WantedOf(law);
+    switch (yield)
+    {
+    case Yield::Holds:
+        return impulse > law.most ? Yield::Most : impulse < -law.most ? Yield::Least : yield;
+    case Yield::Slowest:
+        return impulse >= law.Within(law.most) ? yield
+               : law.DrivesBelow()             ? Yield::Least
+                                               : Yield::Most;
+    case Yield::Fastest:
+        return impulse <= law.Within(-law.most) ? yield
+               : law.DrivesAbove()              ? Yield::Most
+                                                : Yield::Least;
+    case Yield::Most:
+    case Yield::Least:
+        break;
+    }
+    if (speed < law.slowest - same)
+    {
+        return Yield::Slowest;
+    }
+    if (speed > law.fastest + same)
+    {
+        return Yield::Fastest;
+    }
+    const bool tooMuch = yield == Yield::Most && speed > wanted + same;
+    const bool tooLittle = yield == Yield::Least && speed < wanted - same;
+    if (law.most == 0.0f || !(tooMuch || tooLittle))
+    {
+        return yield;
+    }
+    return law.DrivesBelow() ? Yield::Least : law.DrivesAbove() ? Yield::Most : Yield::Holds;
+}
+
+/// How far a drift has gone beyond what a bound on the speed allowed, by row; what holds joints
+/// together when they close holds them at their limits too.
+Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const
+{
+    Vector3 beyond{};
+    const JointRows& rows = m_system.Rows(joint);
+    for (int32 i = rows.Rigid(); i < rows.rows; ++i)
+    {
+        const Yield yield = m_yields[joint].of[i];
+        const double way = double(now.laws[i].place) - double(rows.laws[i].place) -
+                           double(timeStep) * WantedSpeed(rows, yield, i, double(rows.impulse[i]));
+        if ((yield == Yield::Slowest && way < 0.0) || (yield == Yield::Fastest && way > 0.0))
+        {
+            beyond.at[i] = way;
+        }
+    }
+    return beyond;
+}
+
+/// Two rows whose impulses are bounded as a vector: when they slip, the vector turns until it is
+/// against the slip.
+bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint,
+                                 const Vector3& speed, bool settles)
+{
+    Yields& yields = m_yields[joint];
+    JointRows& rows = m_system.Rows(joint);
+    const float32 most = rows.laws[0].most;
+    const b2Vec2 impulse = PairOf(rows.impulse);
+    b2Vec2 wanted = impulse;
+    if (yields.of[0] != Yield::Holds)
+    {
+        const Pair k = ResponseOf(rows);
+        const b2Vec2 lacking(
+            rows.laws[0].wanted - rows.laws[0].softness * impulse.x - float32(speed.at[0]),
+            rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
+        wanted = SlippingImpulse(k, impulse, lacking, most);
+    }
+    const bool slips = most == 0.0f || wanted.LengthSquared() > most * most ||
+                       (settles && yields.of[0] == Yield::Most);
+    const Yield next = slips ? Yield::Most : Yield::Holds;
+    const bool changed = yields.of[0] != next;
+    yields.of[0] = yields.of[1] = next;
+    if (!slips)
+    {
+        return changed;
+    }
+    const b2Vec2 difference = ClampLength(wanted, most) - impulse;
+    if (!changed && difference.Length() <= kSameImpulse * most)
+    {
+        return false;
+    }
+    Push(context, rows, Vector3{{double(difference.x), double(difference.y), 0.0}});
+    return true;
+}
+
+/// Of the kick that has been solved.
+void JointSystem::AddTotals()
+{
+    for (const std::size_t i : m_rowed)
+    {
+        AddTotals(i);
+    }
+}
+
+void JointSystem::AddTotals(std::size_t joint)
+{
+    const JointRows& rows = m_system.Rows(joint);
+    Totals& totals = m_totals[joint];
+    for (int32 k = 0; k < rows.rows; ++k)
+    {
+        const float32 within =
+            rows.disc && k < 2 ? rows.impulse[k] : rows.laws[k].Within(rows.impulse[k]);
+        totals.within[k] += within;
+        totals.beyond[k] += rows.impulse[k] - within;
+    }
+}
+
+} // namespace box2d

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../State/Solver.h"
+#include "BodyKick.h"
+#include "CarryGuard.h"
+#include "ContactSystem.h"
+#include "FirstLoads.h"
+#include "JointSystem.h"
+
+namespace box2d
+{
+
+/// How a body gets through a step of sub-steps.
+enum class WayOfBody : uint8
+{
+    Together, ///< sub-step by sub-step, with all others
+    Flies,    ///< at once: nothing holds or touches it
+    InTree,   ///< with its HingeTree
+};
+
+/// The memory of a step in sub-steps.
+struct SubStepMemory
+{
+    JointSystem joints;
+    ContactSystem contacts;
+    FirstLoads firstLoads;
+    CarryGuard carryGuard;
+    Array<WayOfBody> ways;          ///< by awake body
+    Array<BodyKick> kicks;          ///< by awake body
+    Array<SolverBody> beforePushes; ///< by solver index: see MoveApart
+    Array<float32> farthestPushes;  ///< by number of AwakeIslands: of any of its bodies [m]
+};
+
+} // namespace box2d

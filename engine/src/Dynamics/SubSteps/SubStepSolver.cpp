@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: MIT
+#include "SubStepSolver.h"
+
+#include "../Energy/EnergyGuard.h"
+#include "../State/Access.h"
+#include "../State/ProfileScope.h"
+#include "Bouncer.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2TimeStep.h>
+
+/// A step in n small ones (Macklin et al., "Small Steps in Physics Simulation", 2019): contacts are
+/// found once, and then velocities and positions take turns. They are staggered by half a small
+/// step, as in the leapfrog scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration",
+/// 2006, I.1.4): half a kick, a drift, whole kicks between drifts, half a kick at the end.
+///   v += a h/2;  n times { x += v h;  v += a h, the last time a h/2 }
+/// It is of second order, free flight comes out exactly, and what rests gets no speed at all, for
+/// each kick is met by the constraints at once. Joints close by impulses along their directions
+/// before the drift, which is what keeps their energy (SHAKE: Ryckaert, Ciccotti, Berendsen, 1977;
+/// RATTLE: Andersen, 1983).
+namespace box2d
+{
+
+namespace
+{
+
+/// Sweeps have done enough for a pile when its contacts come together by less than this share of
+/// what weight does in a kick.
+constexpr float32 kRestTolerance = 0.01f;
+constexpr int32 kSweepsFromNothing = 8; ///< at least, where nothing is carried over
+constexpr int32 kMostBounces = 64;      ///< sweeps over what bounces in a row
+/// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
+/// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
+constexpr float32 kPushSpeed = 3.0f;
+
+/// As in a whole step the sweeps of a kick turn once, and the next kick goes on the way that this
+/// one ended. A kick of one sweep turns with every second kick, which is the same.
+Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
+{
+    if (count > 1)
+    {
+        return ColorDirectionOf(iteration, count, turned != (kick % 2 == 1));
+    }
+    return ((kick + 1) / 2 % 2 == 1) == turned ? Direction::Forward : Direction::Backward;
+}
+
+/// Whether a contact of the block is to bounce. It is then for Bounce: nothing does any more.
+bool TakeBias(ContactBlock& block)
+{
+    bool any = false;
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        for (float32& bias : block.points[i].bias)
+        {
+            any = any || bias > 0.0f;
+            bias = 0.0f;
+        }
+    }
+    return any;
+}
+
+/// Keeps the share of each contact's impulses that was still given at the end of the last step:
+/// an impact is over.
+void KeepLasting(ContactBlock& block)
+{
+    for (int32 lane = 0; lane < block.count; ++lane)
+    {
+        const float32 lasting = b2Max(Data(*block.contact[lane]).lasting, 0.0f);
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            block.points[i].normalImpulse[lane] *= lasting;
+            block.points[i].tangentImpulse[lane] *= lasting;
+        }
+    }
+}
+
+/// See ScaleImpulses: of what the last kick changed, a half.
+void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
+{
+    for (int32 lane = 0; lane < block.count; ++lane)
+    {
+        float32 last = 0.0f;
+        float32 all = 0.0f;
+        for (int32 i = 0; i < block.pointCount; ++i)
+        {
+            last += 0.5f * (block.points[i].normalImpulse[lane] + totals.firstNormal[i][lane]);
+            all += totals.normal[i][lane];
+        }
+        Data(*block.contact[lane]).lasting = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
+    }
+}
+
+/// From a kick to one that is `share` times as long. What sweeps change stops what came together
+/// before the kick as well as what the kick itself brought, and the former does not grow with its
+/// length. So the change passes on as it is: twice as large after the half kick at the start it
+/// would be over-relaxed by 2, beyond which sweeps diverge, and tall piles did.
+void ScaleImpulses(ContactBlock& block, BlockTotals& totals, float32 share)
+{
+    const auto scale = [share](float32& impulse, float32& first) {
+        impulse = share > 1.0f ? impulse + (share - 1.0f) * first : share * impulse;
+        first = impulse;
+    };
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        PointLanes& p = block.points[i];
+        for (int32 lane = 0; lane < kBlockLanes; ++lane)
+        {
+            scale(p.normalImpulse[lane], totals.firstNormal[i][lane]);
+            scale(p.tangentImpulse[lane], totals.firstTangent[i][lane]);
+        }
+    }
+}
+
+void AddImpulses(const ContactBlock& block, BlockTotals& totals)
+{
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        for (int32 lane = 0; lane < kBlockLanes; ++lane)
+        {
+            totals.normal[i][lane] += block.points[i].normalImpulse[lane];
+            totals.tangent[i][lane] += block.points[i].tangentImpulse[lane];
+        }
+    }
+}
+
+void TakeTotals(ContactBlock& block, const BlockTotals& totals)
+{
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        for (int32 lane = 0; lane < kBlockLanes; ++lane)
+        {
+            block.points[i].normalImpulse[lane] = totals.normal[i][lane];
+            block.points[i].tangentImpulse[lane] = totals.tangent[i][lane];
+        }
+    }
+}
+
+} // namespace
+
+void World::SolveInSubSteps(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
+    const int32 count = subStepCount;
+    const float32 h = timeStep / float32(count);
+    const int32 velocitySweeps = b2IterationsOfASubStep(velocityIterations, count);
+    const int32 positionSweeps = b2IterationsOfASubStep(positionIterations, count);
+    // Overlaps go at the same pace whatever the number of small steps: faster throws things about.
+    const float32 rate =
+        b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
+    SubStepSolver solve(*this, timeStep);
+    const auto kick = [&](float32 duration, float32 share) {
+        ProfileScope velocity(profiling, profile.solveVelocity);
+        solve.Kick(duration, share, velocitySweeps);
+    };
+    {
+        ProfileScope init(profiling, profile.solveInit);
+        solve.WakeJointNeighbours();
+        solve.Begin(count);
+        energyGuard->Begin(*this, *solver, timeStep);
+    }
+    const bool together = solve.AnyTogether();
+    if (together)
+    {
+        kick(0.5f * h, 1.0f);
+    }
+    for (int32 i = 1; i <= count && together; ++i)
+    {
+        {
+            ProfileScope position(profiling, profile.solvePosition);
+            solve.Drift(h, velocitySweeps);
+            solve.MoveApart(h, positionSweeps, rate);
+            solve.CloseAfterPushes();
+        }
+        const bool last = i == count;
+        // From half a kick to a whole one, and back.
+        kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
+    }
+    sweepsTurned = velocitySweeps > 1 ? (count % 2 == 0) != sweepsTurned : !sweepsTurned;
+    {
+        ProfileScope position(profiling, profile.solvePosition);
+        solve.End();
+    }
+    solve.NoteImpulses();
+    energyGuard->Balance(*this, *solver);
+    solve.WriteBack();
+    solve.LetRest();
+    solve.ReportImpulses();
+}
+
+SubStepSolver::SubStepSolver(World& world, float32 timeStep)
+    : StepSolver(world, timeStep), m_subSteps(*world.subSteps)
+{}
+
+void SubStepSolver::Begin(int32 count)
+{
+    const float32 toHalfKick = 0.5f / float32(count);
+    const bool wereSmall = m_world.lastSubSteps > 1;
+    const float32 wholeRatio = m_context.stepRatio;
+    // From the last half a kick to the first.
+    m_context.stepRatio *= wereSmall ? float32(m_world.lastSubSteps) / float32(count) : toHalfKick;
+    m_world.lastSubSteps = count;
+    m_memory.bodies.resize(m_world.awakeBodies.size() + 1);
+    m_memory.bodies[0] = SolverBody();
+    m_subSteps.kicks.resize(m_world.awakeBodies.size());
+    m_context.bodies = m_memory.bodies.data();
+    ForBodies([this](std::size_t i) {
+        const BodyData& body = Data(*m_world.awakeBodies[i]);
+        SolverBody& s = m_memory.bodies[i + 1];
+        s = SolverBody();
+        s.v = body.linearVelocity;
+        s.w = body.angularVelocity;
+        m_subSteps.kicks[i] = BodyKick(body, m_world.gravity);
+    });
+    PrepareContacts();
+    for (int32 i = 0; i < m_memory.colorCount; ++i)
+    {
+        m_memory.contacts[m_memory.colors[i]].ClearTotals();
+    }
+    if (wereSmall)
+    {
+        ForEachBlock(Direction::Forward, m_threads,
+                     [](ContactBlocks& blocks, int32 i) { KeepLasting(blocks.Contacts(i)); });
+    }
+    m_subSteps.firstLoads.Find(m_world, m_memory, 0.5f * m_context.timeStep / float32(count));
+    Bounce();
+    FindFlying();
+    m_context.inverseStep *= float32(count);
+    m_subSteps.joints.Update(m_world.graph);
+    m_subSteps.joints.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
+                            m_world.inverseStep, m_subSteps.kicks.data());
+    if (AnyHeld())
+    {
+        m_memory.islands.Find(m_world);
+        m_subSteps.carryGuard.Begin(m_memory, m_subSteps.joints);
+    }
+    m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
+    m_subSteps.joints.ForTreeBodies([this](const BodyData& body) {
+        m_subSteps.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
+    });
+}
+
+/// What comes near fast is thrown back, pair by pair, until nothing does any more: a row of balls
+/// passes it on (Chatterjee and Ruina, "A New Algebraic Rigid-Body Collision Law", 1998, call this
+/// sequential impacts).
+void SubStepSolver::Bounce()
+{
+    bool any = false;
+    ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
+        any = TakeBias(blocks.Contacts(i)) || any;
+    });
+    for (int32 sweep = 0; sweep < kMostBounces && any; ++sweep)
+    {
+        any = false;
+        ForEachBlock(DirectionOf(sweep), nullptr, [&](ContactBlocks& blocks, int32 i) {
+            ContactBlock& block = blocks.Contacts(i);
+            for (int32 lane = 0; lane < block.count; ++lane)
+            {
+                const float32 restitution = Data(*block.contact[lane]).restitution;
+                any =
+                    (restitution > 0.0f && Bouncer(block, blocks.Totals(i), lane, m_context.bodies)
+                                               .Bounce(restitution)) ||
+                    any;
+            }
+        });
+    }
+}
+
+/// Whether there are contacts, or joints that are not in a tree.
+bool SubStepSolver::AnyHeld() const
+{
+    return m_memory.colorCount > 0 || m_subSteps.joints.HasRows();
+}
+
+/// Whether anything goes small step by small step.
+bool SubStepSolver::AnyTogether() const
+{
+    return AnyHeld() || std::find(m_subSteps.ways.begin(), m_subSteps.ways.end(),
+                                  WayOfBody::Together) != m_subSteps.ways.end();
+}
+
+void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
+{
+    JointSystem& joints = m_subSteps.joints;
+    SolverContext kick = m_context;
+    kick.timeStep = duration;
+    joints.Prepare(kick); // before the kick: springs compare the velocities
+    ForBodies([&](std::size_t i) {
+        if (m_subSteps.ways[i] == WayOfBody::Together)
+        {
+            m_subSteps.kicks[i].Give(m_memory.bodies[i + 1], duration);
+        }
+    });
+    CarryGuard& guard = m_subSteps.carryGuard;
+    if (AnyHeld())
+    {
+        guard.Note(m_world, m_memory);
+    }
+    joints.WarmStart(kick, share);
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        ScaleImpulses(blocks.Contacts(i), blocks.Totals(i), share);
+        WarmStartBlock(blocks.Contacts(i), m_context.bodies);
+    });
+    Sweep(iterations);
+    if (AnyHeld() && guard.HasWon(m_world, m_memory, joints))
+    {
+        guard.TakeBack(m_memory);
+        joints.StartAgain(kick,
+                          [&](const RowSides& sides) { return guard.HasWon(m_memory, sides); });
+        Sweep(b2Max(iterations, kSweepsFromNothing));
+    }
+    ++m_kick;
+    m_subSteps.contacts.SolveVelocities(m_memory, m_subSteps.joints, m_context,
+                                        kRestTolerance * duration * m_world.gravity.Length() +
+                                            1e-6f);
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        AddImpulses(blocks.Contacts(i), blocks.Totals(i));
+    });
+}
+
+void SubStepSolver::Sweep(int32 iterations)
+{
+    JointSystem& joints = m_subSteps.joints;
+    for (int32 i = 0; i < iterations; ++i)
+    {
+        joints.SolveVelocities(m_context, i == 0);
+        const bool changed =
+            SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.sweepsTurned));
+        if (!changed && joints.IsExact())
+        {
+            break;
+        }
+    }
+}
+
+/// What nothing holds or touches flies through the step at once, which costs less and rounds less.
+void SubStepSolver::FindFlying()
+{
+    const std::size_t count = m_world.awakeBodies.size();
+    m_subSteps.ways.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const BodyData& body = Data(*m_world.awakeBodies[i]);
+        const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
+                           body.linearDamping == 0.0f && body.angularDamping == 0.0f;
+        m_subSteps.ways[i] = flies ? WayOfBody::Flies : WayOfBody::Together;
+    }
+    // What is solved one by one is in no colour.
+    for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
+    {
+        for (const b2Body* body : {Data(*contact).bodyA, Data(*contact).bodyB})
+        {
+            if (Data(*body).awakeIndex != -1)
+            {
+                m_subSteps.ways[std::size_t(Data(*body).awakeIndex)] = WayOfBody::Together;
+            }
+        }
+    }
+}
+
+/// x += v h + a h^2 / 2
+void SubStepSolver::Fly(std::size_t index)
+{
+    SolverBody& s = m_memory.bodies[index + 1];
+    const float32 h = m_context.timeStep;
+    const b2Vec2 a = m_subSteps.kicks[index].acceleration;
+    const float32 alpha = m_subSteps.kicks[index].angularAcceleration;
+    const b2Vec2 after = Bounded(s.v + h * a);
+    s.v += (0.5f * h) * a;
+    s.w += (0.5f * h) * alpha;
+    const SolverBody middle = s;
+    for (int32 i = 0; i < m_world.subStepCount; ++i)
+    {
+        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallMove);
+    }
+    s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been slowed down
+    s.w = Bounded(s.w + (0.5f * h) * alpha);
+}
+
+void SubStepSolver::Drift(float32 timeStep, int32 sweeps)
+{
+    m_subSteps.joints.NotePoses(m_context);
+    ForBodies([&](std::size_t i) {
+        if (m_subSteps.ways[i] == WayOfBody::Together)
+        {
+            MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMostSmallMove);
+        }
+    });
+    m_subSteps.joints.SolvePositions(m_context, timeStep, sweeps, m_subSteps.kicks.data());
+    m_subSteps.joints.NotePoses(m_context);
+}
+
+void SubStepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
+{
+    m_subSteps.beforePushes = m_memory.bodies;
+    // The sweeps and the solution after them take equal parts of the way.
+    const float32 most = b2Min(kPushSpeed * timeStep / float32(sweeps + 1), b2_maxLinearCorrection);
+    float32 deepest = 0.0f;
+    for (int32 i = 0; i < sweeps; ++i)
+    {
+        const float32 found = SolveOverlaps(DirectionOf(i), {rate, most});
+        deepest = b2Min(deepest, found);
+        if (found >= -b2_linearSlop)
+        {
+            break;
+        }
+    }
+    m_subSteps.contacts.SolveOverlaps(m_memory, m_subSteps.joints, m_context,
+                                      {b2_baumgarte / float32(m_world.subStepCount), most});
+    if (deepest < -b2_linearSlop)
+    {
+        LimitPushes(kFarthestPush * timeStep);
+    }
+}
+
+/// Shortens all pushes of an island alike, so that no point of its bodies has gone farther than
+/// `most` [m] by them. The directions stay, and what was not to come nearer does not.
+void SubStepSolver::LimitPushes(float32 most)
+{
+    m_subSteps.farthestPushes.assign(std::size_t(m_memory.islands.Count()), 0.0f);
+    const auto forPushed = [this](auto&& function) {
+        for (const b2Body* body : m_world.awakeBodies)
+        {
+            const int32 i = Data(*body).SolverIndex();
+            const int32 island = m_memory.islands.Of(i);
+            if (island != -1)
+            {
+                function(Data(*body), m_subSteps.farthestPushes[std::size_t(island)],
+                         m_subSteps.beforePushes[std::size_t(i)], m_memory.bodies[std::size_t(i)]);
+            }
+        }
+    };
+    bool any = false;
+    forPushed([&](const BodyData& body, float32& far, const SolverBody& before, SolverBody& s) {
+        const float32 way = PushOf(before, s, body.maxExtent);
+        far = b2Max(far, way);
+        any = any || way > most;
+    });
+    if (!any)
+    {
+        return;
+    }
+    forPushed([&](const BodyData&, float32 far, const SolverBody& before, SolverBody& s) {
+        if (far > most)
+        {
+            ShortenPush(before, s, most / far);
+        }
+    });
+}
+
+void SubStepSolver::End()
+{
+    ForBodies([this](std::size_t i) {
+        if (m_subSteps.ways[i] == WayOfBody::Flies)
+        {
+            Fly(i);
+        }
+    });
+    m_subSteps.joints.StepTrees(m_context.timeStep, m_world.subStepCount);
+    m_subSteps.joints.End();
+    if (m_world.allowSleep)
+    {
+        FindDeep();
+    }
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        NoteLasting(blocks.Contacts(i), blocks.Totals(i));
+        TakeTotals(blocks.Contacts(i), blocks.Totals(i));
+        StoreImpulses(blocks.Contacts(i));
+    });
+}
+
+} // namespace box2d

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../Solver/StepSolver.h"
+#include "SubStepMemory.h"
+
+namespace box2d
+{
+
+/// The stages of solving one step in sub-steps, in the order in which World::SolveInSubSteps calls
+/// them.
+class SubStepSolver : public StepSolver
+{
+public:
+    SubStepSolver(World& world, float32 timeStep);
+
+    void Begin(int32 count);
+    /// Whether anything goes sub-step by sub-step.
+    bool AnyTogether() const;
+    /// Kicks, and solves the velocities.
+    void Kick(float32 duration, float32 share, int32 iterations);
+    void Drift(float32 timeStep, int32 sweeps);
+    void MoveApart(float32 timeStep, int32 sweeps, float32 rate);
+    void CloseAfterPushes() { m_subSteps.joints.CloseAfterPushes(m_context); }
+    void End();
+
+private:
+    bool AnyHeld() const;
+    void Bounce();
+    void Sweep(int32 iterations);
+    void LimitPushes(float32 most);
+    void FindFlying();
+    void Fly(std::size_t index);
+
+    SubStepMemory& m_subSteps;
+    int32 m_kick = 0; ///< number of the next
+};
+
+} // namespace box2d

@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: MIT
+#include "../State/Access.h"
+#include "../State/BodyPose.h"
+#include "../State/Reach.h"
+#include "../State/World.h"
+
+#include "../../Collision/MassProperties.h"
+
+#include <Box2D/Dynamics/Contacts/b2Contact.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+#include <new>
+
+namespace box2d
+{
+
+void SynchronizePose(BodyData& body)
+{
+    body.pose =
+        Pose{WithinReach(body.pose.x), WithinReach(body.pose.y), WithinReach(body.pose.angle)};
+    double sine = 0.0;
+    double cosine = 1.0;
+    SinCos(body.pose.angle, &sine, &cosine);
+    body.rotation.s = float32(sine);
+    body.rotation.c = float32(cosine);
+    const double lx = body.localCenter.x;
+    const double ly = body.localCenter.y;
+    body.transform.q = body.rotation;
+    body.transform.p = b2Vec2(float32(body.pose.x - (cosine * lx - sine * ly)),
+                              float32(body.pose.y - (sine * lx + cosine * ly)));
+    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
+    body.room = 0.0f;
+}
+
+void SynchronizePlace(BodyData& body)
+{
+    if (body.localCenter != b2Vec2(0.0f, 0.0f))
+    {
+        SynchronizePose(body); // with sine and cosine in double precision
+        return;
+    }
+    body.pose.x = WithinReach(body.pose.x);
+    body.pose.y = WithinReach(body.pose.y);
+    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
+    body.transform.q = body.rotation;
+    body.transform.p = body.worldCenter;
+}
+
+b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
+{
+    return b2Vec2(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
+}
+
+b2Transform RelativeTransform(const BodyData& a, const BodyData& b)
+{
+    const b2Vec2 originOffset = CenterOffset(a, b) - b2Mul(b.rotation, b.localCenter);
+    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter,
+                       b2MulT(a.rotation, b.rotation));
+}
+
+namespace
+{
+
+std::uint32_t InitialFlags(const b2BodyDef& def)
+{
+    std::uint32_t flags = 0;
+    flags |= def.awake ? kBodyAwake : 0u;
+    flags |= def.allowSleep ? kBodyAutoSleep : 0u;
+    flags |= def.bullet ? kBodyBullet : 0u;
+    flags |= def.fixedRotation ? kBodyFixedRotation : 0u;
+    flags |= def.active ? kBodyActive : 0u;
+    return flags;
+}
+
+constexpr const char* kWrongType =
+    "A body's type must be b2_staticBody, b2_kinematicBody or b2_dynamicBody.";
+
+bool IsType(b2BodyType type)
+{
+    return type == b2_staticBody || type == b2_kinematicBody || type == b2_dynamicBody;
+}
+
+float32 Finite(float32 value, float32 otherwise)
+{
+    return b2IsValid(value) ? value : otherwise;
+}
+
+b2Vec2 Finite(const b2Vec2& value)
+{
+    return value.IsValid() ? value : b2Vec2(0.0f, 0.0f);
+}
+
+void Fill(BodyData& body, const b2BodyDef& def)
+{
+    body.mobility = IsType(def.type) ? static_cast<Mobility>(def.type) : Mobility::Static;
+    body.flags = InitialFlags(def) & ~std::uint32_t(kBodyAwake);
+    const b2Vec2 position = IsWithinReach(def.position) ? def.position : b2Vec2(0.0f, 0.0f);
+    body.pose = Pose{position.x, position.y, Finite(def.angle, 0.0f)};
+    body.previous = body.pose;
+    if (body.mobility != Mobility::Static)
+    {
+        body.linearVelocity = Finite(def.linearVelocity);
+        body.angularVelocity = Finite(def.angularVelocity, 0.0f);
+    }
+    // Infinity is a damping: nothing moves. Not a number is none.
+    body.linearDamping = def.linearDamping >= 0.0f ? def.linearDamping : 0.0f;
+    body.angularDamping = def.angularDamping >= 0.0f ? def.angularDamping : 0.0f;
+    body.gravityScale = Finite(def.gravityScale, 1.0f);
+    body.userData = def.userData;
+    if (body.IsDynamic())
+    {
+        body.mass = 1.0f;
+        body.invMass = 1.0f;
+    }
+    SynchronizePose(body);
+}
+
+bool IsSound(const b2BodyDef& def)
+{
+    return B2_REQUIRE(IsType(def.type), kWrongType) &&
+           B2_REQUIRE(IsWithinReach(def.position) && IsWithinReach(def.angle),
+                      "A body's position and angle must be finite and within 1e15 of zero: check "
+                      "b2BodyDef::position and angle.") &&
+           B2_REQUIRE(def.linearVelocity.IsValid() && b2IsValid(def.angularVelocity),
+                      "A body's velocities must be finite: check b2BodyDef::linearVelocity and "
+                      "angularVelocity.") &&
+           B2_REQUIRE(def.linearDamping >= 0.0f && def.angularDamping >= 0.0f,
+                      "A body's damping must be a number and not negative.") &&
+           B2_REQUIRE(b2IsValid(def.gravityScale), "A body's gravity scale must be finite.");
+}
+
+} // namespace
+
+b2Body* World::CreateBody(const b2BodyDef& def)
+{
+    (void)IsSound(def); // with asserts off, Fill replaces what is unsound
+    b2Body& body = AddBody();
+    BodyData& data = Data(body);
+    data.number = bodyNumber++;
+    hasBullets = hasBullets || def.bullet;
+    Fill(data, def);
+    inactiveCount += data.IsActive() ? 0 : 1;
+    if (data.IsDynamic() && data.IsActive())
+    {
+        islands.Add(body);
+    }
+    if (def.awake)
+    {
+        Wake(body);
+    }
+    return &body;
+}
+
+b2Body& World::AddBody()
+{
+    b2Body* body = new (allocator.Allocate(int32(sizeof(b2Body)))) b2Body();
+    BodyData& data = Data(*body);
+    data.world = this;
+    data.next = bodyList;
+    if (bodyList)
+    {
+        Data(*bodyList).prev = body;
+    }
+    bodyList = body;
+    ++bodyCount;
+    return *body;
+}
+
+void World::DestroyBody(b2Body& body)
+{
+    BodyData& data = Data(body);
+    while (data.jointList)
+    {
+        DestroyJointImplicitly(*data.jointList->joint);
+    }
+    while (data.contactList)
+    {
+        DestroyContact(*data.contactList->contact);
+    }
+    while (data.fixtureList)
+    {
+        b2Fixture* fixture = data.fixtureList;
+        if (destructionListener)
+        {
+            const Lock lock(*this);
+            destructionListener->SayGoodbye(fixture);
+        }
+        DestroyFixture(body, *fixture);
+    }
+    PutToSleep(body);
+    islands.Remove(body);
+    (data.prev ? Data(*data.prev).next : bodyList) = data.next;
+    if (data.next)
+    {
+        Data(*data.next).prev = data.prev;
+    }
+    --bodyCount;
+    inactiveCount -= data.IsActive() ? 0 : 1;
+    body.~b2Body();
+    allocator.Free(&body, int32(sizeof(b2Body)));
+}
+
+void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
+{
+    BodyData& data = Data(body);
+    double sine = 0.0;
+    double cosine = 1.0;
+    SinCos(double(angle), &sine, &cosine);
+    const double lx = data.localCenter.x;
+    const double ly = data.localCenter.y;
+    data.pose =
+        Pose{position.x + (cosine * lx - sine * ly), position.y + (sine * lx + cosine * ly), angle};
+    data.previous = data.pose;
+    SynchronizePose(data);
+    data.transform.p = position; // exactly what was asked for
+    data.movedAt = stepNumber;
+    ResetProxies(data);
+    WakeAttached(body);
+}
+
+namespace
+{
+
+// The centre of mass moves on the body; the origin stays, and so does the velocity of every point.
+void MoveCenter(BodyData& body, const b2Vec2& localCenter)
+{
+    const b2Vec2 shift = b2Mul(body.rotation, localCenter - body.localCenter);
+    body.localCenter = localCenter;
+    body.pose.x += shift.x;
+    body.pose.y += shift.y;
+    body.previous = body.pose;
+    const b2Vec2 position = body.transform.p;
+    SynchronizePose(body);
+    body.transform.p = position;
+    body.linearVelocity += b2Cross(body.angularVelocity, shift);
+}
+
+/// What has been found from the old extents no longer holds.
+void ForgetExtents(BodyData& body)
+{
+    if (body.jointList != nullptr)
+    {
+        body.world->graph.NoteMasses(); // or the centre
+    }
+    body.room = 0.0f;
+}
+
+void Include(const b2Shape& shape, BodyData& body)
+{
+    const int32 children = shape.GetChildCount();
+    for (int32 child = 0; child < children; ++child)
+    {
+        b2AABB box;
+        shape.ComputeAABB(&box, b2Transform(), child);
+        const b2Vec2 half = box.GetExtents();
+        body.minExtent = b2Min(body.minExtent, b2Min(half.x, half.y));
+        const b2Vec2 reach = b2Abs(box.GetCenter() - body.localCenter) + half;
+        body.maxExtent = b2Max(body.maxExtent, reach.Length());
+    }
+}
+
+} // namespace
+
+void World::MeasureExtents(BodyData& body)
+{
+    ForgetExtents(body);
+    body.minExtent = b2_maxFloat;
+    body.maxExtent = 0.0f;
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        Include(*f->GetShape(), body);
+    }
+}
+
+void World::MeasureNewest(BodyData& body)
+{
+    if (body.fixtureCount == 1)
+    {
+        MeasureExtents(body);
+        return;
+    }
+    ForgetExtents(body);
+    Include(*body.fixtureList->GetShape(), body);
+}
+
+namespace
+{
+
+/// Smaller masses and inertias than this have no finite inverse, larger ones no finite product with
+/// a speed: such a body counts as one without, or with the most.
+constexpr float32 kLeastMass = 1e-20f;
+constexpr float32 kMostMass = 1e20f;
+
+void SetInertia(BodyData& body, float32 mass, float32 inertiaAboutCenter)
+{
+    body.mass = mass >= kLeastMass ? b2Min(mass, kMostMass) : 1.0f;
+    body.invMass = 1.0f / body.mass;
+    const bool turns = inertiaAboutCenter >= kLeastMass && (body.flags & kBodyFixedRotation) == 0;
+    body.inertia = turns ? b2Min(inertiaAboutCenter, kMostMass) : 0.0f;
+    body.invInertia = turns ? 1.0f / body.inertia : 0.0f;
+}
+
+/// Of two bodies that become one: each turns about the common centre (Huygens and Steiner).
+MassProperties Sum(const MassProperties& a, const MassProperties& b)
+{
+    MassProperties sum;
+    sum.mass = a.mass + b.mass;
+    const double share = b.mass / sum.mass;
+    const double dx = b.centerX - a.centerX;
+    const double dy = b.centerY - a.centerY;
+    sum.centerX = a.centerX + share * dx;
+    sum.centerY = a.centerY + share * dy;
+    sum.centralInertia = a.centralInertia + b.centralInertia + share * a.mass * (dx * dx + dy * dy);
+    return sum;
+}
+
+} // namespace
+
+void World::SetMassData(BodyData& body, const b2MassData& massData)
+{
+    if (!body.IsDynamic())
+    {
+        return;
+    }
+    body.flags |= kBodyMassSet;
+    // A body without mass does not turn.
+    const float32 aboutCenter = massData.I - massData.mass * massData.center.LengthSquared();
+    SetInertia(body, massData.mass, massData.mass > 0.0f ? aboutCenter : 0.0f);
+    MoveCenter(body, massData.center);
+    MeasureExtents(body);
+}
+
+namespace
+{
+
+/// A shape may have been changed in place.
+void ForgetManifolds(BodyData& body)
+{
+    for (b2ContactEdge* edge = body.contactList; edge; edge = edge->next)
+    {
+        Data(*edge->contact).flags &= ~std::uint32_t(kContactKept);
+    }
+}
+
+} // namespace
+
+void World::ResetMassData(BodyData& body)
+{
+    body.flags &= ~std::uint32_t(kBodyMassSet);
+    ForgetManifolds(body);
+    MassProperties total;
+    for (b2Fixture* f = body.fixtureList; f && body.IsDynamic(); f = f->GetNext())
+    {
+        if (f->GetDensity() > 0.0f)
+        {
+            const MassProperties part = ComputeMassProperties(*f->GetShape(), f->GetDensity());
+            total = part.mass > 0.0 ? Sum(total, part) : total;
+        }
+    }
+    if (body.IsDynamic())
+    {
+        SetInertia(body, float32(total.mass), float32(total.centralInertia));
+    }
+    else
+    {
+        body.mass = 0.0f;
+        body.invMass = 0.0f;
+        body.inertia = 0.0f;
+        body.invInertia = 0.0f;
+    }
+    MoveCenter(body, b2Vec2(float32(total.centerX), float32(total.centerY)));
+    MeasureExtents(body);
+}
+
+void World::SetMobility(b2Body& body, Mobility mobility)
+{
+    BodyData& data = Data(body);
+    // Everything that was built on the old mobility goes; contacts come back in the next step.
+    while (data.contactList)
+    {
+        DestroyContact(*data.contactList->contact);
+    }
+    const bool wasActive = data.IsActive();
+    SetActive(body, false);
+    data.mobility = mobility;
+    data.previous = data.pose;
+    data.sweepStart = 0.0f;
+    data.sleepTime = 0.0f;
+    if (mobility == Mobility::Static)
+    {
+        data.linearVelocity.SetZero();
+        data.angularVelocity = 0.0f;
+    }
+    data.force.SetZero();
+    data.torque = 0.0f;
+    ResetMassData(data);
+    SetActive(body, wasActive);
+    Wake(body);
+}
+
+void World::SetActive(b2Body& body, bool active)
+{
+    BodyData& data = Data(body);
+    if (active == data.IsActive())
+    {
+        return;
+    }
+    inactiveCount += active ? -1 : 1;
+    if (active)
+    {
+        data.flags |= kBodyActive;
+        for (b2Fixture* f = data.fixtureList; f; f = f->GetNext())
+        {
+            CreateProxies(*f);
+        }
+        if (data.IsDynamic())
+        {
+            islands.Add(body);
+        }
+    }
+    else
+    {
+        while (data.contactList)
+        {
+            DestroyContact(*data.contactList->contact);
+        }
+        for (b2Fixture* f = data.fixtureList; f; f = f->GetNext())
+        {
+            DestroyProxies(*f);
+        }
+        WakeAttached(body); // what hung from it falls
+        data.force.SetZero();
+        data.torque = 0.0f;
+        data.flags &= ~std::uint32_t(kBodyActive);
+        islands.Remove(body);
+    }
+    UpdateActivity(body);
+}
+
+} // namespace box2d

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "../State/Access.h"
+#include "../State/World.h"
+
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// A ray through one tree, asking the shapes whose boxes it meets.
+struct RayVisitor
+{
+    const b2DynamicTree* tree;
+    b2RayCastCallback* callback;
+    float32 maxFraction; // what is left of the ray, over all trees
+
+    float32 RayCastCallback(const b2RayCastInput& input, int32 node)
+    {
+        const auto* proxy = static_cast<const b2FixtureProxy*>(tree->GetUserData(node));
+        b2RayCastOutput output;
+        if (!proxy->fixture->RayCast(&output, input, proxy->childIndex))
+        {
+            return input.maxFraction;
+        }
+        const b2Vec2 point = (1.0f - output.fraction) * input.p1 + output.fraction * input.p2;
+        const float32 answer =
+            callback->ReportFixture(proxy->fixture, point, output.normal, output.fraction);
+        if (answer >= 0.0f)
+        {
+            maxFraction = b2Min(maxFraction, answer); // what was clipped stays so
+        }
+        return maxFraction;
+    }
+};
+
+} // namespace
+
+void World::Query(b2QueryCallback& callback, const b2AABB& box) const
+{
+    const Lock lock(*this);
+    proxies.Query(box,
+                  [&](b2FixtureProxy* proxy) { return callback.ReportFixture(proxy->fixture); });
+}
+
+void World::RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2Vec2& point2) const
+{
+    const Lock lock(*this);
+    float32 maxFraction = 1.0f;
+    for (const Mobility mobility : {Mobility::Static, Mobility::Kinematic, Mobility::Dynamic})
+    {
+        b2RayCastInput input;
+        input.p1 = point1;
+        input.p2 = point2;
+        input.maxFraction = maxFraction;
+        RayVisitor visitor{&proxies.TreeOf(mobility), &callback, maxFraction};
+        visitor.tree->RayCast(&visitor, input);
+        maxFraction = visitor.maxFraction;
+        if (maxFraction == 0.0f)
+        {
+            return;
+        }
+    }
+}
+
+void World::ShiftOrigin(const b2Vec2& newOrigin)
+{
+    for (b2Body* b = bodyList; b; b = b->GetNext())
+    {
+        BodyData& body = Data(*b);
+        for (Pose* pose : {&body.pose, &body.previous})
+        {
+            pose->x -= double(newOrigin.x);
+            pose->y -= double(newOrigin.y);
+        }
+        SynchronizePose(body);
+        for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+        {
+            for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+            {
+                b2AABB& box = FixtureAccess::Proxies(*f)[child].aabb;
+                box.lowerBound -= newOrigin;
+                box.upperBound -= newOrigin;
+            }
+        }
+    }
+    for (b2Joint* joint = jointList; joint; joint = joint->GetNext())
+    {
+        joint->ShiftOrigin(newOrigin);
+    }
+    proxies.ShiftOrigin(newOrigin);
+    // Boxes are in single precision: where the shift was rounded, a shape may look out of its own.
+    for (b2Body* b = bodyList; b; b = b->GetNext())
+    {
+        UpdateProxies(Data(*b), false);
+    }
+}
+
+} // namespace box2d
