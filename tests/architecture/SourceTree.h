@@ -31,4 +31,8 @@ Findings CheckExactArithmetic(const std::filesystem::path& root,
 /// Folders the top CMakeLists.txt builds that the boxreel script does not watch for changes.
 Findings CheckWatchedFolders(const std::filesystem::path& root);
 
+/// Files and folders that ARCHITECTURE.md, CONTRIBUTING.md and docs/notes name and that do not
+/// exist.
+Findings CheckDocumentPaths(const std::filesystem::path& root);
+
 } // namespace architecture

@@ -86,6 +86,12 @@ TEST(Checkout, IsWatchedWholeByTheBoxreelScript)
     EXPECT_TRUE(findings.empty()) << Lines(findings);
 }
 
+TEST(Checkout, NamesOnlyFilesThatExist)
+{
+    const Findings findings = CheckDocumentPaths(kCheckout);
+    EXPECT_TRUE(findings.empty()) << Lines(findings);
+}
+
 // ------------------------------------------------------------------------------ planted errors
 
 TEST_F(PlantedTree, UpwardIncludesAreFound)
@@ -209,4 +215,21 @@ TEST_F(PlantedTree, AFolderTheScriptDoesNotWatchIsFound)
           "add_subdirectory(engine)\nadd_subdirectory(render)\nadd_subdirectory(tests)\n");
     EXPECT_THAT(CheckWatchedFolders(m_root),
                 ElementsAre(StartsWith("CMakeLists.txt:2: render is missing")));
+}
+
+TEST_F(PlantedTree, PathsThatDoNotExistAreFound)
+{
+    Plant("engine/src/Solver.cpp", "");
+    Plant("ARCHITECTURE.md", "`Solver.cpp`, `src/Solver.cpp`, `engine/src`, `engine/src/S*.cpp`,\n"
+                             "`Solver.h`, `engine/include`, `engine/src/T*.cpp`\n"
+                             "[code](engine/src) [gone](engine/old) [web](https://a.org/b)\n");
+    Plant("docs/notes/solver.md", "[up](../../engine/src/Solver.cpp#top)\n`YourSolver.cpp`\n"
+                                  "[gone](engine/src/Solver.cpp)\n");
+    Plant("docs/guide.md", "`Absent.cpp`\n");
+    EXPECT_THAT(CheckDocumentPaths(m_root),
+                ElementsAre(StartsWith("ARCHITECTURE.md:2: names Solver.h"),
+                            StartsWith("ARCHITECTURE.md:2: names engine/include"),
+                            StartsWith("ARCHITECTURE.md:2: names engine/src/T*.cpp"),
+                            StartsWith("ARCHITECTURE.md:3: links to engine/old"),
+                            StartsWith("docs/notes/solver.md:3: links to engine/src/Solver.cpp")));
 }
