@@ -121,7 +121,7 @@ void PlanVp9(EncoderPlan& plan, const VideoSettings& settings)
     }
 }
 
-/// Levels have about the errors of VP9 (ARCHITECTURE, "What a quality is"). Speed 8 takes 1.6 times
+/// Levels have about the errors of VP9 (docs/notes/codec-qualities.md). Speed 8 takes 1.6 times
 /// the bytes of speed 6 for 0.6 of its time.
 /// SVT-AV1 takes the time of this for half the bytes, but knows neither 4:4:4 nor lossless coding,
 /// and waits for ever when it is closed before its first frame.
