@@ -1,24 +1,21 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # fuzz.sh SOURCE WORK SECONDS TARGET
-# Builds a target with clang's fuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and lets it look for
-# that long, starting from its corpus. TARGET: world (calls of the engine, asserts off: they would end it at
-# the first mistake it makes on purpose) or scene_file (texts for the loader of scene files, asserts on: no
-# file may reach one). What it finds new stays in WORK/corpus; a finding is in WORK/finding-*. Exits 77
-# (skipped) when clang's fuzzer is absent.
+# Builds a target with clang's fuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and runs it that long, from its
+# stored inputs (TARGET.tar.gz). TARGET: world (calls of the engine, asserts off, because it makes mistakes on purpose)
+# or scene_file (texts for the loader of scene files, asserts on: no file may reach one). New inputs stay in
+# WORK/corpus, a finding in WORK/finding-*. Exits 77 (skipped) when clang's fuzzer is absent.
 set -eu
 source=$1 work=$2 seconds=$3 target=$4
 here=$source/tests/fuzz
 
 case $target in
 world)
-    corpus=$here/corpus
     asserts=0
     set -- -DBOXREEL_BUILD_TOOLKIT=OFF -DBOXREEL_BUILD_TESTBED=OFF
     limits='-max_len=2048 -timeout=20'
     ;;
 scene_file)
-    corpus=$here/scene-files
     asserts=1
     set --
     limits="-max_len=4096 -timeout=10 -rss_limit_mb=1024 -dict=$here/scene-files.dict"
@@ -30,6 +27,7 @@ scene_file)
 esac
 
 mkdir -p "$work/corpus"
+"$here/archive.sh" unpack "$here/$target.tar.gz" "$work/stored"
 echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' >"$work/probe.cpp"
 if ! clang++ -fsanitize=fuzzer "$work/probe.cpp" -o "$work/probe" 2>/dev/null; then
     echo "skipped: clang++ with libFuzzer is not installed (packages clang and libclang-rt-dev)"
@@ -45,4 +43,4 @@ cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAK
 }
 # shellcheck disable=SC2086 # the limits are words
 exec "$work/build/tests/fuzz/boxreel_${target}_fuzz" -max_total_time="$seconds" $limits -print_final_stats=1 \
-    -error_exitcode=1 -artifact_prefix="$work/finding-" "$work/corpus" "$corpus"
+    -error_exitcode=1 -artifact_prefix="$work/finding-" "$work/corpus" "$work/stored"
