@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t kMaxLines = 700;
 
 /// The folder of somebody's machine that a line names, or empty. A name inside a longer path
-/// ("build/…", "${…}/…", an address of the web) is none.
+/// ("build/…", "${…}/…", an address of the web) does not count.
 std::string MachineFolder(const std::string& line)
 {
     // Put together here so as not to find themselves.

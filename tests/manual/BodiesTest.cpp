@@ -132,7 +132,7 @@ TEST(BodyDefinition, CanBeRecycledForSeveralBodies)
     EXPECT_EQ(second->GetType(), b2_dynamicBody);
 }
 
-TEST(PositionAndAngle, TheListingPlacesTheOriginInWhateverWayTheMassLies)
+TEST(PositionAndAngle, TheListingPlacesTheOriginNotTheMass)
 {
     b2World world(b2Vec2_zero);
     b2BodyDef bodyDef;
@@ -185,7 +185,7 @@ TEST(Damping, TheListingSlowsTheTurningOnly)
     EXPECT_NEAR(left.y, std::exp(-0.01f), 1e-4f);
 }
 
-TEST(Damping, IsNearlyIndependentOfTheStepWhenSmallAndTotalWhenInfinite)
+TEST(Damping, HardlyDependsOnTheStepAndStopsWhenInfinite)
 {
     EXPECT_NEAR(DampedFor(0.1f, 0.1f, 30).x, DampedFor(0.1f, 0.1f, 120).x, 1e-3f);
     EXPECT_GT(b2Abs(DampedFor(20.0f, 0.0f, 10).x - DampedFor(20.0f, 0.0f, 20).x), 1e-6f);
@@ -331,7 +331,7 @@ TEST(Bullets, AreDynamicBodiesOnlyTheFlagChangesNoOther)
     EXPECT_EQ(ends[true], ends[false]);
 }
 
-TEST(Activation, AnInactiveBodyIsNotInTheBroadPhaseUntilItIsActivated)
+TEST(Activation, KeepsInactiveBodiesOutOfTheBroadPhase)
 {
     Scene scene;
     scene.Ground();

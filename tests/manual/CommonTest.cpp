@@ -54,7 +54,7 @@ TEST(CoreConcepts, SeveralWorldsLiveSideBySide)
     EXPECT_EQ(rising->GetPosition().y, -falling->GetPosition().y);
 }
 
-TEST(Units, AnAngleGrowsWithoutBoundUntilItIsSetAnew)
+TEST(Units, AnAngleGrowsWithoutBoundUntilItIsSet)
 {
     Scene scene(b2Vec2_zero);
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -67,7 +67,7 @@ TEST(Units, AnAngleGrowsWithoutBoundUntilItIsSetAnew)
     EXPECT_NEAR(b2Distance(axis, body->GetWorldVector(b2Vec2(1.0f, 0.0f))), 0.0f, 1e-4f);
 }
 
-TEST(FactoriesAndDefinitions, CreateAndDestroyByTheNamesOfTheManual)
+TEST(FactoriesAndDefinitions, CreateAndDestroyByTheManualsNames)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef bodyDef;
@@ -153,20 +153,7 @@ TEST(MemoryManagement, AFreedBlockIsUsedAgain)
     EXPECT_EQ(allocator.Allocate(300), first);
 }
 
-TEST(MemoryManagement, ASteadyStepAsksForNoMemory)
-{
-    const CountedMemory counted;
-    Scene scene;
-    scene.world.SetAllowSleeping(false);
-    scene.Ground();
-    dynamics::Stack(scene, 0.0f, 8);
-    scene.Step(60);
-    const int before = allocations;
-    scene.Step(60);
-    EXPECT_EQ(allocations, before);
-}
-
-TEST(MemoryManagement, ASteadyStepAsksForNoMemoryWhateverIsInTheWorld)
+TEST(MemoryManagement, ASteadyStepAllocatesNothing)
 {
     for (const int32 threads : {1, 3})
     {

@@ -14,7 +14,7 @@ namespace
 
 using dynamics::Scene;
 
-/// The listing of the section, which writes down what it is told.
+/// The listing of the section, which logs its calls.
 class MyContactListener : public b2ContactListener
 {
 public:
@@ -132,7 +132,7 @@ TEST(PreSolveEvent, TheFirstListingMakesAPlatformOneSided)
     EXPECT_GT(ThrownAtAPlatform(-1.5f, 9.0f), 1.5f) << "from below it is not";
 }
 
-TEST(PreSolveEvent, EnablesTheContactAnewInEveryStep)
+TEST(PreSolveEvent, EnablesTheContactAgainInEveryStep)
 {
     struct Once : public b2ContactListener
     {

@@ -53,7 +53,7 @@ TEST_F(ContactsAbout, OneExistsForEachChildOfAChainThatIsNear)
     EXPECT_EQ(children, (std::vector<int32>{1, 2, 3}));
 }
 
-TEST_F(ContactsAbout, ExistWhileTheBoxesOverlapThoughTheShapesMayNotTouch)
+TEST_F(ContactsAbout, ExistWhileTheBoxesOverlap)
 {
     // Two balls whose boxes overlap at the corners only.
     b2Body* first = scene.Ball(10.0f, 10.0f, 1.0f);
@@ -80,7 +80,7 @@ TEST_F(ContactTerms, ThePointsLieWhereTheShapesTouch)
     }
 }
 
-TEST_F(ContactTerms, TheNormalIsAUnitVectorFromTheFirstFixtureToTheSecond)
+TEST_F(ContactTerms, TheNormalPointsFromTheFirstFixtureToTheSecond)
 {
     b2WorldManifold worldManifold;
     Contact()->GetWorldManifold(&worldManifold);
@@ -224,7 +224,7 @@ struct CountBegins : public b2ContactListener
     int begun = 0;
 };
 
-TEST_F(AccessingContacts, TheListsMissWhatComesAndGoesWithinAStepButTheListenerDoesNot)
+TEST_F(AccessingContacts, TheListenerHearsWhatTheListsMiss)
 {
     CountBegins listener;
     Scene space(b2Vec2_zero);

@@ -231,7 +231,7 @@ TEST(Filtering, APositiveGroupAlwaysCollidesAndANegativeOneNever)
     EXPECT_FALSE(Collide(fixture1Def, fixture3Def));
 }
 
-TEST(Filtering, StaticAndKinematicFixturesCollideWithDynamicOnesOnly)
+TEST(Filtering, OnlyDynamicFixturesMeetStaticAndKinematicOnes)
 {
     for (const b2BodyType typeA : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
     {

@@ -60,7 +60,7 @@ TEST(HelloWorld, PrintsTheManualsFirstThreeLines)
     EXPECT_EQ(lines[2], "0.00 3.98 0.00");
 }
 
-TEST(HelloWorld, PrintsTheManualsLastThreeDifferentLinesWhenTheBoxLands)
+TEST(HelloWorld, PrintsTheManualsLastLinesWhenTheBoxLands)
 {
     const std::vector<std::string> lines = RunHelloWorld();
     EXPECT_EQ(lines[43], "0.00 1.25 0.00");

@@ -91,7 +91,7 @@ TEST_F(Joints, AMotorWithoutSpeedIsFrictionThatYieldsToALoad)
     EXPECT_NEAR(myBodyA->GetAngularVelocity(), 0.5f / myBodyA->GetInertia(), 0.05f);
 }
 
-TEST_F(JointDefinition, BetweenBodiesThatDoNotMoveIsAllowedAndHasNoEffect)
+TEST_F(JointDefinition, HasNoEffectBetweenBodiesThatDoNotMove)
 {
     b2Body* wall = scene.Post(0.0f, 5.0f);
     b2Body* lift = scene.Body(b2_kinematicBody, 0.0f, 8.0f);
@@ -140,7 +140,7 @@ bool JoinedBodiesCollide(bool collideConnected)
     return ball->GetPosition().y > 0.9f;
 }
 
-TEST_F(JointDefinition, PreventsCollisionOfTheTwoBodiesUnlessToldOtherwise)
+TEST_F(JointDefinition, PreventsCollisionUnlessCollideConnectedIsSet)
 {
     EXPECT_FALSE(JoinedBodiesCollide(false));
     EXPECT_TRUE(JoinedBodiesCollide(true));
@@ -159,7 +159,7 @@ TEST_F(JointDefinition, InLocalCoordinatesMendsBodiesThatStandApart)
     EXPECT_LT(b2Distance(joint->GetAnchorA(), joint->GetAnchorB()), b2_linearSlop);
 }
 
-TEST_F(JointDefinition, InitializeTakesTheAnchorsFromThePresentTransforms)
+TEST_F(JointDefinition, InitializeUsesThePresentTransforms)
 {
     myBodyB->SetTransform(b2Vec2(2.0f, 0.0f), 0.5f * b2_pi);
     b2RevoluteJointDef jointDef;
@@ -241,7 +241,7 @@ TEST_F(DistanceJointSection, TheListingKeepsTheDistanceOfTheAnchors)
     }
 }
 
-TEST_F(DistanceJointSection, WithTwoConstantsItIsASpringOfThatFrequencyAndDamping)
+TEST_F(DistanceJointSection, IsASpringOfItsFrequencyAndDamping)
 {
     b2Body* post = scene.Post(0.0f, 5.0f);
     myBodyA->SetTransform(b2Vec2(0.0f, 3.5f), 0.0f);
@@ -267,7 +267,7 @@ TEST_F(RevoluteJointSection, TheListingJoinsAtTheFirstBodysCentre)
     EXPECT_LT(b2Distance(joint->GetAnchorA(), joint->GetAnchorB()), b2_linearSlop);
 }
 
-TEST_F(RevoluteJointSection, TheAngleStartsAtZeroAndGrowsWithTheSecondBodyCounterClockwise)
+TEST_F(RevoluteJointSection, TheAngleGrowsCounterClockwiseFromZero)
 {
     myBodyA->SetTransform(b2Vec2_zero, 0.7f);
     myBodyB->SetTransform(b2Vec2(2.0f, 0.0f), -0.3f);
@@ -310,7 +310,7 @@ TEST_F(RevoluteJointSection, TheRevisedListingHasLimitsAndFriction)
     EXPECT_NEAR(b2Abs(joint->GetMotorTorque()), 10.0f, 0.2f);
 }
 
-TEST_F(RevoluteJointSection, TheMotorHoldsItsSpeedUntilTheTorqueIsTooMuch)
+TEST_F(RevoluteJointSection, TheMotorHoldsItsSpeedUpToItsTorque)
 {
     b2RevoluteJointDef jointDef;
     jointDef.Initialize(scene.Post(), myBodyB, myBodyB->GetWorldCenter());
@@ -357,7 +357,7 @@ TEST_F(RevoluteJointSection, TheGameLoopsDriveTheMotor)
     EXPECT_NEAR(myJoint->GetJointAngle() - angleTarget, start * std::exp(-6.0f), 1e-4f);
 }
 
-TEST_F(PrismaticJointSection, TheListingSlidesAlongAnAxisBetweenItsLimits)
+TEST_F(PrismaticJointSection, TheListingSlidesBetweenItsLimits)
 {
     b2Body* ground = scene.Post(0.0f, 5.0f);
     myBodyB->SetTransform(b2Vec2(2.0f, 5.0f), 0.3f);

@@ -94,7 +94,7 @@ int FilledBytes(const void* destroyed, std::size_t size)
     return filled;
 }
 
-TEST(ImplicitDestruction, DebugBuildsFillBodiesFixturesAndJointsToo)
+TEST(ImplicitDestruction, DebugBuildsFillDestroyedObjects)
 {
     Scene scene;
     b2Body* ground = scene.Ground();

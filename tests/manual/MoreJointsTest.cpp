@@ -47,7 +47,7 @@ TEST(PulleyJointSection, TheListingConservesTheRope)
     EXPECT_NEAR(pulley.joint->GetLengthA() + pulley.joint->GetLengthB(), 22.0f, 0.02f);
 }
 
-TEST(PulleyJointSection, ARatioOfTwoDoublesOneSidesWayAndHalvesItsForce)
+TEST(PulleyJointSection, ARatioOfTwoDoublesAPathAndHalvesAForce)
 {
     Pulley pulley(2.0f, 2.0f); // twice the weight on the slow side: in balance
     pulley.Step(60);
@@ -98,7 +98,7 @@ struct Gears : public JointScene
     b2PrismaticJoint* myPrismaticJoint;
 };
 
-TEST(GearJointSection, TheListingTurnsAWheelOnceForALengthOfTheRack)
+TEST(GearJointSection, TheListingTurnsAWheelOnceForARackLength)
 {
     Gears gears;
     const float32 myLength = 2.0f;
@@ -155,7 +155,7 @@ TEST(MouseJointSection, DrivesAPointOfABodyTowardsTheTarget)
     EXPECT_GT(b2Abs(body->GetAngle()), 0.1f) << "rotation is free";
 }
 
-TEST(MouseJointSection, TheMaximumForceKeepsItFromPullingThroughAWall)
+TEST(MouseJointSection, TheMaximumForceCannotPullThroughAWall)
 {
     JointScene scene(b2Vec2_zero);
     scene.Wall(2.0f);
@@ -172,7 +172,7 @@ TEST(MouseJointSection, TheMaximumForceKeepsItFromPullingThroughAWall)
     EXPECT_NEAR(joint->GetReactionForce().Length(), 20.0f * body->GetMass(), 0.1f);
 }
 
-TEST(WheelJointSection, KeepsAPointOfTheSecondBodyOnALineOfTheFirstWithASpring)
+TEST(WheelJointSection, KeepsAPointOnALineWithASpring)
 {
     JointScene scene;
     scene.Ground();

@@ -126,7 +126,7 @@ TEST(ContactManifolds, HaveOnePointForCirclesAndTwoForPolygons)
     EXPECT_EQ(manifold.pointCount, 2);
 }
 
-TEST(ContactManifolds, TheListingGivesWorldPointsFromShapesAndTransforms)
+TEST(ContactManifolds, TheListingGivesWorldPoints)
 {
     const b2PolygonShape shapeA = Box(1.0f, 1.0f), shapeB = Box(0.5f, 0.5f);
     const b2Transform transformA = At(3.0f, 0.0f), transformB = At(3.0f, 1.45f);
@@ -235,7 +235,7 @@ TEST(TimeOfImpact, AsAShapeCastWithFixedRotationsMissesNothing)
     }
 }
 
-TEST(TimeOfImpact, ReportsATimeWithoutOverlapWhateverTheRotation)
+TEST(TimeOfImpact, ReportsATimeWithoutOverlapForAnyRotation)
 {
     const b2PolygonShape rod = Box(2.0f, 0.05f), block = Box(0.5f, 0.5f);
     b2TOIInput input;

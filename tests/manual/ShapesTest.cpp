@@ -114,7 +114,7 @@ TEST(Polygon, TheListingMakesATriangle)
     EXPECT_FALSE(polygon.TestPoint(b2Transform(), b2Vec2(0.75f, 0.75f)));
 }
 
-TEST(Polygon, IsStoredCounterClockwiseWithOutwardNormalsWhateverTheOrder)
+TEST(Polygon, IsStoredCounterClockwiseInAnyOrder)
 {
     const b2Vec2 clockwise[4] = {{0.0f, 0.0f}, {0.0f, 1.0f}, {2.0f, 1.0f}, {2.0f, 0.0f}};
     b2PolygonShape polygon;

@@ -192,7 +192,7 @@ bool GameCrazyBodyDestroyer(b2Body* body)
     return !friends.empty();
 }
 
-TEST(ExploringTheWorld, TheLastListingStartsAnewWhenOthersWentToo)
+TEST(ExploringTheWorld, TheLastListingStartsAgainWhenOthersWentToo)
 {
     Crowd crowd;
     b2World* myWorld = &crowd.world;

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-/// Prints the state of every scene after 600 steps, plain and of small ones: what builds for two
+/// Prints the state of every scene after 600 steps, with one step and with sub-steps: what builds for two
 /// kinds of processor can be compared by. Needs the engine and the scenes alone, so that it can be
 /// built where no other library is.
 int main()

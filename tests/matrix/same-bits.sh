@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # same-bits.sh SOURCE WORK COMPILER LEVEL [CMAKE OPTION]…
 # Builds the program with another compiler and optimisation level, and compares every scene with what was
-# approved: states, draw lists and pixels must be the same, and so the states after 600 steps, with small steps too.
+# approved: states, draw lists and pixels must be the same, and so the states after 600 steps, with sub-steps too.
 # Exits 77 (skipped) when the compiler is absent.
 set -eu
 source=$1 work=$2 compiler=$3 level=$4

@@ -11,7 +11,7 @@ fails_once 75 100-149
 [ "$(wc -l <attempts)" -eq 2 ] || fail 'the part that was stopped was not tried again'
 expect_whole film.mkv
 
-# A part and the papers of another are gone: only these are made again, from snapshots.
+# Removes a part, and the metadata file of another: only these are made again, from snapshots.
 rm parts/part-00003.mkv parts/part-00001.mkv.json film.mkv
 cp parts/part-00001.mkv unknown.mkv
 touch -d '2001-01-01' parts/part-0000[02].mkv
@@ -19,8 +19,8 @@ touch -d '2001-01-01' parts/part-0000[02].mkv
 expect_whole film.mkv
 [ -z "$(find parts -name 'part-0000[02].mkv' -newermt 2002-01-01)" ] || fail 'whole parts were made again'
 
-# What has no papers may be somebody else's: it is kept, and said.
-cmp unknown.mkv parts/part-00001.mkv.aside-* || fail 'a part without papers was not kept'
+# A part without a metadata file may belong to somebody else: it is kept and reported.
+cmp unknown.mkv parts/part-00001.mkv.aside-* || fail 'a part without a metadata file was not kept'
 grep -q 'what was there is now parts/part-00001.mkv.aside-' log || { cat log >&2; fail 'it does not say so'; }
 
 # A leftover and a part of another film with the same names are neither taken nor kept in silence.

@@ -19,7 +19,7 @@ assert job["completions"] * int(env["PART"]) == int(env["FRAMES"]), env
 refused = [rule["onExitCodes"] for rule in job["podFailurePolicy"]["rules"] if rule["action"] == "FailJob"]
 assert refused[0]["values"] == [1, 2, 3] and refused[0]["containerName"] == container["name"], refused
 missing = set(env) - set(os.environ)
-assert not missing, missing  # all that the pod is told has its counterpart here
+assert not missing, missing  # every value of the pod has its counterpart here
 sys.exit(subprocess.call(container["command"], env=dict(os.environ, JOB_COMPLETION_INDEX=sys.argv[1])))
 PYTHON
 cat >task.py <<'PYTHON'

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mended_api.py CHECKOUT
+"""api_links.py CHECKOUT
 
 Sees that each page of the API reference leads back to the site, however often that is seen to, and keeps no link to a
 list of nested classes that is not there.
