@@ -23,8 +23,9 @@ GROUPS = [
     ("boxreel", ["README.md"]),
     ("Manual: the engine", ["docs/manual/**/*.md"]),
     ("Manual: pictures, films and tests", ["docs/*.md"]),
-    ("Examples and figures", ["docs/examples/**/*.md", "docs/figures/**/*.md", "docs/**/*.md"]),
+    ("Examples and figures", ["docs/examples/**/*.md", "docs/figures/**/*.md", "docs/[!n]*/**/*.md"]),
     ("Project", ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]),
+    ("Decisions", ["docs/notes/*.md"]),
 ]
 ELSEWHERE = re.compile(r"^([a-z][a-z0-9+.-]*:|//|#)", re.IGNORECASE)
 LINK = re.compile(r'<a href="([^"]*)"[^>]*>(.*?)</a>', re.DOTALL)
