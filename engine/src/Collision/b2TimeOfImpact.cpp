@@ -28,7 +28,9 @@
 namespace
 {
 // A search that takes more steps than this creeps along something that it almost touches; it ends
-// with what is safe.
+// with what is safe. The target is the distance of the cores at which an impact is found: three
+// slops of overlap of the skins, which positions are solved to, and a slop at least, so that the
+// closest points have a direction. The tolerance of a quarter leaves 3/4 of a slop or more.
 constexpr int32 kMaxSteps = 200;
 
 struct Vector

@@ -154,7 +154,7 @@ inline bool IsRoundAbout(const BodyData& body, const b2Shape& shape)
 
 /// The time of impact of two such circles, in closed form: the share of their ways, which go from
 /// the given poses to the present ones, after which their centres are as near as b2TimeOfImpact
-/// lets shapes come; 1 when they never are.
+/// lets shapes come (its target and its tolerance); 1 when they never are.
 inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData& b,
                             const Pose& fromB, float32 radii)
 {

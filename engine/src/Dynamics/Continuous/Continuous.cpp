@@ -46,7 +46,8 @@ bool IsObstacle(const BodyData& body)
     return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
 }
 
-/// The separation at which b2TimeOfImpact finds an impact, and what it may be off [m].
+/// The separation at which b2TimeOfImpact finds an impact, and its tolerance [m]. It is the overlap
+/// that positions are solved to, so that what rests has no impacts.
 constexpr float32 kImpactSeparation = -3.0f * b2_linearSlop;
 constexpr float32 kImpactTolerance = 0.25f * b2_linearSlop;
 

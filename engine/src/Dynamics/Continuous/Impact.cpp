@@ -21,7 +21,9 @@ namespace box2d
 namespace
 {
 
-/// Corrections at an impact are gentle enough not to disturb: this many sweeps at most.
+/// Iterations of moving apart at an impact, at most. They end at 1.5 slops of overlap: half of the
+/// three at which impacts are found, so that the next search does not find the same one.
+/// One contact alone is there after one or two iterations (0.75 each); up to 32 share an impact.
 constexpr int32 kImpactPositionIterations = 20;
 
 /// Newton's restitution at all points at once keeps the energy of what bounces without friction, if

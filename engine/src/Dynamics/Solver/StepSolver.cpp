@@ -231,7 +231,8 @@ void StepSolver::SolvePositions(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        // The slop is what is aimed at; three of them is near enough.
+        // The aim is one slop, which is approached geometrically. At three, the cores of two
+        // polygons (skins of 4 slops in all) are a slop apart, as b2TimeOfImpact needs them.
         const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -3.0f * b2_linearSlop;
         const bool joined = m_memory.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)

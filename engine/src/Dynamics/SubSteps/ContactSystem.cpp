@@ -26,6 +26,7 @@ constexpr double kEndless = 1e30; ///< [Ns]
 /// give way, each by this share of what its impulses would do to it alone, so that no impulse
 /// exceeds what stops its bodies from the pusher's speed by more than the share's inverse. So it is
 /// where joints and contacts contradict each other.
+/// Tuned on boxes between walls and at a door: docs/notes/sub-steps-motors-and-jams.md.
 constexpr float32 kJammedSoftness = 0.1f;
 /// They cannot be held when they come together by more than this share of the pusher's speed.
 constexpr double kHeld = 1e-3;
