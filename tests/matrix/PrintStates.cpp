@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-/// Prints the state of every scene after 600 steps, with one step and with sub-steps: what builds for two
-/// kinds of processor can be compared by. Needs the engine and the scenes alone, so that it can be
-/// built where no other library is.
+/// Prints the state of every scene after 600 steps, with one step and with sub-steps: what builds
+/// for two kinds of processor can be compared by. Needs the engine and the scenes alone, so that it
+/// can be built where no other library is.
 int main()
 {
     for (const int32 subSteps : {1, 2, 4})
