@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <base/AtomicFile.h>
 
+#include <base/ErrorMacros.h>
+
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
@@ -227,12 +229,8 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
     }
     file.m_part = boxreel::PartPath(file.m_path, settings.mark);
     file.m_overwrite = settings.overwrite;
-    Result<int> descriptor = OpenLocked(file.m_part, path, settings.replacesLeftover);
-    if (!descriptor)
-    {
-        return descriptor.GetError();
-    }
-    file.m_descriptor = *descriptor;
+    ASSIGN_OR_RETURN(int descriptor, OpenLocked(file.m_part, path, settings.replacesLeftover));
+    file.m_descriptor = descriptor;
     return file;
 }
 
@@ -364,13 +362,9 @@ Result<void> AtomicFile::Mark(std::string_view mark)
 Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                         bool overwrite)
 {
-    Result<AtomicFile> file = AtomicFile::Create(path, overwrite);
-    if (!file)
-    {
-        return file.GetError();
-    }
-    const Result<void> written = file->Write(bytes);
-    return written ? file->Commit() : written;
+    ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path, overwrite));
+    const Result<void> written = file.Write(bytes);
+    return written ? file.Commit() : written;
 }
 
 Result<void> WriteWhole(const std::filesystem::path& path, std::string_view text, bool overwrite)

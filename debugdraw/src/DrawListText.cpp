@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/DrawListText.h>
 
+#include <base/Quoting.h>
+
 #include <array>
 #include <cassert>
 #include <charconv>
@@ -65,22 +67,15 @@ void AppendFloat(std::string& out, float value)
     AppendNumber(out, value == 0.0f ? 0.0f : value); // -0 equals 0, so it reads the same
 }
 
-void AppendHexByte(std::string& out, std::uint8_t value)
-{
-    constexpr const char* kDigits = "0123456789abcdef";
-    out += kDigits[value >> 4];
-    out += kDigits[value & 15];
-}
-
 void AppendColor(std::string& out, Color color)
 {
     out += '#';
-    AppendHexByte(out, color.r);
-    AppendHexByte(out, color.g);
-    AppendHexByte(out, color.b);
+    out += HexByte(color.r);
+    out += HexByte(color.g);
+    out += HexByte(color.b);
     if (color.a != 255)
     {
-        AppendHexByte(out, color.a);
+        out += HexByte(color.a);
     }
 }
 
@@ -108,7 +103,7 @@ void AppendQuoted(std::string& out, const std::string& text)
         else if (byte < 32 || byte == 127)
         {
             out += "\\x";
-            AppendHexByte(out, byte);
+            out += HexByte(byte);
         }
         else
         {

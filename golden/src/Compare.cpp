@@ -4,6 +4,7 @@
 #include "PixelMarks.h"
 #include <golden/Compare.h>
 
+#include <base/Counting.h>
 #include <base/Nearest.h>
 
 #include <algorithm>
@@ -59,11 +60,6 @@ std::string Percent(double share)
     return Number(100.0 * share);
 }
 
-std::string Pixels(std::int64_t count)
-{
-    return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
-}
-
 std::string Size(const Frame& frame)
 {
     return std::to_string(frame.width) + "x" + std::to_string(frame.height);
@@ -104,7 +100,7 @@ std::string DescribeLimits(const CompareSettings& settings)
     std::string text = Origin(settings) + " allows ";
     if (settings.maxPixels != kAnyNumberOfPixels)
     {
-        text += Pixels(settings.maxPixels);
+        text += Counted(settings.maxPixels, "pixel");
     }
     if (settings.maxRatio < 1.0 || settings.maxPixels == kAnyNumberOfPixels)
     {
@@ -132,7 +128,7 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
 {
     std::string text = result.equal ? "equal: " : "different: ";
     const std::string ignored =
-        result.ignored > 0 ? ", " + Pixels(result.ignored) + " ignored" : std::string();
+        result.ignored > 0 ? ", " + Counted(result.ignored, "pixel") + " ignored" : std::string();
     if (IsAllIgnored(result))
     {
         return text + "nothing was compared" + ignored + " (" + DescribeLimits(settings) + ")";
@@ -143,12 +139,12 @@ std::string Verdict(const Comparison& result, const CompareSettings& settings)
     }
     if (result.overTolerance == 0)
     {
-        text += Pixels(result.differentPixels) + " by no more than " +
+        text += Counted(result.differentPixels, "pixel") + " by no more than " +
                 (result.excusedAtEdges > 0 ? "tolerance and edges allow" : "the tolerance");
     }
     else
     {
-        text += Pixels(result.overTolerance) + " over the tolerance, first at " +
+        text += Counted(result.overTolerance, "pixel") + " over the tolerance, first at " +
                 std::to_string(result.firstX) + "," + std::to_string(result.firstY) + ", up to " +
                 std::to_string(result.worstWindow) + " in a window";
     }

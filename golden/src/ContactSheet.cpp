@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <golden/ContactSheet.h>
 
+#include <base/ErrorMacros.h>
 #include <recorder/VideoReader.h>
 
 #include <algorithm>
@@ -106,11 +107,7 @@ Error Unusable(const std::filesystem::path& film, const std::string& why)
 Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
                                   const ContactSheetSettings& settings)
 {
-    Result<VideoReader> reader = VideoReader::Open(film);
-    if (!reader)
-    {
-        return reader.GetError();
-    }
+    ASSIGN_OR_RETURN(VideoReader reader, VideoReader::Open(film));
     constexpr double kRounding = 1e-3; // containers round times to a millisecond
     std::vector<Frame> pictures;
     Frame shown, next;
@@ -118,12 +115,8 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
     const double interval = double(settings.every) / settings.stepsPerSecond; // [s]
     for (bool isFirst = true;; isFirst = false)
     {
-        const Result<bool> more = reader->Next(next, &seconds);
-        if (!more)
-        {
-            return more.GetError();
-        }
-        while (!isFirst && *more && double(pictures.size()) * interval + kRounding < seconds)
+        ASSIGN_OR_RETURN(const bool more, reader.Next(next, &seconds));
+        while (!isFirst && more && double(pictures.size()) * interval + kRounding < seconds)
         {
             if (pictures.size() == kMostSheetPictures)
             {
@@ -134,7 +127,7 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
             }
             pictures.push_back(shown);
         }
-        if (!*more)
+        if (!more)
         {
             break;
         }
@@ -145,7 +138,7 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
         return Unusable(film, "it has no frame");
     }
     // The last frame is shown for one period, in which one more may begin.
-    const double period = 1.0 / reader->Info().framesPerSecond.ToDouble();
+    const double period = 1.0 / reader.Info().framesPerSecond.ToDouble();
     while (pictures.size() < kMostSheetPictures &&
            double(pictures.size()) * interval + kRounding < seconds + period)
     {

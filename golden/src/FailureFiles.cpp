@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "FailureFiles.h"
 
+#include <base/ErrorMacros.h>
+#include <base/ReadWhole.h>
 #include <golden/Compare.h>
 #include <render/Png.h>
 
@@ -24,6 +26,7 @@ constexpr const char* kExpectedState = ".expected.state.txt";
 constexpr const char* kActualState = ".actual.state.txt";
 
 constexpr const char* kVerdict = ".verdict.json";
+constexpr std::uintmax_t kLargestVerdict = 1u << 20; // [bytes]
 
 constexpr const char* kAll[] = {kExpectedPng,   kActualPng,   kDifferencePng,
                                 kSideBySidePng, kExpectedTxt, kActualTxt,
@@ -35,11 +38,7 @@ Result<FailureFiles> FailureFiles::At(const std::filesystem::path& output, const
 {
     for (const char* suffix : kAll)
     {
-        const Result<std::filesystem::path> path = PathInside(output, name + suffix);
-        if (!path)
-        {
-            return path.GetError();
-        }
+        RETURN_IF_ERROR(PathInside(output, name + suffix));
     }
     return FailureFiles((output / name).string());
 }
@@ -68,10 +67,7 @@ Result<void> FailureFiles::Remove() const
 {
     for (const char* suffix : kAll)
     {
-        if (const Result<void> removed = RemoveFile(m_base + suffix); !removed)
-        {
-            return removed;
-        }
+        RETURN_IF_ERROR(RemoveFile(m_base + suffix));
     }
     return {};
 }
@@ -83,12 +79,8 @@ Result<void> FailureFiles::WriteVerdict(const VerdictRecord& record) const
 
 Result<void> FailureFiles::NoteAccepted() const
 {
-    const Result<std::string> json = ReadBytes(m_base + kVerdict);
-    if (!json)
-    {
-        return json.GetError();
-    }
-    std::optional<std::string> accepted = Accepted(*json);
+    ASSIGN_OR_RETURN(const std::string json, ReadWhole(m_base + kVerdict, kLargestVerdict));
+    std::optional<std::string> accepted = Accepted(json);
     if (!accepted)
     {
         return {};
@@ -123,12 +115,9 @@ Result<void> FailureFiles::Write(const Moment& expected, const Moment& actual,
         {
             continue;
         }
-        Result<FileToWrite> file = Picture(m_base + suffix, *frame, PngSettings{}.compressionLevel);
-        if (!file)
-        {
-            return file.GetError();
-        }
-        files.push_back(*std::move(file));
+        ASSIGN_OR_RETURN(FileToWrite file,
+                         Picture(m_base + suffix, *frame, PngSettings{}.compressionLevel));
+        files.push_back(std::move(file));
     }
     if (expected.list)
     {

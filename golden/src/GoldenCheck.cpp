@@ -3,6 +3,7 @@
 
 #include "FailureFiles.h"
 
+#include <base/Quoting.h>
 #include <render/Renderer.h>
 
 #include <algorithm>
@@ -95,17 +96,6 @@ bool IsNumber(const std::string& text)
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// As text of an element.
-std::string XmlText(const std::string& text)
-{
-    std::string escaped;
-    for (const char c : text)
-    {
-        escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    }
-    return escaped;
-}
-
 /// CDash lays the first three of these names over each other (`cmake --help-command ctest_test`,
 /// "Image Measurements").
 std::string Attachments(const fs::path& output, const std::string& name)
@@ -122,7 +112,7 @@ std::string Attachments(const fs::path& output, const std::string& name)
         if (!error && fs::is_regular_file(path, error))
         {
             lines += std::string("<CTestMeasurementFile type=\"image/png\" name=\"") + measurement +
-                     "\">" + XmlText(path.string()) + "</CTestMeasurementFile>\n";
+                     "\">" + MarkupEscaped(path.string()) + "</CTestMeasurementFile>\n";
         }
     }
     return lines;

@@ -2,6 +2,7 @@
 #include <golden/GoldenWorld.h>
 
 #include <Box2D/Box2D.h>
+#include <base/ErrorMacros.h>
 #include <debugdraw/DrawCollector.h>
 #include <debugdraw/WorldBounds.h>
 #include <golden/StateHash.h>
@@ -42,10 +43,7 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
         return fingerprint.GetError();
     }
     candidate.fingerprint = *fingerprint;
-    if (const Result<void> drawn = renderer->Draw(candidate.list, camera, candidate.frame); !drawn)
-    {
-        return drawn.GetError();
-    }
+    RETURN_IF_ERROR(renderer->Draw(candidate.list, camera, candidate.frame));
     return candidate;
 }
 

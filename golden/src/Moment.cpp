@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Moment.h"
 
+#include <base/ErrorMacros.h>
 #include <debugdraw/DrawListText.h>
 #include <render/Png.h>
 
@@ -146,26 +147,18 @@ std::string SheetText(const SheetLayout& layout)
 /// Fills the frame and who drew it, where there is a picture of that name.
 Result<void> ReadFrame(const fs::path& root, const std::string& name, Moment& moment)
 {
-    const Result<fs::path> path = PathInside(root, Relative(kFrames, name, ".png"));
-    if (!path)
-    {
-        return path.GetError();
-    }
-    const Result<bool> isThere = IsFile(*path);
+    ASSIGN_OR_RETURN(const fs::path path, PathInside(root, Relative(kFrames, name, ".png")));
+    ASSIGN_OR_RETURN(const bool isThere, IsFile(path));
     if (!isThere)
-    {
-        return isThere.GetError();
-    }
-    if (!*isThere)
     {
         return {};
     }
-    Result<Frame> frame = ReadPng(*path);
+    Result<Frame> frame = ReadPng(path);
     if (!frame)
     {
         return frame.GetError();
     }
-    Result<std::string> fingerprint = ReadPngText(*path, kFingerprint);
+    Result<std::string> fingerprint = ReadPngText(path, kFingerprint);
     if (!fingerprint)
     {
         return fingerprint.GetError();
@@ -213,12 +206,8 @@ Result<std::vector<fs::path>> Places(const fs::path& references, const std::stri
           Relative(kDrawList, name, ".txt"), Relative(kDrawList, name, ".txt.gz"),
           Relative(kSheet, name, ".txt"), Relative(kFrames, name, ".png")})
     {
-        Result<fs::path> place = PathInside(references, relative);
-        if (!place)
-        {
-            return place.GetError();
-        }
-        places.push_back(*std::move(place));
+        ASSIGN_OR_RETURN(fs::path place, PathInside(references, relative));
+        places.push_back(std::move(place));
     }
     return places;
 }
@@ -246,24 +235,16 @@ Result<std::vector<FileToWrite>> Encode(const fs::path& references, const std::s
     }
     for (auto& [depth, text] : texts)
     {
-        Result<FileToWrite> file =
-            StoredText(references / Relative(depth, name, ".txt"), std::move(text));
-        if (!file)
-        {
-            return file.GetError();
-        }
-        files.push_back(*std::move(file));
+        ASSIGN_OR_RETURN(FileToWrite file,
+                         StoredText(references / Relative(depth, name, ".txt"), std::move(text)));
+        files.push_back(std::move(file));
     }
     if (moment.frame)
     {
-        Result<FileToWrite> file =
-            Picture(references / Relative(kFrames, KeyedName(name, renderer), ".png"),
-                    *moment.frame, kReferenceCompression, moment.fingerprint);
-        if (!file)
-        {
-            return file.GetError();
-        }
-        files.push_back(*std::move(file));
+        ASSIGN_OR_RETURN(FileToWrite file,
+                         Picture(references / Relative(kFrames, KeyedName(name, renderer), ".png"),
+                                 *moment.frame, kReferenceCompression, moment.fingerprint));
+        files.push_back(std::move(file));
     }
     return files;
 }
@@ -276,28 +257,18 @@ Result<Moment> ReadReference(const fs::path& root, const std::string& name,
     Moment moment;
     for (const auto read : {ReadState, ReadTrace})
     {
-        if (const Result<void> done = read(root, name, moment); !done)
-        {
-            return done.GetError();
-        }
+        RETURN_IF_ERROR(read(root, name, moment));
     }
     const std::pair<const char*, std::optional<std::string>&> texts[] = {{kDrawList, moment.list},
                                                                          {kSheet, moment.sheet}};
     for (const auto& [depth, text] : texts)
     {
-        Result<Kept> kept = Read(root, Relative(depth, name, ".txt"));
-        if (!kept)
-        {
-            return kept.GetError();
-        }
-        text = std::move(kept->text);
+        ASSIGN_OR_RETURN(Kept kept, Read(root, Relative(depth, name, ".txt")));
+        text = std::move(kept.text);
     }
     for (const std::string& picture : {KeyedName(name, renderer), name})
     {
-        if (const Result<void> done = ReadFrame(root, picture, moment); !done)
-        {
-            return done.GetError();
-        }
+        RETURN_IF_ERROR(ReadFrame(root, picture, moment));
         if (moment.frame)
         {
             break;
@@ -408,36 +379,23 @@ Result<FileToWrite> Picture(const fs::path& path, const Frame& frame, int compre
 Result<void> Store(const fs::path& references, const std::string& name, const Moment& moment,
                    const std::string& renderer)
 {
-    const Result<std::vector<fs::path>> places = Places(references, name);
-    if (!places)
-    {
-        return places.GetError();
-    }
-    const Result<std::vector<FileToWrite>> files = Encode(references, name, moment, renderer);
-    if (!files)
-    {
-        return files.GetError();
-    }
-    if (files->empty())
+    ASSIGN_OR_RETURN(const std::vector<fs::path> places, Places(references, name));
+    ASSIGN_OR_RETURN(const std::vector<FileToWrite> files,
+                     Encode(references, name, moment, renderer));
+    if (files.empty())
     {
         return Error{ErrorKind::Unusable,
                      name + " has neither a state nor a draw list nor a frame to accept."};
     }
-    if (const Result<void> written = WriteAll(*files); !written)
-    {
-        return written;
-    }
+    RETURN_IF_ERROR(WriteAll(files));
     // What the candidate does not have was approved for another one.
-    for (const fs::path& place : *places)
+    for (const fs::path& place : places)
     {
         const bool isKept =
-            std::any_of(files->begin(), files->end(),
+            std::any_of(files.begin(), files.end(),
                         [&](const FileToWrite& f) { return f.path == place; }) ||
             (!renderer.empty() && place.extension() == ".png"); // the other renderers' one
-        if (const Result<void> removed = isKept ? Result<void>() : RemoveFile(place); !removed)
-        {
-            return removed;
-        }
+        RETURN_IF_ERROR(isKept ? Result<void>() : RemoveFile(place));
     }
     return {};
 }

@@ -3,9 +3,10 @@
 #include "Gzip.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+#include <base/ReadWhole.h>
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
 namespace boxreel
@@ -111,32 +112,6 @@ Result<bool> IsFile(const fs::path& path)
     return true;
 }
 
-Result<std::string> ReadBytes(const fs::path& path)
-{
-    std::error_code code;
-    const std::uintmax_t size = fs::file_size(path, code);
-    if (code)
-    {
-        return CannotRead(path, code.message());
-    }
-    if (size > kLargestText)
-    {
-        return CannotRead(path, "it is larger than " + std::to_string(kLargestText >> 20) +
-                                    " MB and no text of ours; restore it");
-    }
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-    {
-        return CannotRead(path, "no permission to open it");
-    }
-    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    {
-        return Error{ErrorKind::Failed, "Reading " + path.string() + " failed; check the disk."};
-    }
-    return bytes;
-}
-
 Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs::path& relativeTxt)
 {
     const Result<fs::path> plain = PathInside(root, relativeTxt);
@@ -161,16 +136,12 @@ Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs
     {
         return std::optional<std::string>();
     }
-    Result<std::string> bytes = ReadBytes(*hasPlain ? *plain : *packed);
-    if (!bytes)
-    {
-        return bytes.GetError();
-    }
+    ASSIGN_OR_RETURN(std::string bytes, ReadWhole(*hasPlain ? *plain : *packed, kLargestText));
     if (*hasPlain)
     {
-        return std::optional<std::string>(*std::move(bytes));
+        return std::optional<std::string>(std::move(bytes));
     }
-    Result<std::string> text = Gunzip(*bytes, kLargestText);
+    Result<std::string> text = Gunzip(bytes, kLargestText);
     if (!text)
     {
         return CannotRead(*packed, text.GetError().Text() + "; restore it");
@@ -206,24 +177,14 @@ Result<void> WriteAll(const std::vector<FileToWrite>& files)
                                                   file.path.parent_path().string() + ": " +
                                                   code.message() + "; choose another place."};
         }
-        Result<AtomicFile> opened = AtomicFile::Create(file.path, true);
-        if (!opened)
-        {
-            return opened.GetError();
-        }
+        ASSIGN_OR_RETURN(AtomicFile opened, AtomicFile::Create(file.path, true));
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.bytes.data());
-        if (const Result<void> done = opened->Write({bytes, file.bytes.size()}); !done)
-        {
-            return done.GetError();
-        }
-        written.push_back(*std::move(opened));
+        RETURN_IF_ERROR(opened.Write({bytes, file.bytes.size()}));
+        written.push_back(std::move(opened));
     }
     for (AtomicFile& file : written)
     {
-        if (const Result<void> done = file.Commit(); !done)
-        {
-            return done.GetError();
-        }
+        RETURN_IF_ERROR(file.Commit());
     }
     return {};
 }

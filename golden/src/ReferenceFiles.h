@@ -26,9 +26,6 @@ Result<std::filesystem::path> PathInside(const std::filesystem::path& root,
 /// False when nothing is there; an Error when what is there is no file or cannot be looked at.
 Result<bool> IsFile(const std::filesystem::path& path);
 
-/// The bytes of a file of at most 64 MB.
-Result<std::string> ReadBytes(const std::filesystem::path& path);
-
 /// The text that StoredText wrote: FILE.txt, or FILE.txt.gz unpacked; none when there is neither.
 /// An Error when there are both, since then it is anybody's guess which one was approved.
 Result<std::optional<std::string>> ReadStoredText(const std::filesystem::path& root,

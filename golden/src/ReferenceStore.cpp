@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <base/Counting.h>
+#include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 #include <golden/ReferenceStore.h>
 
 #include "FailureFiles.h"
@@ -75,8 +78,7 @@ std::string OtherLayout(const SheetLayout& expected, const SheetLayout& actual)
     }
     return expected.pictures == actual.pictures
                ? ""
-               : std::to_string(actual.pictures) +
-                     (actual.pictures == 1 ? " picture" : " pictures") + " instead of " +
+               : Counted(actual.pictures, "picture") + " instead of " +
                      std::to_string(expected.pictures) + ", ";
 }
 
@@ -243,23 +245,12 @@ std::string OptionsFor(const SheetLayout& sheet)
     return options.str();
 }
 
-/// Within single quotes; one of the text's own ends them, stands escaped, and begins them again.
-std::string ShellWord(const std::string& text)
-{
-    std::string word = "'";
-    for (const char c : text)
-    {
-        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return word + "'";
-}
-
 /// The command takes the references of the checkout around it unless told otherwise.
 std::string OptionFor(const fs::path& references)
 {
     const bool isDefault =
         references.filename() == "references" && references.parent_path().filename() == "golden";
-    return isDefault ? "" : " --references " + ShellWord(references.string());
+    return isDefault ? "" : " --references " + ShellQuoted(references.string());
 }
 
 /// There is nothing to compare with.
@@ -435,10 +426,7 @@ LimitsChoice ChooseLimits(const Moment& expected, const Moment& actual, CompareS
 Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& candidate,
                            const CompareSettings& settings)
 {
-    if (const Result<void> named = CheckReferenceName(candidate.name); !named)
-    {
-        return named.GetError();
-    }
+    RETURN_IF_ERROR(CheckReferenceName(candidate.name));
     Judged judged{.limits = settings};
     GoldenVerdict& verdict = judged.verdict;
     verdict.name = candidate.name;
@@ -568,28 +556,14 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
                                              const CompareSettings& settings) const
 {
     const std::string& name = candidate.name;
-    if (const Result<void> named = CheckReferenceName(name); !named)
-    {
-        return named.GetError();
-    }
-    const Result<FailureFiles> files = FailureFiles::At(m_output, name);
-    if (!files)
-    {
-        return files.GetError();
-    }
-    if (const Result<void> removed = files->Remove(); !removed)
-    {
-        return removed.GetError();
-    }
-    Result<Judged> judged = JudgeMoment(m_references, candidate, settings);
-    if (!judged)
-    {
-        return judged.GetError();
-    }
-    GoldenVerdict& verdict = judged->verdict;
-    const Result<void> written = files->WriteVerdict(
+    RETURN_IF_ERROR(CheckReferenceName(name));
+    ASSIGN_OR_RETURN(const FailureFiles files, FailureFiles::At(m_output, name));
+    RETURN_IF_ERROR(files.Remove());
+    ASSIGN_OR_RETURN(Judged judged, JudgeMoment(m_references, candidate, settings));
+    GoldenVerdict& verdict = judged.verdict;
+    const Result<void> written = files.WriteVerdict(
         {name, StatusWord(verdict.status), verdict.message, verdict.accept, &candidate,
-         &judged->limits, &verdict.pixels, judged->firstStep, judged->firstBodies, verdict.limits});
+         &judged.limits, &verdict.pixels, judged.firstStep, judged.firstBodies, verdict.limits});
     if (verdict.status == GoldenStatus::Same)
     {
         // What passes also passes where nothing can be written, such as in a folder that is read
@@ -603,19 +577,16 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     }
     if (!verdict.accept.empty())
     {
-        return ReportAlone(std::move(verdict), *files, judged->actual);
+        return ReportAlone(std::move(verdict), files, judged.actual);
     }
     return verdict.status == GoldenStatus::NotCompared
                ? std::move(verdict)
-               : ReportDifferent(std::move(verdict), *files, judged->expected, judged->actual);
+               : ReportDifferent(std::move(verdict), files, judged.expected, judged.actual);
 }
 
 Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs as) const
 {
-    if (const Result<void> named = CheckReferenceName(candidate.name); !named)
-    {
-        return named.GetError();
-    }
+    RETURN_IF_ERROR(CheckReferenceName(candidate.name));
     if (as == AcceptAs::ForThisRenderer && candidate.renderer.empty())
     {
         return Error{ErrorKind::Unusable, candidate.name +

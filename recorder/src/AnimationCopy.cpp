@@ -4,6 +4,8 @@
 #include "FrameTimes.h"
 #include "VideoSource.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,12 +53,8 @@ Result<StoredFrames> StoredFrames::Open(const std::filesystem::path& path,
                                         const VideoSettings& settings)
 {
     StoredFrames frames(*FormatOf(path, {}), settings);
-    Result<std::unique_ptr<VideoSource>> source = OpenVideoSource(path);
-    if (!source)
-    {
-        return source.GetError();
-    }
-    frames.m_source = std::move(*source);
+    ASSIGN_OR_RETURN(std::unique_ptr<VideoSource> source, OpenVideoSource(path));
+    frames.m_source = std::move(source);
     return frames;
 }
 
@@ -126,12 +124,8 @@ Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSetting
                            std::optional<std::int64_t> count, VideoWriter& to,
                            const std::function<bool()>& isStopped)
 {
-    Result<StoredFrames> frames = StoredFrames::Open(from, settings);
-    if (!frames)
-    {
-        return frames.GetError();
-    }
-    if (frames->Info().width != settings.width || frames->Info().height != settings.height)
+    ASSIGN_OR_RETURN(StoredFrames frames, StoredFrames::Open(from, settings));
+    if (frames.Info().width != settings.width || frames.Info().height != settings.height)
     {
         return Error{ErrorKind::Unusable, from.string() + " has another size than the film that "
                                                           "it is a part of; make it anew."};
@@ -140,32 +134,22 @@ Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSetting
     std::int64_t appended = 0;
     while (appended < end && !isStopped())
     {
-        const Result<bool> more = frames->Next();
-        if (!more)
-        {
-            return more.GetError();
-        }
-        if (!*more && count && appended > 1)
+        ASSIGN_OR_RETURN(const bool more, frames.Next());
+        if (!more && count && appended > 1)
         {
             return CutShort(from, appended);
         }
-        if (!*more) // a film of one picture does not say for how long it is shown
+        if (!more) // a film of one picture does not say for how long it is shown
         {
             return count ? RepeatUntil(*count, appended, to) : Result<void>();
         }
         // What a GIF that begins with a frame it leaves out has for it.
-        for (; appended < std::min(frames->First() + 1, end); ++appended)
+        for (; appended < std::min(frames.First() + 1, end); ++appended)
         {
-            if (Result<void> done = to.Append(frames->Frame()); !done)
-            {
-                return done;
-            }
+            RETURN_IF_ERROR(to.Append(frames.Frame()));
         }
-        if (Result<void> done = RepeatUntil(std::min(frames->End(), end), appended, to); !done)
-        {
-            return done;
-        }
-        appended = std::max(appended, std::min(frames->End(), end));
+        RETURN_IF_ERROR(RepeatUntil(std::min(frames.End(), end), appended, to));
+        appended = std::max(appended, std::min(frames.End(), end));
     }
     return {};
 }
@@ -190,19 +174,11 @@ std::int64_t CountWholeAnimation(const std::filesystem::path& left, const VideoS
 Result<bool> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
                             const VideoSettings& settings, const std::function<bool()>& isStopped)
 {
-    Result<StoredFrames> first = StoredFrames::Open(parts.front().path, settings);
-    if (!first)
-    {
-        return first.GetError();
-    }
+    ASSIGN_OR_RETURN(StoredFrames first, StoredFrames::Open(parts.front().path, settings));
     VideoSettings whole = PartOf(settings, parts.front().firstFrame);
-    whole.width = first->Info().width;
-    whole.height = first->Info().height;
-    Result<VideoWriter> writer = VideoWriter::Open(path, whole);
-    if (!writer)
-    {
-        return writer.GetError();
-    }
+    whole.width = first.Info().width;
+    whole.height = first.Info().height;
+    ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(path, whole));
     for (auto part = parts.begin(); part != parts.end(); ++part)
     {
         const auto next = part + 1;
@@ -210,18 +186,14 @@ Result<bool> JoinAnimations(const std::vector<FilmPart>& parts, const std::files
             part->frames > 0      ? std::optional(part->frames)
             : next != parts.end() ? std::optional(next->firstFrame - part->firstFrame)
                                   : std::nullopt;
-        const Result<void> copied =
-            CopyAnimation(part->path, PartOf(whole, part->firstFrame), count, *writer, isStopped);
-        if (!copied)
-        {
-            return copied.GetError();
-        }
+        RETURN_IF_ERROR(
+            CopyAnimation(part->path, PartOf(whole, part->firstFrame), count, writer, isStopped));
         if (isStopped())
         {
             return false;
         }
     }
-    const Result<void> closed = writer->Close();
+    const Result<void> closed = writer.Close();
     return closed ? Result<bool>(true) : closed.GetError();
 }
 

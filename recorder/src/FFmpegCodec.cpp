@@ -3,6 +3,8 @@
 
 #include "FFmpegPicture.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -194,19 +196,11 @@ Result<FFmpegOwner<AVCodecParameters>> FFmpegCodec::MakeParameters(const Encoder
     }
     // libaom tells its header only with its first packet, which is too late for a pipe and for a
     // film that begins with packets of another; so another run is asked for it.
-    Result<FFmpegCodec> probe = Open(plan, settings, film);
-    if (!probe)
-    {
-        return probe.GetError();
-    }
-    const Result<FFmpegOwner<AVPacket>> packet = probe->EncodeBlack();
-    if (!packet)
-    {
-        return packet.GetError();
-    }
+    ASSIGN_OR_RETURN(FFmpegCodec probe, Open(plan, settings, film));
+    ASSIGN_OR_RETURN(const FFmpegOwner<AVPacket> packet, probe.EncodeBlack());
     std::size_t size = 0;
     const std::uint8_t* header =
-        FFmpeg().av_packet_get_side_data(packet->get(), AV_PKT_DATA_NEW_EXTRADATA, &size);
+        FFmpeg().av_packet_get_side_data(packet.get(), AV_PKT_DATA_NEW_EXTRADATA, &size);
     if (header != nullptr)
     {
         parameters->extradata =
@@ -220,22 +214,15 @@ Result<FFmpegOwner<AVCodecParameters>> FFmpegCodec::MakeParameters(const Encoder
 /// One picture, and the end.
 Result<FFmpegOwner<AVPacket>> FFmpegCodec::EncodeBlack()
 {
-    Result<FFmpegOwner<AVFrame>> picture = MakePicture();
-    if (!picture)
-    {
-        return picture.GetError();
-    }
+    ASSIGN_OR_RETURN(FFmpegOwner<AVFrame> picture, MakePicture());
     const Frame black(m_context->width, m_context->height);
-    const Result<FrameToPicture> converter = FrameToPicture::Create(
-        black.width, black.height, m_context->pix_fmt, m_context->colorspace);
-    if (!converter)
-    {
-        return converter.GetError();
-    }
-    converter->Convert(black, **picture);
-    (*picture)->pts = 0;
+    ASSIGN_OR_RETURN(const FrameToPicture converter,
+                     FrameToPicture::Create(black.width, black.height, m_context->pix_fmt,
+                                            m_context->colorspace));
+    converter.Convert(black, *picture);
+    picture->pts = 0;
     FFmpegOwner<AVPacket> packet(FFmpeg().av_packet_alloc());
-    int status = Send(picture->get());
+    int status = Send(picture.get());
     status = status < 0 ? status : Send(nullptr);
     status = status < 0 ? status : Receive(*packet);
     if (status < 0)

@@ -2,6 +2,7 @@
 #include "FFmpegCopy.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 
 #include <algorithm>
 #include <array>
@@ -39,13 +40,9 @@ bool HasLengths(const AVCodecParameters& codec)
 
 Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part)
 {
-    Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
-    if (!packets)
-    {
-        return packets.GetError();
-    }
+    ASSIGN_OR_RETURN(FFmpegPackets packets, FFmpegPackets::Open(part.from, part.tick));
     std::vector<std::int64_t> times;
-    while (const FFmpegOwner<AVPacket> packet = packets->Next())
+    while (const FFmpegOwner<AVPacket> packet = packets.Next())
     {
         if (packet->pts < part.before)
         {
@@ -61,14 +58,10 @@ namespace
 Result<void> Copy(const CopiedPart& part, std::span<const std::int64_t> decodingTimes,
                   bool isUnwrapped, FFmpegMuxer& muxer, const std::function<bool()>& isStopped)
 {
-    Result<FFmpegPackets> packets = FFmpegPackets::Open(part.from, part.tick);
-    if (!packets)
-    {
-        return packets.GetError();
-    }
-    const bool needsStartCodes = isUnwrapped && HasLengths(packets->Codec());
+    ASSIGN_OR_RETURN(FFmpegPackets packets, FFmpegPackets::Open(part.from, part.tick));
+    const bool needsStartCodes = isUnwrapped && HasLengths(packets.Codec());
     std::size_t copied = 0;
-    while (const FFmpegOwner<AVPacket> packet = isStopped() ? nullptr : packets->Next())
+    while (const FFmpegOwner<AVPacket> packet = isStopped() ? nullptr : packets.Next())
     {
         if (packet->pts >= part.before || copied >= decodingTimes.size())
         {
@@ -81,10 +74,7 @@ Result<void> Copy(const CopiedPart& part, std::span<const std::int64_t> decoding
         packet->pts += part.offset;
         packet->dts = decodingTimes[copied++];
         packet->duration = copied == decodingTimes.size() ? part.lastDuration : 1;
-        if (Result<void> written = muxer.Write(*packet); !written)
-        {
-            return written;
-        }
+        RETURN_IF_ERROR(muxer.Write(*packet));
     }
     return {};
 }
@@ -99,12 +89,8 @@ Result<void> CopyPackets(const CopiedPart& part, std::span<const std::int64_t> d
 
 Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer, DecodingTimes& decodingTimes)
 {
-    const Result<std::vector<std::int64_t>> shown = TimesIn(part);
-    if (!shown)
-    {
-        return shown.GetError();
-    }
-    std::vector<std::int64_t> times = *shown;
+    ASSIGN_OR_RETURN(const std::vector<std::int64_t> shown, TimesIn(part));
+    std::vector<std::int64_t> times = shown;
     std::sort(times.begin(), times.end());
     for (const std::int64_t time : times)
     {
@@ -134,42 +120,21 @@ Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overw
                                    const std::filesystem::path& from, AVRational tick, int delay)
 {
     // Nobody else's name: what a killed run left there is replaced.
-    Result<AtomicFile> file =
-        AtomicFile::Create(path, {.overwrite = overwrite, .mark = "boxreel-indexed"});
-    if (!file)
-    {
-        return file.GetError();
-    }
-    Result<FFmpegPackets> packets = FFmpegPackets::Open(from, tick);
-    if (!packets)
-    {
-        return packets.GetError();
-    }
-    FFmpegOutput output(&*file);
-    const MuxerStream stream{&packets->Codec(), tick, AVRational{tick.den, tick.num}};
-    Result<FFmpegMuxer> muxer =
-        FFmpegMuxer::Open(output, "mp4", {{"movflags", "+faststart"}}, stream, path.string());
-    if (!muxer)
-    {
-        return muxer.GetError();
-    }
+    ASSIGN_OR_RETURN(AtomicFile file,
+                     AtomicFile::Create(path, {.overwrite = overwrite, .mark = "boxreel-indexed"}));
+    ASSIGN_OR_RETURN(FFmpegPackets packets, FFmpegPackets::Open(from, tick));
+    FFmpegOutput output(&file);
+    const MuxerStream stream{&packets.Codec(), tick, AVRational{tick.den, tick.num}};
+    ASSIGN_OR_RETURN(
+        FFmpegMuxer muxer,
+        FFmpegMuxer::Open(output, "mp4", {{"movflags", "+faststart"}}, stream, path.string()));
     CopiedPart whole{.from = from, .tick = tick};
-    const Result<std::vector<std::int64_t>> shown = TimesIn(whole);
-    if (!shown)
-    {
-        return shown.GetError();
-    }
-    const std::vector<std::int64_t> decoded = LatestDecodingTimes(*shown, delay);
-    whole.lastDuration = LastDuration(*shown, decoded, delay);
-    if (Result<void> copied = CopyPackets(whole, decoded, *muxer); !copied)
-    {
-        return copied;
-    }
-    if (Result<void> finished = muxer->Finish(); !finished)
-    {
-        return finished;
-    }
-    return file->Commit();
+    ASSIGN_OR_RETURN(const std::vector<std::int64_t> shown, TimesIn(whole));
+    const std::vector<std::int64_t> decoded = LatestDecodingTimes(shown, delay);
+    whole.lastDuration = LastDuration(shown, decoded, delay);
+    RETURN_IF_ERROR(CopyPackets(whole, decoded, muxer));
+    RETURN_IF_ERROR(muxer.Finish());
+    return file.Commit();
 }
 
 } // namespace boxreel

@@ -8,6 +8,7 @@
 #include "FFmpegPicture.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 
 #include <algorithm>
 #include <optional>
@@ -86,23 +87,13 @@ Error FFmpegFilm::EncodeError(int status) const
 
 Result<void> FFmpegFilm::Open()
 {
-    Result<FFmpegCodec> codec = FFmpegCodec::Open(m_plan, m_settings, Name());
-    if (!codec)
-    {
-        return codec.GetError();
-    }
-    m_codec.emplace(std::move(*codec));
+    ASSIGN_OR_RETURN(FFmpegCodec codec, FFmpegCodec::Open(m_plan, m_settings, Name()));
+    m_codec.emplace(std::move(codec));
     m_tick = m_codec->Context().time_base;
     m_delay = m_codec->Context().has_b_frames;
     m_decodingTimes.emplace(m_delay);
-    if (Result<void> done = OpenPicture(); !done)
-    {
-        return done;
-    }
-    if (Result<void> done = OpenFile(); !done)
-    {
-        return done;
-    }
+    RETURN_IF_ERROR(OpenPicture());
+    RETURN_IF_ERROR(OpenFile());
     return m_settings.resume && !IsAnimation(m_format) ? Resume() : OpenMuxer();
 }
 
@@ -115,54 +106,36 @@ Result<void> FFmpegFilm::OpenFile()
         return {};
     }
     const bool isFresh = m_settings.overwrite && !m_settings.resume;
-    Result<AtomicFile> file =
+    ASSIGN_OR_RETURN(
+        AtomicFile file,
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
                                     .mark = m_settings.resume ? kResumedMark : "part",
-                                    .replacesLeftover = isFresh || m_settings.resume});
-    if (!file)
-    {
-        return file.GetError();
-    }
-    m_file.emplace(std::move(*file));
+                                    .replacesLeftover = isFresh || m_settings.resume}));
+    m_file.emplace(std::move(file));
     m_output = std::make_unique<FFmpegOutput>(&*m_file);
     return {};
 }
 
 Result<void> FFmpegFilm::OpenMuxer()
 {
-    const Result<FFmpegOwner<AVCodecParameters>> parameters =
-        m_codec->MakeParameters(m_plan, m_settings, Name());
-    if (!parameters)
-    {
-        return parameters.GetError();
-    }
-    const MuxerStream stream{parameters->get(), m_tick, m_codec->Context().framerate};
-    Result<FFmpegMuxer> muxer =
-        FFmpegMuxer::Open(*m_output, m_plan.muxer, m_plan.muxerOptions, stream, Name());
-    if (!muxer)
-    {
-        return muxer.GetError();
-    }
-    m_muxer.emplace(std::move(*muxer));
+    ASSIGN_OR_RETURN(const FFmpegOwner<AVCodecParameters> parameters,
+                     m_codec->MakeParameters(m_plan, m_settings, Name()));
+    const MuxerStream stream{parameters.get(), m_tick, m_codec->Context().framerate};
+    ASSIGN_OR_RETURN(FFmpegMuxer muxer, FFmpegMuxer::Open(*m_output, m_plan.muxer,
+                                                          m_plan.muxerOptions, stream, Name()));
+    m_muxer.emplace(std::move(muxer));
     return {};
 }
 
 Result<void> FFmpegFilm::OpenPicture()
 {
-    Result<FrameToPicture> converter =
-        FrameToPicture::Create(m_settings.width, m_settings.height, m_codec->Context().pix_fmt,
-                               m_codec->Context().colorspace);
-    if (!converter)
-    {
-        return converter.GetError();
-    }
-    m_converter.emplace(*converter);
-    Result<FFmpegOwner<AVFrame>> picture = m_codec->MakePicture();
-    if (!picture)
-    {
-        return picture.GetError();
-    }
-    m_picture = std::move(*picture);
+    ASSIGN_OR_RETURN(FrameToPicture converter,
+                     FrameToPicture::Create(m_settings.width, m_settings.height,
+                                            m_codec->Context().pix_fmt,
+                                            m_codec->Context().colorspace));
+    m_converter.emplace(converter);
+    ASSIGN_OR_RETURN(FFmpegOwner<AVFrame> picture, m_codec->MakePicture());
+    m_picture = std::move(picture);
     m_isPictureWhole = false;
     return {};
 }
@@ -172,18 +145,12 @@ Result<void> FFmpegFilm::Resume()
 {
     const std::filesystem::path left = PartPath(m_path);
     m_resumed = m_frames = CountWholeFrames(left, m_frameTimes, m_tick);
-    if (Result<void> opened = OpenMuxer(); !opened)
-    {
-        return opened;
-    }
+    RETURN_IF_ERROR(OpenMuxer());
     if (m_resumed > 0)
     {
         const CopiedPart kept{
             .from = left, .tick = m_tick, .before = m_frameTimes.TimeOf(Last() + 1)};
-        if (Result<void> copied = CopyBeginning(kept, *m_muxer, *m_decodingTimes); !copied)
-        {
-            return copied;
-        }
+        RETURN_IF_ERROR(CopyBeginning(kept, *m_muxer, *m_decodingTimes));
     }
     m_output->Flush();
     return m_file->Mark("part");
@@ -192,10 +159,7 @@ Result<void> FFmpegFilm::Resume()
 Result<void> FFmpegFilm::Append(const Frame& frame, std::span<const PixelBounds> changed)
 {
     ++m_frames;
-    if (Result<void> filled = Fill(frame, changed); !filled)
-    {
-        return filled;
-    }
+    RETURN_IF_ERROR(Fill(frame, changed));
     return Show(Last());
 }
 
@@ -211,12 +175,8 @@ Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> c
     // The encoder may still look at the last picture; a new one costs an allocation from a pool.
     if (FFmpeg().av_frame_is_writable(m_picture.get()) == 0)
     {
-        Result<FFmpegOwner<AVFrame>> picture = m_codec->MakePicture();
-        if (!picture)
-        {
-            return picture.GetError();
-        }
-        m_picture = std::move(*picture);
+        ASSIGN_OR_RETURN(FFmpegOwner<AVFrame> picture, m_codec->MakePicture());
+        m_picture = std::move(picture);
         m_isPictureWhole = false;
     }
     if (m_isPictureWhole)
@@ -246,10 +206,7 @@ bool FFmpegFilm::MustShow(std::int64_t index) const
 /// Encodes the picture as this frame.
 Result<void> FFmpegFilm::Show(std::int64_t index)
 {
-    if (Result<void> started = StartGroup(m_frameTimes.GroupOf(index)); !started)
-    {
-        return started;
-    }
+    RETURN_IF_ERROR(StartGroup(m_frameTimes.GroupOf(index)));
     m_shown = index;
     m_picture->pts = m_frameTimes.TimeOf(index);
     if (m_plan.needsGroups)
@@ -267,17 +224,10 @@ Result<void> FFmpegFilm::StartGroup(std::int64_t group)
     {
         return {};
     }
-    if (Result<void> ended = EndGroup(); !ended)
-    {
-        return ended;
-    }
+    RETURN_IF_ERROR(EndGroup());
     const StageTimer timer(m_settings.stages, Stage::Encode);
-    Result<FFmpegCodec> codec = FFmpegCodec::Open(m_plan, m_settings, Name());
-    if (!codec)
-    {
-        return codec.GetError();
-    }
-    m_codec.emplace(std::move(*codec));
+    ASSIGN_OR_RETURN(FFmpegCodec codec, FFmpegCodec::Open(m_plan, m_settings, Name()));
+    m_codec.emplace(std::move(codec));
     return {};
 }
 
@@ -323,10 +273,7 @@ Result<void> FFmpegFilm::Write(const Packets& packets)
         packet->dts = m_plan.needsGroups ? m_decodingTimes->Next() : packet->pts;
         m_lastWritten = packet->pts;
         packet->duration = 1;
-        if (Result<void> written = m_muxer->Write(*packet); !written)
-        {
-            return written;
-        }
+        RETURN_IF_ERROR(m_muxer->Write(*packet));
     }
     return {};
 }
@@ -346,10 +293,7 @@ Result<void> FFmpegFilm::Finish()
             return shown;
         }
     }
-    if (Result<void> ended = EndGroup(); !ended)
-    {
-        return ended;
-    }
+    RETURN_IF_ERROR(EndGroup());
     if (m_format == VideoFormat::Apng)
     {
         m_muxer->SetFinalDelay(m_frameTimes.TimeOf(Last() + 1) - m_lastWritten);
@@ -360,10 +304,7 @@ Result<void> FFmpegFilm::Finish()
 
 Result<void> FFmpegFilm::Close()
 {
-    if (Result<void> finished = Finish(); !finished)
-    {
-        return finished;
-    }
+    RETURN_IF_ERROR(Finish());
     if (!m_file)
     {
         return {};
@@ -374,10 +315,7 @@ Result<void> FFmpegFilm::Close()
 
 Result<void> FFmpegFilm::Suspend()
 {
-    if (Result<void> finished = Finish(); !finished)
-    {
-        return finished;
-    }
+    RETURN_IF_ERROR(Finish());
     return m_file ? m_file->Leave() : Result<void>();
 }
 
@@ -393,20 +331,10 @@ Result<void> FFmpegFilm::CommitWithIndexInFront()
 Result<std::unique_ptr<VideoSink>> OpenFFmpegFilm(const std::filesystem::path& path,
                                                   VideoFormat format, const VideoSettings& settings)
 {
-    if (Result<void> loaded = LoadFFmpeg(); !loaded)
-    {
-        return loaded.GetError();
-    }
-    Result<EncoderPlan> plan = PlanFor(format, settings);
-    if (!plan)
-    {
-        return plan.GetError();
-    }
-    auto film = std::make_unique<FFmpegFilm>(path, format, std::move(*plan), settings);
-    if (Result<void> opened = film->Open(); !opened)
-    {
-        return opened.GetError();
-    }
+    RETURN_IF_ERROR(LoadFFmpeg());
+    ASSIGN_OR_RETURN(EncoderPlan plan, PlanFor(format, settings));
+    auto film = std::make_unique<FFmpegFilm>(path, format, std::move(plan), settings);
+    RETURN_IF_ERROR(film->Open());
     return std::unique_ptr<VideoSink>(std::move(film));
 }
 

@@ -5,6 +5,7 @@
 #include "FrameTimes.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 
 #include <algorithm>
 #include <cstring>
@@ -72,19 +73,11 @@ bool IsAlike(const AVCodecParameters& a, const AVCodecParameters& b)
 /// One stream has one description of how it is coded.
 Result<void> CheckAlike(const std::vector<FilmPart>& films, AVRational tick)
 {
-    Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
-    if (!first)
-    {
-        return first.GetError();
-    }
+    ASSIGN_OR_RETURN(FFmpegPackets first, FFmpegPackets::Open(films.front().path, tick));
     for (const FilmPart& film : films)
     {
-        const Result<FFmpegPackets> packets = FFmpegPackets::Open(film.path, tick);
-        if (!packets)
-        {
-            return packets.GetError();
-        }
-        if (!IsAlike(first->Codec(), packets->Codec()))
+        ASSIGN_OR_RETURN(const FFmpegPackets packets, FFmpegPackets::Open(film.path, tick));
+        if (!IsAlike(first.Codec(), packets.Codec()))
         {
             return Error{ErrorKind::Unusable,
                          film.path.string() + " is not coded as " + films.front().path.string() +
@@ -99,10 +92,7 @@ Result<bool> Write(const std::vector<Part>& parts, FFmpegMuxer& muxer,
 {
     for (const Part& part : parts)
     {
-        if (Result<void> copied = CopyPackets(part.copied, part.decoded, muxer, isStopped); !copied)
-        {
-            return copied.GetError();
-        }
+        RETURN_IF_ERROR(CopyPackets(part.copied, part.decoded, muxer, isStopped));
         if (isStopped())
         {
             return false;
@@ -118,28 +108,14 @@ Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
                              VideoFormat format, const VideoSettings& settings,
                              const std::function<bool()>& isStopped)
 {
-    if (Result<void> loaded = LoadFFmpeg(); !loaded)
-    {
-        return loaded.GetError();
-    }
-    const Result<EncoderPlan> plan = PlanFor(format, settings);
-    if (!plan)
-    {
-        return plan.GetError();
-    }
+    RETURN_IF_ERROR(LoadFFmpeg());
+    ASSIGN_OR_RETURN(const EncoderPlan plan, PlanFor(format, settings));
     const AVRational tick = TickOf(settings.framesPerSecond);
     VideoSettings whole = settings;
     whole.frames = FrameRange(FrameRun{.first = films.front().firstFrame});
-    Result<std::vector<Part>> parts = LookAt(films, FrameTimes(format, whole), tick);
-    if (!parts)
-    {
-        return parts.GetError();
-    }
-    if (Result<void> alike = CheckAlike(films, tick); !alike)
-    {
-        return alike.GetError();
-    }
-    FillDecodingTimes(*parts);
+    ASSIGN_OR_RETURN(std::vector<Part> parts, LookAt(films, FrameTimes(format, whole), tick));
+    RETURN_IF_ERROR(CheckAlike(films, tick));
+    FillDecodingTimes(parts);
     Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
     Result<AtomicFile> file = AtomicFile::Create(
         path, {.overwrite = settings.overwrite, .replacesLeftover = settings.overwrite});
@@ -150,14 +126,11 @@ Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     FFmpegOutput output(&*file);
     const AVRational rate{int(settings.framesPerSecond.num), int(settings.framesPerSecond.den)};
     const Options options =
-        format == VideoFormat::Mp4 ? Options{{"movflags", "+faststart"}} : plan->muxerOptions;
-    Result<FFmpegMuxer> muxer = FFmpegMuxer::Open(output, plan->muxer, options,
-                                                  {&first->Codec(), tick, rate}, path.string());
-    if (!muxer)
-    {
-        return muxer.GetError();
-    }
-    if (Result<bool> written = Write(*parts, *muxer, isStopped); !written || !*written)
+        format == VideoFormat::Mp4 ? Options{{"movflags", "+faststart"}} : plan.muxerOptions;
+    ASSIGN_OR_RETURN(FFmpegMuxer muxer,
+                     FFmpegMuxer::Open(output, plan.muxer, options, {&first->Codec(), tick, rate},
+                                       path.string()));
+    if (Result<bool> written = Write(parts, muxer, isStopped); !written || !*written)
     {
         return written;
     }

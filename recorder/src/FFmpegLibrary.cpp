@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegLibrary.h"
 
+#include <base/ErrorMacros.h>
 #include <base/SharedLibrary.h>
 
 #include <cassert>
@@ -14,17 +15,11 @@ namespace
 
 FFmpegLibrary g_library;
 
-Error MissingSymbol(const char* symbol, const std::string& name, const std::string& package)
-{
-    return Error{ErrorKind::Absent,
-                 name + " lacks the function " + symbol + "; install Debian's " + package + "."};
-}
-
 // One per library, for the four lists of functions differ.
 #define BOXREEL_BIND(symbol)                                                                       \
     if (!library->Bind(#symbol, g_library.symbol))                                                 \
     {                                                                                              \
-        return MissingSymbol(#symbol, name, package);                                              \
+        return library->Lacks("the function " #symbol);                                            \
     }
 #define BOXREEL_LOADER(function, functions)                                                        \
     Result<void> function(const std::string& name, const std::string& package)                     \
@@ -53,22 +48,10 @@ Result<void> LoadOne(Result<void> (*bind)(const std::string&, const std::string&
 
 Result<void> LoadAll()
 {
-    if (Result<void> done = LoadOne(BindUtil, "avutil", LIBAVUTIL_VERSION_MAJOR); !done)
-    {
-        return done;
-    }
-    if (Result<void> done = LoadOne(BindScale, "swscale", LIBSWSCALE_VERSION_MAJOR); !done)
-    {
-        return done;
-    }
-    if (Result<void> done = LoadOne(BindCodec, "avcodec", LIBAVCODEC_VERSION_MAJOR); !done)
-    {
-        return done;
-    }
-    if (Result<void> done = LoadOne(BindFormat, "avformat", LIBAVFORMAT_VERSION_MAJOR); !done)
-    {
-        return done;
-    }
+    RETURN_IF_ERROR(LoadOne(BindUtil, "avutil", LIBAVUTIL_VERSION_MAJOR));
+    RETURN_IF_ERROR(LoadOne(BindScale, "swscale", LIBSWSCALE_VERSION_MAJOR));
+    RETURN_IF_ERROR(LoadOne(BindCodec, "avcodec", LIBAVCODEC_VERSION_MAJOR));
+    RETURN_IF_ERROR(LoadOne(BindFormat, "avformat", LIBAVFORMAT_VERSION_MAJOR));
     if (g_library.av_log_get_level() == AV_LOG_INFO) // libav's default: nobody else has a say
     {
         g_library.av_log_set_level(AV_LOG_QUIET);
@@ -85,10 +68,7 @@ Result<void> LoadFFmpeg()
     const std::lock_guard lock(mutex);
     if (!loaded)
     {
-        if (Result<void> done = LoadAll(); !done)
-        {
-            return done;
-        }
+        RETURN_IF_ERROR(LoadAll());
         loaded = true;
     }
     return {};

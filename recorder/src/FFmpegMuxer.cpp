@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegMuxer.h"
 
+#include <base/ErrorMacros.h>
+
 #include <utility>
 
 namespace boxreel
@@ -45,10 +47,7 @@ Result<FFmpegMuxer> FFmpegMuxer::Open(FFmpegOutput& output, const std::string& m
     opened.m_stream->time_base = stream.tick;
     opened.m_stream->avg_frame_rate = stream.framesPerSecond;
     opened.m_stream->sample_aspect_ratio = stream.codec->sample_aspect_ratio;
-    if (Result<void> done = opened.WriteHeader(options); !done)
-    {
-        return done.GetError();
-    }
+    RETURN_IF_ERROR(opened.WriteHeader(options));
     return opened;
 }
 

@@ -6,6 +6,8 @@
 #include "FFmpegPicture.h"
 #include "GifRate.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -104,14 +106,8 @@ Error FFmpegReader::Damaged(const std::string& why) const
 
 Result<void> FFmpegReader::Open()
 {
-    if (Result<void> done = OpenInput(); !done)
-    {
-        return done;
-    }
-    if (Result<void> done = OpenDecoder(); !done)
-    {
-        return done;
-    }
+    RETURN_IF_ERROR(OpenInput());
+    RETURN_IF_ERROR(OpenDecoder());
     FillInfo();
     return {};
 }
@@ -303,10 +299,7 @@ Result<bool> FFmpegReader::Next(StoredFrame& stored)
         }
         if (status == AVERROR(EAGAIN) && !m_isDraining)
         {
-            if (Result<void> fed = Feed(); !fed)
-            {
-                return fed.GetError();
-            }
+            RETURN_IF_ERROR(Feed());
             continue;
         }
         if (status < 0)
@@ -336,15 +329,9 @@ Result<bool> FFmpegReader::Next(StoredFrame& stored)
 
 Result<std::unique_ptr<VideoSource>> OpenFFmpegReader(const std::filesystem::path& path)
 {
-    if (Result<void> loaded = LoadFFmpeg(); !loaded)
-    {
-        return loaded.GetError();
-    }
+    RETURN_IF_ERROR(LoadFFmpeg());
     auto reader = std::make_unique<FFmpegReader>(path);
-    if (Result<void> opened = reader->Open(); !opened)
-    {
-        return opened.GetError();
-    }
+    RETURN_IF_ERROR(reader->Open());
     return std::unique_ptr<VideoSource>(std::move(reader));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "FrameRelay.h"
 
+#include <base/ErrorMacros.h>
+
 #include <span>
 
 namespace boxreel
@@ -13,10 +15,7 @@ FrameRelay::FrameRelay(Renderer& renderer, VideoWriter& writer)
 Result<void> FrameRelay::Submit(const DrawList& list, const Camera& camera, const Overlay* overlay)
 {
     const StageTimer timer(m_stages, Stage::Draw);
-    if (Result<void> submitted = m_renderer.Submit(list, camera, overlay); !submitted)
-    {
-        return submitted;
-    }
+    RETURN_IF_ERROR(m_renderer.Submit(list, camera, overlay));
     // The renderer may have drawn the same before this film began, but the film has no frame to
     // repeat then.
     m_isRepeat = m_isBegun && m_renderer.Statistics().unchanged;
@@ -27,10 +26,7 @@ Result<void> FrameRelay::HandOver()
 {
     if (!m_isRepeat)
     {
-        if (Result<void> appended = Append(); !appended)
-        {
-            return appended;
-        }
+        RETURN_IF_ERROR(Append());
     }
     else if (!m_encoder.Repeat())
     {
@@ -49,12 +45,8 @@ Result<const Frame*> FrameRelay::Read()
 /// Reads what has changed and hands it to the encoder.
 Result<void> FrameRelay::Append()
 {
-    const Result<const Frame*> read = Read();
-    if (!read)
-    {
-        return read.GetError();
-    }
-    m_pixels = *read;
+    ASSIGN_OR_RETURN(const Frame* read, Read());
+    m_pixels = read;
     const PixelBounds whole{0, 0, m_pixels->width, m_pixels->height};
     const std::span<const PixelBounds> changed =
         m_isBegun ? m_renderer.Changes() : std::span(&whole, 1);

@@ -5,6 +5,7 @@
 #include "GifPalette.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 
 #include <algorithm>
 #include <array>
@@ -170,15 +171,12 @@ private:
 Result<void> GifFilm::Open()
 {
     const bool isResumed = m_settings.resume;
-    Result<AtomicFile> file =
+    ASSIGN_OR_RETURN(
+        AtomicFile file,
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
                                     .mark = isResumed ? kResumedMark : "part",
-                                    .replacesLeftover = m_settings.overwrite || isResumed});
-    if (!file)
-    {
-        return file.GetError();
-    }
-    m_file.emplace(std::move(*file));
+                                    .replacesLeftover = m_settings.overwrite || isResumed}));
+    m_file.emplace(std::move(file));
     return m_file->Write(Header(m_settings.width, m_settings.height, m_settings.plays));
 }
 
@@ -216,10 +214,7 @@ Result<void> GifFilm::Show()
         m_group = m_times.GroupOf(Last());
         m_palette = GifPalette(); // a group knows nothing of the one before
     }
-    if (Result<void> mapped = Map(); !mapped)
-    {
-        return mapped;
-    }
+    RETURN_IF_ERROR(Map());
     PixelBounds part{0, 0, m_last.width, m_last.height};
     if (!isWhole)
     {
@@ -230,10 +225,7 @@ Result<void> GifFilm::Show()
         part = {0, 0, 1, 1}; // there is no smaller one
     }
     const std::int64_t now = m_times.TimeOf(Last());
-    if (Result<void> written = WriteWaiting(now); !written)
-    {
-        return written;
-    }
+    RETURN_IF_ERROR(WriteWaiting(now));
     m_waiting = FrameBytes(PictureOf(part, true));
     if (!isWhole) // pixels that stay pay off unless they are few among many that change
     {
@@ -353,10 +345,7 @@ Result<std::unique_ptr<VideoSink>> OpenGifFilm(const std::filesystem::path& path
                                                const VideoSettings& settings)
 {
     auto film = std::make_unique<GifFilm>(path, settings);
-    if (Result<void> opened = film->Open(); !opened)
-    {
-        return opened.GetError();
-    }
+    RETURN_IF_ERROR(film->Open());
     return std::unique_ptr<VideoSink>(std::move(film));
 }
 

@@ -5,6 +5,8 @@
 #include "FFmpegJoin.h"
 #include "VideoFormat.h"
 
+#include <base/ErrorMacros.h>
+
 #include <cassert>
 
 namespace boxreel
@@ -14,10 +16,7 @@ Result<bool> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem
                        const VideoSettings& settings, const std::function<bool()>& isStopped)
 {
     assert(!parts.empty() && "parts of a film");
-    if (Result<void> usable = CheckVideoPath(path, settings); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckVideoPath(path, settings));
     const VideoFormat format = *FormatOf(path, settings);
     for (const FilmPart& part : parts)
     {

@@ -3,6 +3,7 @@
 #include "SequenceName.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 #include <render/Png.h>
 
 #include <algorithm>
@@ -118,10 +119,7 @@ Result<void> PngSequenceWriter::Append(const Frame& frame, std::span<const Pixel
 {
     if (m_frames > m_resumed)
     {
-        if (Result<void> done = Flush(); !done)
-        {
-            return done;
-        }
+        RETURN_IF_ERROR(Flush());
     }
     const StageTimer timer(m_stages, Stage::Copy);
     m_pending.first = m_frames++;
@@ -190,19 +188,12 @@ Result<std::vector<std::uint8_t>> PngSequenceWriter::Encode(const Frame& frame)
 
 Result<void> PngSequenceWriter::Write(const Job& job)
 {
-    const Result<std::vector<std::uint8_t>> bytes = Encode(job.frame);
-    if (!bytes)
-    {
-        return bytes.GetError();
-    }
+    ASSIGN_OR_RETURN(const std::vector<std::uint8_t> bytes, Encode(job.frame));
     const StageTimer timer(m_stages, Stage::Write);
     for (std::int64_t i = 0; i < job.count; ++i)
     {
         const fs::path path = m_name.PathOf(m_numbers.At(job.first + i));
-        if (Result<void> done = WriteWhole(path, *bytes, m_overwrite); !done)
-        {
-            return done;
-        }
+        RETURN_IF_ERROR(WriteWhole(path, bytes, m_overwrite));
         const std::lock_guard lock(m_mutex);
         m_written.push_back(path);
     }
@@ -213,10 +204,7 @@ Result<void> PngSequenceWriter::Close()
 {
     if (m_frames > m_resumed) // else all pictures were there
     {
-        if (Result<void> done = Flush(); !done)
-        {
-            return done;
-        }
+        RETURN_IF_ERROR(Flush());
     }
     Join();
     if (m_error)
@@ -278,12 +266,8 @@ public:
 
     Result<void> Open()
     {
-        Result<Frame> first = ReadPng(m_name.PathOf(m_numbers.front()));
-        if (!first)
-        {
-            return first.GetError();
-        }
-        info = RgbInfo(first->width, first->height, Rational{60, 1}, "png sequence", "png");
+        ASSIGN_OR_RETURN(Frame first, ReadPng(m_name.PathOf(m_numbers.front())));
+        info = RgbInfo(first.width, first.height, Rational{60, 1}, "png sequence", "png");
         return {};
     }
 
@@ -301,18 +285,14 @@ public:
                          m_name.PathOf(missing).string() +
                              " is missing in the middle of the sequence; render it again."};
         }
-        Result<Frame> read = ReadPng(path);
-        if (!read)
-        {
-            return read.GetError();
-        }
-        if (read->width != info.width || read->height != info.height)
+        ASSIGN_OR_RETURN(Frame read, ReadPng(path));
+        if (read.width != info.width || read.height != info.height)
         {
             return Error{ErrorKind::Unusable, path.string() +
                                                   " has another size than the first picture of the "
                                                   "sequence; render it again."};
         }
-        stored.frame = std::move(*read);
+        stored.frame = std::move(read);
         stored.seconds = double(std::int64_t(m_next) * info.framesPerSecond.den) /
                          double(info.framesPerSecond.num);
         ++m_next;
@@ -344,12 +324,7 @@ Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& 
     }
     // Whether the folder can be written to is known before anything is simulated.
     const std::int64_t first = settings.frames.First();
-    Result<AtomicFile> trial =
-        AtomicFile::Create(name.PathOf(first), settings.overwrite || settings.resume);
-    if (!trial)
-    {
-        return trial.GetError();
-    }
+    RETURN_IF_ERROR(AtomicFile::Create(name.PathOf(first), settings.overwrite || settings.resume));
     return std::unique_ptr<VideoSink>(std::make_unique<PngSequenceWriter>(name, settings, resumed));
 }
 
@@ -364,10 +339,7 @@ Result<std::unique_ptr<VideoSource>> OpenPngSequenceSource(const std::filesystem
                                               " for one does not exist; check the name."};
     }
     auto reader = std::make_unique<PngSequenceReader>(name, std::move(numbers));
-    if (Result<void> opened = reader->Open(); !opened)
-    {
-        return opened.GetError();
-    }
+    RETURN_IF_ERROR(reader->Open());
     return std::unique_ptr<VideoSource>(std::move(reader));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <base/ErrorMacros.h>
 #include <recorder/Recording.h>
 
 #include "FrameRelay.h"
@@ -42,20 +43,14 @@ private:
 
 Result<RecordingEnd> Recorder::Run()
 {
-    if (Result<void> filled = Fill(0); !filled)
-    {
-        return filled.GetError();
-    }
+    RETURN_IF_ERROR(Fill(0));
     for (std::int64_t frame = 0; frame < m_frameCount; ++frame)
     {
         if (m_content.stops)
         {
             return Stop();
         }
-        if (Result<void> made = Make(frame); !made)
-        {
-            return made.GetError();
-        }
+        RETURN_IF_ERROR(Make(frame));
         if (!Report(m_relay.Encoder().FramesDone()))
         {
             return Stop();
@@ -67,10 +62,7 @@ Result<RecordingEnd> Recorder::Run()
 /// What was handed over is still encoded.
 Result<RecordingEnd> Recorder::Stop()
 {
-    if (Result<void> finished = m_relay.Encoder().Finish(); !finished)
-    {
-        return finished.GetError();
-    }
+    RETURN_IF_ERROR(m_relay.Encoder().Finish());
     Report(m_relay.Encoder().FramesDone()); // its answer is known
     return RecordingEnd::Stopped;
 }
@@ -97,21 +89,12 @@ Result<void> Recorder::Submit()
 /// Submits frame `frame`, fills the next while it is drawn, hands its pixels to the encoder.
 Result<void> Recorder::Make(std::int64_t frame)
 {
-    if (Result<void> submitted = Submit(); !submitted)
-    {
-        return submitted;
-    }
+    RETURN_IF_ERROR(Submit());
     if (frame + 1 < m_frameCount)
     {
-        if (Result<void> filled = Fill(frame + 1); !filled)
-        {
-            return filled;
-        }
+        RETURN_IF_ERROR(Fill(frame + 1));
     }
-    if (Result<void> handed = m_relay.HandOver(); !handed)
-    {
-        return handed;
-    }
+    RETURN_IF_ERROR(m_relay.HandOver());
     m_repeated += m_relay.WasRepeated() ? 1 : 0;
     if (m_settings.seen)
     {
@@ -147,14 +130,8 @@ Result<RecordingEnd> Recorder::Finish()
             return Stop();
         }
     }
-    if (Result<void> finished = m_relay.Encoder().Finish(); !finished)
-    {
-        return finished.GetError();
-    }
-    if (Result<void> closed = m_writer.Close(); !closed)
-    {
-        return closed.GetError();
-    }
+    RETURN_IF_ERROR(m_relay.Encoder().Finish());
+    RETURN_IF_ERROR(m_writer.Close());
     return RecordingEnd::Complete;
 }
 

@@ -3,6 +3,8 @@
 
 #include "FrameRelay.h"
 
+#include <base/ErrorMacros.h>
+
 #include <optional>
 #include <utility>
 
@@ -36,10 +38,7 @@ Result<void> Recording::Impl::HandOver()
 Result<void> Recording::Impl::Add(const DrawList& list, const Camera& camera,
                                   const Overlay* overlay)
 {
-    if (Result<void> handed = HandOver(); !handed)
-    {
-        return handed;
-    }
+    RETURN_IF_ERROR(HandOver());
     Result<void> submitted = relay.Submit(list, camera, overlay);
     isDrawing = bool(submitted);
     return submitted;
@@ -47,14 +46,8 @@ Result<void> Recording::Impl::Add(const DrawList& list, const Camera& camera,
 
 Result<void> Recording::Impl::Close()
 {
-    if (Result<void> handed = HandOver(); !handed)
-    {
-        return handed;
-    }
-    if (Result<void> finished = relay.Encoder().Finish(); !finished)
-    {
-        return finished;
-    }
+    RETURN_IF_ERROR(HandOver());
+    RETURN_IF_ERROR(relay.Encoder().Finish());
     return writer.Close();
 }
 
@@ -78,17 +71,9 @@ Result<Recording> Recording::Open(const std::filesystem::path& path, const Video
     RendererSettings ofSize = drawing;
     ofSize.width = film.width;
     ofSize.height = film.height;
-    Result<Renderer> renderer = Renderer::Create(ofSize);
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
-    Result<VideoWriter> writer = VideoWriter::Open(path, film);
-    if (!writer)
-    {
-        return writer.GetError();
-    }
-    return Recording(std::make_unique<Impl>(std::move(*writer), std::move(*renderer)));
+    ASSIGN_OR_RETURN(Renderer renderer, Renderer::Create(ofSize));
+    ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(path, film));
+    return Recording(std::make_unique<Impl>(std::move(writer), std::move(renderer)));
 }
 
 bool Recording::Add(const DrawList& list, const Camera& camera, const Overlay* overlay)

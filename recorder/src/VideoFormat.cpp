@@ -3,6 +3,7 @@
 #include "SequenceName.h"
 #include "VideoPlan.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 
 #include <algorithm>
@@ -160,10 +161,7 @@ Result<void> CheckNumbers(const VideoSettings& settings)
                                               " times; give 0 (for ever) to " +
                                               std::to_string(kMostPlays) + "."};
     }
-    if (Result<void> rate = CheckRate(settings.framesPerSecond); !rate)
-    {
-        return rate;
-    }
+    RETURN_IF_ERROR(CheckRate(settings.framesPerSecond));
     return CheckSize(settings);
 }
 
@@ -202,12 +200,8 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
         }
         return {};
     }
-    const Result<EncoderPlan> plan = PlanFor(format, settings);
-    if (!plan)
-    {
-        return plan.GetError();
-    }
-    return plan->pixelFormat == "yuv420p" ? CheckEvenSize(format, settings) : Result<void>();
+    ASSIGN_OR_RETURN(const EncoderPlan plan, PlanFor(format, settings));
+    return plan.pixelFormat == "yuv420p" ? CheckEvenSize(format, settings) : Result<void>();
 }
 
 } // namespace
@@ -295,10 +289,7 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
         return Error{ErrorKind::Unusable,
                      path.string() + " has more than nine #; no film is that long."};
     }
-    if (Result<void> numbers = CheckNumbers(settings); !numbers)
-    {
-        return numbers;
-    }
+    RETURN_IF_ERROR(CheckNumbers(settings));
     return CheckFormat(path, *format, settings);
 }
 

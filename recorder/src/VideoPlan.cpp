@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "VideoPlan.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -319,23 +321,13 @@ Result<EncoderPlan> PlanFor(VideoFormat format, const VideoSettings& settings)
 {
     assert(IsOfLibav(format) && "others have no plan");
     const Container& container = ContainerOf(format);
-    const Result<std::string> codec = CodecOf(container, settings);
-    if (!codec)
-    {
-        return codec.GetError();
-    }
+    ASSIGN_OR_RETURN(const std::string codec, CodecOf(container, settings));
     EncoderPlan plan;
     plan.muxer = container.muxer;
     plan.muxerOptions = container.options;
-    if (Result<void> done = PlanCodec(plan, format, *codec, settings); !done)
-    {
-        return done.GetError();
-    }
+    RETURN_IF_ERROR(PlanCodec(plan, format, codec, settings));
     PlanPlays(plan, format, settings.plays);
-    if (Result<void> done = AddUsers(plan, settings); !done)
-    {
-        return done.GetError();
-    }
+    RETURN_IF_ERROR(AddUsers(plan, settings));
     return plan;
 }
 

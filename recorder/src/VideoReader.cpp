@@ -7,6 +7,7 @@
 #include "VideoSource.h"
 #include "WebPReader.h"
 
+#include <base/ErrorMacros.h>
 #include <render/Png.h>
 
 #include <algorithm>
@@ -112,12 +113,8 @@ Result<bool> VideoReader::Impl::Advance()
     if (!isBegun)
     {
         isBegun = true;
-        Result<bool> first = source->Next(next);
-        if (!first)
-        {
-            return first;
-        }
-        hasNext = *first;
+        ASSIGN_OR_RETURN(bool first, source->Next(next));
+        hasNext = first;
         start = next.seconds;
     }
     if (!hasNext)
@@ -125,12 +122,8 @@ Result<bool> VideoReader::Impl::Advance()
         return false;
     }
     std::swap(current, next);
-    Result<bool> more = source->Next(next);
-    if (!more)
-    {
-        return more;
-    }
-    hasNext = *more;
+    ASSIGN_OR_RETURN(bool more, source->Next(next));
+    hasNext = more;
     const double end = hasNext ? next.seconds : current.seconds + current.length;
     timesShown = 0;
     timesToBeShown = std::max<std::int64_t>(1, PeriodOf(end) - PeriodOf(current.seconds));

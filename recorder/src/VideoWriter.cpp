@@ -9,6 +9,7 @@
 #include <recorder/VideoWriter.h>
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 
 #include <cassert>
 #include <string>
@@ -66,10 +67,7 @@ VideoWriter::~VideoWriter() = default;
 Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
                                       const VideoSettings& settings)
 {
-    if (Result<void> checked = CheckVideoPath(path, settings); !checked)
-    {
-        return checked.GetError();
-    }
+    RETURN_IF_ERROR(CheckVideoPath(path, settings));
     Result<std::unique_ptr<VideoSink>> sink = OpenSink(path, *FormatOf(path, settings), settings);
     if (!sink)
     {
@@ -83,10 +81,7 @@ Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
     VideoWriter writer(std::move(impl));
     if (settings.resume && IsAnimation(*FormatOf(path, settings)))
     {
-        if (Result<void> resumed = writer.Resume(PartPath(path), settings); !resumed)
-        {
-            return resumed.GetError();
-        }
+        RETURN_IF_ERROR(writer.Resume(PartPath(path), settings));
     }
     return writer;
 }
@@ -97,10 +92,7 @@ Result<void> VideoWriter::Resume(const std::filesystem::path& left, const VideoS
     const std::int64_t count = CountWholeAnimation(left, settings);
     if (count > 0)
     {
-        if (Result<void> copied = CopyAnimation(left, settings, count, *this); !copied)
-        {
-            return copied;
-        }
+        RETURN_IF_ERROR(CopyAnimation(left, settings, count, *this));
     }
     m_impl->resumed = count;
     return m_impl->sink->TakePlace();

@@ -2,6 +2,7 @@
 #include "WebPFilm.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 #include <base/SharedLibrary.h>
 
 #include <array>
@@ -38,33 +39,24 @@ struct WebPLibrary
 
 Result<WebPLibrary> Load()
 {
-    Result<SharedLibrary> coder = SharedLibrary::Open("libwebp.so.7", "libwebp7");
-    if (!coder)
-    {
-        return coder.GetError();
-    }
-    Result<SharedLibrary> muxer = SharedLibrary::Open("libwebpmux.so.3", "libwebpmux3");
-    if (!muxer)
-    {
-        return muxer.GetError();
-    }
+    ASSIGN_OR_RETURN(SharedLibrary coder, SharedLibrary::Open("libwebp.so.7", "libwebp7"));
+    ASSIGN_OR_RETURN(SharedLibrary muxer, SharedLibrary::Open("libwebpmux.so.3", "libwebpmux3"));
     WebPLibrary library;
-    const bool isWhole = coder->Bind("WebPConfigInitInternal", library.configInit) &&
-                         coder->Bind("WebPValidateConfig", library.validateConfig) &&
-                         coder->Bind("WebPPictureInitInternal", library.pictureInit) &&
-                         coder->Bind("WebPPictureImportRGBX", library.pictureImport) &&
-                         coder->Bind("WebPPictureFree", library.pictureFree) &&
-                         coder->Bind("WebPFree", library.free) &&
-                         muxer->Bind("WebPAnimEncoderOptionsInitInternal", library.optionsInit) &&
-                         muxer->Bind("WebPAnimEncoderNewInternal", library.encoderNew) &&
-                         muxer->Bind("WebPAnimEncoderAdd", library.encoderAdd) &&
-                         muxer->Bind("WebPAnimEncoderAssemble", library.encoderAssemble) &&
-                         muxer->Bind("WebPAnimEncoderGetError", library.encoderError) &&
-                         muxer->Bind("WebPAnimEncoderDelete", library.encoderDelete);
+    const bool isWhole = coder.Bind("WebPConfigInitInternal", library.configInit) &&
+                         coder.Bind("WebPValidateConfig", library.validateConfig) &&
+                         coder.Bind("WebPPictureInitInternal", library.pictureInit) &&
+                         coder.Bind("WebPPictureImportRGBX", library.pictureImport) &&
+                         coder.Bind("WebPPictureFree", library.pictureFree) &&
+                         coder.Bind("WebPFree", library.free) &&
+                         muxer.Bind("WebPAnimEncoderOptionsInitInternal", library.optionsInit) &&
+                         muxer.Bind("WebPAnimEncoderNewInternal", library.encoderNew) &&
+                         muxer.Bind("WebPAnimEncoderAdd", library.encoderAdd) &&
+                         muxer.Bind("WebPAnimEncoderAssemble", library.encoderAssemble) &&
+                         muxer.Bind("WebPAnimEncoderGetError", library.encoderError) &&
+                         muxer.Bind("WebPAnimEncoderDelete", library.encoderDelete);
     if (!isWhole)
     {
-        return Error{ErrorKind::Absent, "This libwebp cannot make animations; install Debian's "
-                                        "libwebp7 and libwebpmux3."};
+        return muxer.Lacks("functions that make animations");
     }
     return library;
 }
@@ -117,14 +109,10 @@ Result<double> ParseOption(const std::string& name, const std::string& text)
 
 Result<void> SetOption(const std::string& name, const std::string& text, WebPConfig& config)
 {
-    const Result<double> value = ParseOption(name, text);
-    if (!value)
-    {
-        return value.GetError();
-    }
+    ASSIGN_OR_RETURN(const double value, ParseOption(name, text));
     if (name == "quality")
     {
-        config.quality = float(*value);
+        config.quality = float(value);
         return {};
     }
     std::string known = "quality";
@@ -132,7 +120,7 @@ Result<void> SetOption(const std::string& name, const std::string& text, WebPCon
     {
         if (name == option.name)
         {
-            config.*option.whole = int(*value);
+            config.*option.whole = int(value);
             return {};
         }
         known += std::string(", ") + option.name;
@@ -196,10 +184,7 @@ Result<void> WebPFilm::Configure()
     SetQuality(m_settings.quality, m_config);
     for (const auto& [name, value] : m_settings.codecOptions)
     {
-        if (Result<void> set = SetOption(name, value, m_config); !set)
-        {
-            return set;
-        }
+        RETURN_IF_ERROR(SetOption(name, value, m_config));
     }
     if (m_library.validateConfig(&m_config) == 0)
     {
@@ -211,20 +196,14 @@ Result<void> WebPFilm::Configure()
 
 Result<void> WebPFilm::Open()
 {
-    if (Result<void> done = Configure(); !done)
-    {
-        return done;
-    }
+    RETURN_IF_ERROR(Configure());
     const bool isResumed = m_settings.resume;
-    Result<AtomicFile> file =
+    ASSIGN_OR_RETURN(
+        AtomicFile file,
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
                                     .mark = isResumed ? kResumedMark : "part",
-                                    .replacesLeftover = m_settings.overwrite || isResumed});
-    if (!file)
-    {
-        return file.GetError();
-    }
-    m_file.emplace(std::move(*file));
+                                    .replacesLeftover = m_settings.overwrite || isResumed}));
+    m_file.emplace(std::move(file));
     WebPAnimEncoderOptions options;
     m_library.optionsInit(&options, WEBP_MUX_ABI_VERSION);
     options.anim_params.loop_count = m_settings.plays;
@@ -298,16 +277,9 @@ Result<void> WebPFilm::Suspend()
 Result<std::unique_ptr<VideoSink>> OpenWebPFilm(const std::filesystem::path& path,
                                                 const VideoSettings& settings)
 {
-    const Result<WebPLibrary> library = Load();
-    if (!library)
-    {
-        return library.GetError();
-    }
-    auto film = std::make_unique<WebPFilm>(path, settings, *library);
-    if (Result<void> opened = film->Open(); !opened)
-    {
-        return opened.GetError();
-    }
+    ASSIGN_OR_RETURN(const WebPLibrary library, Load());
+    auto film = std::make_unique<WebPFilm>(path, settings, library);
+    RETURN_IF_ERROR(film->Open());
     return std::unique_ptr<VideoSink>(std::move(film));
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "WebPReader.h"
 
+#include <base/ErrorMacros.h>
+#include <base/ReadWhole.h>
 #include <base/SharedLibrary.h>
 
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
-#include <vector>
 
 #include <webp/demux.h>
 
@@ -17,6 +16,8 @@ namespace boxreel
 
 namespace
 {
+
+constexpr std::uintmax_t kLargestFile = 0xFFFFFFFE; // of a RIFF container [bytes]
 
 struct WebPLibrary
 {
@@ -30,22 +31,18 @@ struct WebPLibrary
 
 Result<WebPLibrary> Load()
 {
-    Result<SharedLibrary> opened = SharedLibrary::Open("libwebpdemux.so.2", "libwebpdemux2");
-    if (!opened)
-    {
-        return opened.GetError();
-    }
+    ASSIGN_OR_RETURN(SharedLibrary opened,
+                     SharedLibrary::Open("libwebpdemux.so.2", "libwebpdemux2"));
     WebPLibrary library;
-    const bool isWhole = opened->Bind("WebPAnimDecoderOptionsInitInternal", library.optionsInit) &&
-                         opened->Bind("WebPAnimDecoderNewInternal", library.decoderNew) &&
-                         opened->Bind("WebPAnimDecoderGetInfo", library.getInfo) &&
-                         opened->Bind("WebPAnimDecoderGetNext", library.getNext) &&
-                         opened->Bind("WebPAnimDecoderHasMoreFrames", library.hasMore) &&
-                         opened->Bind("WebPAnimDecoderDelete", library.decoderDelete);
+    const bool isWhole = opened.Bind("WebPAnimDecoderOptionsInitInternal", library.optionsInit) &&
+                         opened.Bind("WebPAnimDecoderNewInternal", library.decoderNew) &&
+                         opened.Bind("WebPAnimDecoderGetInfo", library.getInfo) &&
+                         opened.Bind("WebPAnimDecoderGetNext", library.getNext) &&
+                         opened.Bind("WebPAnimDecoderHasMoreFrames", library.hasMore) &&
+                         opened.Bind("WebPAnimDecoderDelete", library.decoderDelete);
     if (!isWhole)
     {
-        return Error{ErrorKind::Absent, "This libwebp cannot read animations; install Debian's "
-                                        "libwebpdemux2."};
+        return opened.Lacks("functions that read animations");
     }
     return library;
 }
@@ -64,7 +61,7 @@ public:
 private:
     std::filesystem::path m_path;
     WebPLibrary m_library;
-    std::vector<std::uint8_t> m_bytes;
+    std::string m_bytes;
     WebPAnimDecoder* m_decoder = nullptr;
     WebPAnimInfo m_info{};
     int m_end = 0; // of the last frame [ms]
@@ -80,22 +77,15 @@ WebPReader::~WebPReader()
 
 Result<void> WebPReader::Open()
 {
-    std::ifstream file(m_path, std::ios::binary);
-    if (!file)
-    {
-        return Error{ErrorKind::Unusable,
-                     m_path.string() + " cannot be read; check the name and its permissions."};
-    }
-    m_bytes.assign(std::istreambuf_iterator<char>(file), {});
-    const WebPData data{m_bytes.data(), m_bytes.size()};
+    ASSIGN_OR_RETURN(m_bytes, ReadWhole(m_path, kLargestFile));
+    const WebPData data{reinterpret_cast<const std::uint8_t*>(m_bytes.data()), m_bytes.size()};
     WebPAnimDecoderOptions options;
     m_library.optionsInit(&options, WEBP_DEMUX_ABI_VERSION);
     m_decoder = m_library.decoderNew(&data, &options, WEBP_DEMUX_ABI_VERSION);
     if (m_decoder == nullptr || m_library.getInfo(m_decoder, &m_info) == 0)
     {
-        return Error{ErrorKind::Unusable, m_path.string() + " is not a WebP that can be read; it "
-                                                            "is damaged, cut short or of another "
-                                                            "kind."};
+        return Error{ErrorKind::Unusable, m_path.string(),
+                     "is not a WebP, is damaged or cut short"};
     }
     const Rational unknown{1000, 1}; // what its times are multiples of is not stored
     info = RgbInfo(int(m_info.canvas_width), int(m_info.canvas_height), unknown, "webp", "webp");
@@ -112,7 +102,7 @@ Result<bool> WebPReader::Next(StoredFrame& stored)
     int end = 0;
     if (m_library.getNext(m_decoder, &pixels, &end) == 0)
     {
-        return Error{ErrorKind::Failed, m_path.string() + " is damaged; record it again."};
+        return Error{ErrorKind::Failed, m_path.string(), "is damaged", "record it again"};
     }
     stored.frame = Frame(info.width, info.height);
     std::memcpy(stored.frame.rgba.data(), pixels, stored.frame.rgba.size());
@@ -126,16 +116,9 @@ Result<bool> WebPReader::Next(StoredFrame& stored)
 
 Result<std::unique_ptr<VideoSource>> OpenWebPReader(const std::filesystem::path& path)
 {
-    const Result<WebPLibrary> library = Load();
-    if (!library)
-    {
-        return library.GetError();
-    }
-    auto reader = std::make_unique<WebPReader>(path, *library);
-    if (Result<void> opened = reader->Open(); !opened)
-    {
-        return opened.GetError();
-    }
+    ASSIGN_OR_RETURN(const WebPLibrary library, Load());
+    auto reader = std::make_unique<WebPReader>(path, library);
+    RETURN_IF_ERROR(reader->Open());
     return std::unique_ptr<VideoSource>(std::move(reader));
 }
 

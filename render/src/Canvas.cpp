@@ -3,6 +3,8 @@
 
 #include "FontAtlas.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -45,10 +47,7 @@ Result<std::unique_ptr<Canvas>> Canvas::Create(const Context& context, int width
                                             "; install Mesa 17 or newer"};
     }
     std::unique_ptr<Canvas> canvas(new Canvas(gl, width, height, scale));
-    if (Result<void> made = canvas->MakeTarget(); !made)
-    {
-        return made.GetError();
-    }
+    RETURN_IF_ERROR(canvas->MakeTarget());
     return canvas;
 }
 
@@ -161,12 +160,8 @@ Result<const Canvas::Program*> Canvas::Need(ProgramKind kind, Form form)
     std::optional<Program>& program = m_programs[std::size_t(kind)][std::size_t(form)];
     if (!program)
     {
-        Result<Program> made = Link(InstancedShader(kind, form));
-        if (!made)
-        {
-            return made.GetError();
-        }
-        program = *made;
+        ASSIGN_OR_RETURN(Program made, Link(InstancedShader(kind, form)));
+        program = made;
     }
     if (kind == ProgramKind::Glyph)
     {
@@ -180,12 +175,8 @@ Result<const Canvas::Program*> Canvas::NeedMesh()
     NeedFont();
     if (!m_meshProgram)
     {
-        Result<Program> made = Link(MeshShader());
-        if (!made)
-        {
-            return made.GetError();
-        }
-        m_meshProgram = *made;
+        ASSIGN_OR_RETURN(Program made, Link(MeshShader()));
+        m_meshProgram = made;
         m_gl.BindVertexArray(m_meshArray);
         m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshCorners);
         m_gl.EnableVertexAttribArray(0);
@@ -274,10 +265,7 @@ Result<void> Canvas::Draw(std::span<const Batch> batches)
     }
     for (const Batch& batch : batches)
     {
-        if (Result<void> drawn = DrawSliced(batch); !drawn)
-        {
-            return drawn;
-        }
+        RETURN_IF_ERROR(DrawSliced(batch));
     }
     return {};
 }
@@ -303,12 +291,8 @@ Result<void> Canvas::DrawFitting(std::span<const Batch> batches)
     first = 0;
     for (const Batch& batch : batches)
     {
-        const Result<const Program*> program = Need(batch.kind, batch.form);
-        if (!program)
-        {
-            return program.GetError();
-        }
-        DrawInstances(batch, **program, first, batch.instances);
+        ASSIGN_OR_RETURN(const Program* program, Need(batch.kind, batch.form));
+        DrawInstances(batch, *program, first, batch.instances);
         first += VectorsOf(batch);
     }
     return {};
@@ -317,12 +301,8 @@ Result<void> Canvas::DrawFitting(std::span<const Batch> batches)
 /// For a GL whose textures are too short for a whole picture's instances.
 Result<void> Canvas::DrawSliced(const Batch& batch)
 {
-    const Result<const Program*> program = Need(batch.kind, batch.form);
-    if (!program)
-    {
-        return program.GetError();
-    }
-    const std::size_t vectors = (*program)->vectors;
+    ASSIGN_OR_RETURN(const Program* program, Need(batch.kind, batch.form));
+    const std::size_t vectors = program->vectors;
     const std::size_t most = m_mostVectors / vectors;
     for (std::size_t done = 0; done < batch.instances; done += most)
     {
@@ -330,7 +310,7 @@ Result<void> Canvas::DrawSliced(const Batch& batch)
         MakeRoom(count * vectors);
         m_gl.BufferSubData(GL_TEXTURE_BUFFER, 0, GLsizeiptr(count * vectors * kVectorBytes),
                            batch.data.data() + done * vectors * 4);
-        DrawInstances(batch, **program, 0, count);
+        DrawInstances(batch, *program, 0, count);
     }
     return {};
 }

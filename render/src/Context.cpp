@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Context.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 
 #include <cstdlib>
@@ -121,12 +122,8 @@ Result<std::unique_ptr<Context>> CreateContext(Backend backend, const ContextLib
 {
     if (backend == Backend::Auto)
     {
-        const Result<Backend> chosen = FromVariable();
-        if (!chosen)
-        {
-            return chosen.GetError();
-        }
-        backend = *chosen;
+        ASSIGN_OR_RETURN(const Backend chosen, FromVariable());
+        backend = chosen;
     }
     std::string failures;
     for (const Backend candidate :
@@ -144,9 +141,8 @@ Result<std::unique_ptr<Context>> CreateContext(Backend backend, const ContextLib
     {
         names.append(names.empty() ? "" : ", ").append(name);
     }
-    return Error{ErrorKind::Absent,
-                 "Nothing can be drawn, for no back end that was tried works:" + failures +
-                     "\nThe variable " + kVariable + " chooses one: " + names + "."};
+    return Error{ErrorKind::Absent, "back end " + NameOf(backend), "cannot draw" + failures,
+                 std::string("set ") + kVariable + " to one of " + names};
 }
 
 } // namespace boxreel

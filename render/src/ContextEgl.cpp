@@ -2,6 +2,8 @@
 #include "Context.h"
 #include "ContextLibrary.h"
 
+#include <base/ErrorMacros.h>
+
 #include <cstdio>
 #include <string_view>
 #include <vector>
@@ -45,17 +47,16 @@ struct Egl
     unsigned (*queryDevices)(int, void**, int*) = nullptr;
     const char* (*queryDeviceString)(void*, int) = nullptr;
 
-    bool Load(void* library)
+    bool Load(const SharedLibrary& library)
     {
-        return FindFunction(library, "eglGetProcAddress", getProcAddress) &&
-               FindFunction(library, "eglQueryString", queryString) &&
-               FindFunction(library, "eglGetError", getError) &&
-               FindFunction(library, "eglBindAPI", bindApi) &&
-               FindFunction(library, "eglInitialize", initialize) &&
-               FindFunction(library, "eglCreateContext", createContext) &&
-               FindFunction(library, "eglDestroyContext", destroyContext) &&
-               FindFunction(library, "eglMakeCurrent", makeCurrent) &&
-               FindFunction(library, "eglGetCurrentContext", getCurrentContext) &&
+        return library.Bind("eglGetProcAddress", getProcAddress) &&
+               library.Bind("eglQueryString", queryString) &&
+               library.Bind("eglGetError", getError) && library.Bind("eglBindAPI", bindApi) &&
+               library.Bind("eglInitialize", initialize) &&
+               library.Bind("eglCreateContext", createContext) &&
+               library.Bind("eglDestroyContext", destroyContext) &&
+               library.Bind("eglMakeCurrent", makeCurrent) &&
+               library.Bind("eglGetCurrentContext", getCurrentContext) &&
                FindExtension("eglGetPlatformDisplayEXT", getPlatformDisplay);
     }
 
@@ -219,19 +220,11 @@ Result<std::unique_ptr<Context>> CreateAt(const Egl& egl, void* display, bool on
 
 Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bool onGpu)
 {
-    const Result<void*> handle = OpenContextLibrary(library, kPackages);
-    if (!handle)
-    {
-        return handle.GetError();
-    }
+    ASSIGN_OR_RETURN(const SharedLibrary opened, OpenContextLibrary(library, kPackages));
     Egl egl;
-    if (!egl.Load(*handle))
+    if (!egl.Load(opened))
     {
-        return Error{ErrorKind::Absent,
-                     library +
-                         " lacks functions of EGL 1.5; install a newer one with: "
-                         "apt install " +
-                         kPackages};
+        return opened.Lacks("functions of EGL 1.5");
     }
     std::string failures;
     for (const Place& place : PlacesOf(egl, onGpu))
@@ -241,16 +234,12 @@ Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bo
         {
             return context;
         }
-        failures += (failures.empty() ? "" : "; ") + place.name + " " + context.GetError().Text();
+        failures += (failures.empty() ? "" : "; ") + place.name + ": " + context.GetError().Text();
     }
-    if (failures.empty())
-    {
-        failures = "it knows no way to draw without a screen";
-    }
-    return Error{ErrorKind::Absent, library + " found nothing to draw with (" + failures +
-                                        (onGpu ? "); install the driver of your GPU"
-                                               : "); install a software one with: apt install "
-                                                 "libegl-mesa0 libgl1-mesa-dri")};
+    return Error{ErrorKind::Absent, library,
+                 "cannot draw (" + (failures.empty() ? "it needs a screen" : failures) + ")",
+                 onGpu ? "install the driver of your GPU"
+                       : "install a software one with: apt install libegl-mesa0 libgl1-mesa-dri"};
 }
 
 } // namespace boxreel

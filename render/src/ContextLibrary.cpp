@@ -21,18 +21,10 @@ void KeepShadersOfOtherWidthsOut()
 
 } // namespace
 
-Result<void*> OpenContextLibrary(const std::string& library, const std::string& packages)
+Result<SharedLibrary> OpenContextLibrary(const std::string& library, const std::string& packages)
 {
     KeepShadersOfOtherWidthsOut();
-    void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr)
-    {
-        const char* const reason = dlerror();
-        return Error{ErrorKind::Absent, library + " did not load (" +
-                                            (reason ? reason : "no reason given") +
-                                            "); install it with: apt install " + packages};
-    }
-    return handle;
+    return SharedLibrary::Open(library, packages, SharedLibrary::Symbols::Now);
 }
 
 } // namespace boxreel

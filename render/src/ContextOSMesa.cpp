@@ -2,6 +2,8 @@
 #include "Context.h"
 #include "ContextLibrary.h"
 
+#include <base/ErrorMacros.h>
+
 #include <array>
 
 namespace boxreel
@@ -34,13 +36,13 @@ struct OSMesa
     void* (*getCurrentContext)() = nullptr;
     void* (*getProcAddress)(const char*) = nullptr;
 
-    bool Load(void* library)
+    bool Load(const SharedLibrary& library)
     {
-        return FindFunction(library, "OSMesaCreateContextAttribs", createContextAttribs) &&
-               FindFunction(library, "OSMesaDestroyContext", destroyContext) &&
-               FindFunction(library, "OSMesaMakeCurrent", makeCurrent) &&
-               FindFunction(library, "OSMesaGetCurrentContext", getCurrentContext) &&
-               FindFunction(library, "OSMesaGetProcAddress", getProcAddress);
+        return library.Bind("OSMesaCreateContextAttribs", createContextAttribs) &&
+               library.Bind("OSMesaDestroyContext", destroyContext) &&
+               library.Bind("OSMesaMakeCurrent", makeCurrent) &&
+               library.Bind("OSMesaGetCurrentContext", getCurrentContext) &&
+               library.Bind("OSMesaGetProcAddress", getProcAddress);
     }
 };
 
@@ -82,19 +84,11 @@ private:
 
 Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library)
 {
-    const Result<void*> handle = OpenContextLibrary(library, kPackages);
-    if (!handle)
-    {
-        return handle.GetError();
-    }
+    ASSIGN_OR_RETURN(const SharedLibrary opened, OpenContextLibrary(library, kPackages));
     OSMesa mesa;
-    if (!mesa.Load(*handle))
+    if (!mesa.Load(opened))
     {
-        return Error{ErrorKind::Absent,
-                     library +
-                         " lacks functions of OSMesa 11.2; install a newer one with: "
-                         "apt install " +
-                         kPackages};
+        return opened.Lacks("functions of OSMesa 11.2");
     }
     const int attributes[] = {
         kFormat,  kFormatRgba,  kDepthBits,    0, kStencilBits,  0, kAccumBits, 0,
@@ -102,11 +96,7 @@ Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library)
     void* const context = mesa.createContextAttribs(attributes, nullptr);
     if (context == nullptr)
     {
-        return Error{ErrorKind::Absent,
-                     library +
-                         " offers no GL 3.3 core context; install Mesa 17 or newer with: "
-                         "apt install " +
-                         kPackages};
+        return opened.Lacks("a GL 3.3 core context, which Mesa has since version 17");
     }
     return std::unique_ptr<Context>(std::make_unique<OSMesaContext>(mesa, context));
 }

@@ -7,6 +7,8 @@
 #include "FontAtlas.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+#include <base/SharedLibrary.h>
 
 #include <cmath>
 #include <memory>
@@ -16,7 +18,6 @@
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <cairo.h>
-#include <dlfcn.h>
 
 namespace boxreel
 {
@@ -91,54 +92,18 @@ struct Libraries
 
 Libraries g_cairo;
 
-Error Missing(const std::string& what, const char* package)
-{
-    return Error{ErrorKind::Absent,
-                 "A PDF needs " + what + "; install Debian's " + package + ", or write an SVG."};
-}
-
-/// Never closed: what Cairo has kept of the fonts stays with it.
-Result<void*> OpenLibrary(const char* name, const char* package)
-{
-    void* const handle = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
-    if (handle == nullptr)
-    {
-        const char* const reason = dlerror();
-        return Missing(std::string(name) + ", which cannot be loaded (" +
-                           (reason != nullptr ? reason : "no reason given") + ")",
-                       package);
-    }
-    return handle;
-}
-
-template <class Function>
-Result<void> Bind(void* handle, const char* name, Function& function, const char* package)
-{
-    function = reinterpret_cast<Function>(dlsym(handle, name));
-    return function
-               ? Result<void>()
-               : Missing(std::string("the function ") + name + ", which is not there", package);
-}
-
 Result<void> LoadLibraries()
 {
-    const Result<void*> cairo = OpenLibrary("libcairo.so.2", "libcairo2");
-    if (!cairo)
-    {
-        return cairo.GetError();
-    }
-    const Result<void*> freetype = OpenLibrary("libfreetype.so.6", "libfreetype6");
-    if (!freetype)
-    {
-        return freetype.GetError();
-    }
-#define BOXREEL_BIND(handle, name, package)                                                        \
-    if (Result<void> bound = Bind(handle, #name, g_cairo.name, package); !bound)                   \
+    ASSIGN_OR_RETURN(const SharedLibrary cairo, SharedLibrary::Open("libcairo.so.2", "libcairo2"));
+    ASSIGN_OR_RETURN(const SharedLibrary freetype,
+                     SharedLibrary::Open("libfreetype.so.6", "libfreetype6"));
+#define BOXREEL_BIND(library, name)                                                                \
+    if (!library.Bind(#name, g_cairo.name))                                                        \
     {                                                                                              \
-        return bound;                                                                              \
+        return library.Lacks("the function " #name);                                               \
     }
-#define BOXREEL_BIND_CAIRO(name) BOXREEL_BIND(*cairo, name, "libcairo2")
-#define BOXREEL_BIND_FREETYPE(name) BOXREEL_BIND(*freetype, name, "libfreetype6")
+#define BOXREEL_BIND_CAIRO(name) BOXREEL_BIND(cairo, name)
+#define BOXREEL_BIND_FREETYPE(name) BOXREEL_BIND(freetype, name)
     BOXREEL_CAIRO_FUNCTIONS(BOXREEL_BIND_CAIRO)
     BOXREEL_FREETYPE_FUNCTIONS(BOXREEL_BIND_FREETYPE)
 #undef BOXREEL_BIND_FREETYPE
@@ -167,8 +132,8 @@ Result<Font> LoadFont()
     if (g_cairo.FT_Init_FreeType(&library) != 0 ||
         g_cairo.FT_New_Face(library, kFontFile, 0, &face) != 0)
     {
-        return Missing(std::string("the font DejaVu Sans for its text (") + kFontFile + ")",
-                       "fonts-dejavu-core");
+        return Error{ErrorKind::Absent, kFontFile, "cannot be loaded",
+                     "install it with: apt install fonts-dejavu-core"};
     }
     return Font{face, g_cairo.cairo_ft_font_face_create_for_ft_face(face, 0)};
 }
@@ -340,12 +305,8 @@ Result<void> PaintOn(cairo_surface_t* surface, const Figure& figure, double unit
     cairo_font_face_t* font = nullptr;
     if (HasText(figure))
     {
-        const Result<Font> loaded = NeedFont();
-        if (!loaded)
-        {
-            return loaded.GetError();
-        }
-        font = loaded->face;
+        ASSIGN_OR_RETURN(const Font loaded, NeedFont());
+        font = loaded.face;
     }
     const Context context(g_cairo.cairo_create(surface));
     CairoCanvas canvas(context.get(), figure, unit, font);
@@ -375,10 +336,7 @@ std::mutex g_access;
 
 Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure)
 {
-    if (const Result<void> usable = CheckAll(figure); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckAll(figure));
     const std::lock_guard lock(g_access);
     const double unit = kPointsPerPixel * figure.scale;
     std::vector<std::uint8_t> bytes;
@@ -393,10 +351,7 @@ Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure)
     {
         describe(CAIRO_PDF_METADATA_TITLE, Readable(figure.title));
     }
-    if (const Result<void> painted = PaintOn(surface.get(), figure, unit); !painted)
-    {
-        return painted.GetError();
-    }
+    RETURN_IF_ERROR(PaintOn(surface.get(), figure, unit));
     g_cairo.cairo_surface_finish(surface.get());
     const cairo_status_t status = g_cairo.cairo_surface_status(surface.get());
     if (status != CAIRO_STATUS_SUCCESS)
@@ -409,10 +364,7 @@ Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure)
 
 Result<void> PreparePdf()
 {
-    if (const Result<void> loaded = Prepare(); !loaded)
-    {
-        return loaded;
-    }
+    RETURN_IF_ERROR(Prepare());
     const std::lock_guard lock(g_access);
     const Result<Font> font = NeedFont();
     return font ? Result<void>() : Result<void>(font.GetError());
@@ -420,10 +372,7 @@ Result<void> PreparePdf()
 
 Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure)
 {
-    if (const Result<void> prepared = PreparePdf(); !prepared)
-    {
-        return prepared.GetError();
-    }
+    RETURN_IF_ERROR(PreparePdf());
     const std::lock_guard lock(g_access);
     const Result<Font> font = NeedFont();
     return LettersWithout(figure, [&font](char32_t code) {
@@ -433,19 +382,13 @@ Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure)
 
 Result<Frame> RasterizeFigure(const Figure& figure)
 {
-    if (const Result<void> usable = CheckAll(figure); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckAll(figure));
     const std::lock_guard lock(g_access);
     Frame frame(int(std::lround(figure.width * figure.scale)),
                 int(std::lround(figure.height * figure.scale)));
     const Surface surface(
         g_cairo.cairo_image_surface_create(CAIRO_FORMAT_ARGB32, frame.width, frame.height));
-    if (const Result<void> painted = PaintOn(surface.get(), figure, figure.scale); !painted)
-    {
-        return painted.GetError();
-    }
+    RETURN_IF_ERROR(PaintOn(surface.get(), figure, figure.scale));
     g_cairo.cairo_surface_flush(surface.get());
     const int stride = g_cairo.cairo_image_surface_get_stride(surface.get());
     const unsigned char* const data = g_cairo.cairo_image_surface_get_data(surface.get());

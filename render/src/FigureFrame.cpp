@@ -5,6 +5,8 @@
 #include "FigureLetters.h"
 #include "FontAtlas.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -117,12 +119,8 @@ public:
                                       .backend = m_backend,
                                       .scale = m_figure.scale};
             settings.theme.background = onGround ? m_figure.theme.background : Color{0, 0, 0, 0};
-            Result<Renderer> made = Renderer::Create(settings);
-            if (!made)
-            {
-                return made.GetError();
-            }
-            found = m_renderers.emplace(key, std::move(*made)).first;
+            ASSIGN_OR_RETURN(Renderer made, Renderer::Create(settings));
+            found = m_renderers.emplace(key, std::move(made)).first;
         }
         Frame frame;
         const Result<void> drawn = found->second.Draw(list, camera, frame);
@@ -149,10 +147,7 @@ private:
 
 Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* totals)
 {
-    if (const Result<void> usable = CheckFigure(figure); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckFigure(figure));
     const Camera size =
         Scaled(Camera{.width = figure.width, .height = figure.height}, figure.scale);
     if (std::max(size.width, size.height) > kMostPixels)
@@ -170,12 +165,8 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* total
         const Camera camera = Scaled(panel.camera, figure.scale);
         const Placed at = PlaceOf(panel, camera, figure, frame);
         const bool onGround = IsGround(frame, ground, at);
-        const Result<Frame> drawn = renderers.Draw(panel.list, camera, onGround);
-        if (!drawn)
-        {
-            return drawn.GetError();
-        }
-        (onGround ? CopyInto : BlendInto)(frame, *drawn, at);
+        ASSIGN_OR_RETURN(const Frame drawn, renderers.Draw(panel.list, camera, onGround));
+        (onGround ? CopyInto : BlendInto)(frame, drawn, at);
     }
     if (totals != nullptr)
     {

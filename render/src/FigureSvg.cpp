@@ -5,6 +5,8 @@
 #include "FigureLetters.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 #include <debugdraw/DrawListText.h>
 #include <debugdraw/TextWidth.h>
 
@@ -33,40 +35,7 @@ std::string Number(double value)
 
 std::string Hex(Color color)
 {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string text(1, '#');
-    for (const std::uint8_t channel : {color.r, color.g, color.b})
-    {
-        text += kDigits[channel >> 4];
-        text += kDigits[channel & 15];
-    }
-    return text;
-}
-
-std::string Escaped(std::string_view text)
-{
-    std::string escaped;
-    for (const char c : text)
-    {
-        switch (c)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += c;
-        }
-    }
-    return escaped;
+    return "#" + HexByte(color.r) + HexByte(color.g) + HexByte(color.b);
 }
 
 std::string Attribute(std::string_view name, std::string_view value)
@@ -97,7 +66,7 @@ public:
             Attribute("font-size", kFigureFontSize) + Attribute("xml:space", "preserve") + ">\n";
         if (!figure.title.empty())
         {
-            Line("<title>" + Escaped(Readable(figure.title)) + "</title>");
+            Line("<title>" + MarkupEscaped(Readable(figure.title)) + "</title>");
         }
         const Color ground = figure.theme.background;
         Line("<rect" + Attribute("class", "ground") + Attribute("width", figure.width) +
@@ -139,7 +108,7 @@ public:
         m_inLabels = std::string_view(group.layer) == LayerName(DrawLayer::Labels);
         if (!group.title.empty())
         {
-            Line("<title>" + Escaped(group.title) + "</title>");
+            Line("<title>" + MarkupEscaped(group.title) + "</title>");
         }
     }
 
@@ -178,7 +147,7 @@ public:
         const bool centered = m_inLabels && !HasLettersOf(line);
         Line("<text" + Attribute("x", at.x + (centered ? 0.5 * TextWidth(line) : 0.0)) +
              Attribute("y", at.y) + (centered ? Attribute("text-anchor", "middle") : "") +
-             Ink("fill", ink) + ">" + Escaped(line) + "</text>");
+             Ink("fill", ink) + ">" + MarkupEscaped(line) + "</text>");
     }
 
 private:
@@ -210,10 +179,7 @@ private:
 
 Result<std::string> ToSvg(const Figure& figure)
 {
-    if (const Result<void> usable = CheckFigure(figure); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckFigure(figure));
     SvgCanvas canvas(figure);
     PaintFigure(figure, canvas);
     return canvas.Finished();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "FontAtlas.h"
 
+#include <base/ReadWhole.h>
+
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
 
@@ -23,18 +23,13 @@ constexpr ImWchar kRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x0400, 0x045F, 0
                                0x2027, 0x2030, 0x203A, 0x2070, 0x209C, 0x2190, 0x2199,
                                0x2202, 0x2265, 0x22C5, 0x22C5, 0};
 
-std::vector<char> ReadWhole(const char* path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-constexpr char kFallback = '?'; // stands for letters that the font lacks
+constexpr std::uintmax_t kLargestFont = 64u << 20; // [bytes]
+constexpr char kFallback = '?';                    // stands for letters that the font lacks
 
 /// Whether the bytes begin as a TrueType or OpenType font; Dear ImGui stops the program at others.
-bool LooksLikeFont(const std::vector<char>& bytes)
+bool LooksLikeFont(const std::string& bytes)
 {
-    const std::string_view start(bytes.data(), bytes.size() < 4 ? 0 : 4);
+    const std::string_view start = std::string_view(bytes).substr(0, 4);
     return start == std::string_view("\0\1\0\0", 4) || start == "true" || start == "OTTO";
 }
 
@@ -120,12 +115,12 @@ FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFont
     config.OversampleV = 1;
     config.PixelSnapH = true;
     m_atlas->Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
-    std::vector<char> file = ReadWhole(fontFile);
-    if (LooksLikeFont(file))
+    const Result<std::string> file = ReadWhole(fontFile, kLargestFont);
+    if (file && LooksLikeFont(*file))
     {
-        void* const bytes = IM_ALLOC(file.size()); // the atlas frees it
-        std::memcpy(bytes, file.data(), file.size());
-        m_atlas->AddFontFromMemoryTTF(bytes, int(file.size()), float(kFontPixels * scale), &config,
+        void* const bytes = IM_ALLOC(file->size()); // the atlas frees it
+        std::memcpy(bytes, file->data(), file->size());
+        m_atlas->AddFontFromMemoryTTF(bytes, int(file->size()), float(kFontPixels * scale), &config,
                                       kRanges);
     }
     else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ImGuiFrame.h"
 
+#include <base/ErrorMacros.h>
 #include <render/PanelStroke.h>
 
 #include <algorithm>
@@ -170,10 +171,7 @@ Hud::~Hud() = default;
 
 Result<Hud> Hud::Create(int width, int height, double scale)
 {
-    if (const Result<void> usable = CheckPanelSize(width, height, scale); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckPanelSize(width, height, scale));
     return Hud(std::make_unique<Impl>(width, height, scale));
 }
 

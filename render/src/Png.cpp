@@ -2,6 +2,7 @@
 #include <render/Png.h>
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 
 #include <algorithm>
 #include <cassert>
@@ -318,10 +319,7 @@ void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compression
 /// Opens the file and reads what stands before the pixels.
 Result<void> Begin(Reader& reader, const fs::path& path, bool readsTexts)
 {
-    if (const Result<void> opened = OpenFile(reader, path); !opened)
-    {
-        return opened;
-    }
+    RETURN_IF_ERROR(OpenFile(reader, path));
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.trouble, OnError, OnWarning);
     reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
     if (!reader.info)
@@ -339,14 +337,8 @@ Result<void> Begin(Reader& reader, const fs::path& path, bool readsTexts)
 Result<Frame> ReadPng(const std::filesystem::path& path)
 {
     Reader reader;
-    if (const Result<void> begun = Begin(reader, path, false); !begun)
-    {
-        return begun.GetError();
-    }
-    if (const Result<void> checked = CheckSize(reader, path); !checked)
-    {
-        return checked.GetError();
-    }
+    RETURN_IF_ERROR(Begin(reader, path, false));
+    RETURN_IF_ERROR(CheckSize(reader, path));
     Frame frame(static_cast<int>(reader.width), static_cast<int>(reader.height));
     std::vector<png_bytep> rows(reader.height);
     for (int y = 0; y < frame.height; ++y)
@@ -364,10 +356,7 @@ Result<Frame> ReadPng(const std::filesystem::path& path)
 Result<std::string> ReadPngText(const std::filesystem::path& path, const std::string& keyword)
 {
     Reader reader;
-    if (const Result<void> begun = Begin(reader, path, true); !begun)
-    {
-        return begun.GetError();
-    }
+    RETURN_IF_ERROR(Begin(reader, path, true));
     png_textp texts = nullptr;
     int count = 0;
     png_get_text(reader.png, reader.info, &texts, &count);
@@ -417,18 +406,11 @@ Result<void> WritePng(const std::filesystem::path& path, const Frame& frame,
                       const PngSettings& settings)
 {
     // Opened before the work: what is in the way is said at once.
-    Result<AtomicFile> file = AtomicFile::Create(path, settings.overwrite);
-    if (!file)
-    {
-        return file.GetError();
-    }
-    const Result<std::vector<std::uint8_t>> bytes = EncodePng(frame, settings.compressionLevel);
-    if (!bytes)
-    {
-        return bytes.GetError();
-    }
-    const Result<void> written = file->Write(*bytes);
-    return written ? file->Commit() : written;
+    ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path, settings.overwrite));
+    ASSIGN_OR_RETURN(const std::vector<std::uint8_t> bytes,
+                     EncodePng(frame, settings.compressionLevel));
+    const Result<void> written = file.Write(bytes);
+    return written ? file.Commit() : written;
 }
 
 } // namespace boxreel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Probe.h"
 
+#include <base/ErrorMacros.h>
 #include <render/Renderer.h>
 
 #include <cmath>
@@ -94,16 +95,14 @@ Result<Frame> DrawProbe(Backend backend)
 {
     Theme theme = Theme::Classic();
     theme.outlineWidth = kStripe;
-    Result<Renderer> renderer = Renderer::Create(
-        {.width = kProbeSide, .height = kProbeSide, .theme = theme, .backend = backend});
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
+    ASSIGN_OR_RETURN(
+        Renderer renderer,
+        Renderer::Create(
+            {.width = kProbeSide, .height = kProbeSide, .theme = theme, .backend = backend}));
     constexpr double kMiddle = kProbeSide / 2.0;
     Frame frame;
     const Result<void> drawn =
-        renderer->Draw(ProbeList(), {kProbeSide, kProbeSide, kMiddle, kMiddle, 1.0}, frame);
+        renderer.Draw(ProbeList(), {kProbeSide, kProbeSide, kMiddle, kMiddle, 1.0}, frame);
     return drawn ? Result<Frame>(std::move(frame)) : Result<Frame>(drawn.GetError());
 }
 
@@ -115,12 +114,8 @@ Result<std::string> ProbeFingerprint(Backend backend, const std::string& descrip
     std::string& fingerprint = known[description];
     if (fingerprint.empty())
     {
-        const Result<Frame> probe = DrawProbe(backend);
-        if (!probe)
-        {
-            return probe.GetError();
-        }
-        fingerprint = HashText(*probe);
+        ASSIGN_OR_RETURN(const Frame probe, DrawProbe(backend));
+        fingerprint = HashText(probe);
     }
     return fingerprint;
 }

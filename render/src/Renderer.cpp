@@ -12,6 +12,8 @@
 #include "Probe.h"
 #include "ShapeBuilder.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -311,14 +313,8 @@ Result<void> Renderer::Impl::Draw(const Overlay& overlay)
     {
         canvas->Clear(background);
     }
-    if (Result<void> drawn = canvas->Draw(batches.All()); !drawn)
-    {
-        return drawn;
-    }
-    if (Result<void> drawn = canvas->Draw(overlay, rectangles); !drawn)
-    {
-        return drawn;
-    }
+    RETURN_IF_ERROR(canvas->Draw(batches.All()));
+    RETURN_IF_ERROR(canvas->Draw(overlay, rectangles));
     canvas->Flush();
     return {};
 }
@@ -370,44 +366,27 @@ Renderer::~Renderer() = default;
 Result<void> Renderer::Impl::Begin(std::unique_ptr<Context> drawn)
 {
     context = std::move(drawn);
-    if (Result<void> current = context->MakeCurrent(); !current)
-    {
-        return current;
-    }
-    Result<std::unique_ptr<Canvas>> made =
-        Canvas::Create(*context, settings.width, settings.height, settings.scale);
-    if (!made)
-    {
-        return made.GetError();
-    }
-    canvas = std::move(*made);
+    RETURN_IF_ERROR(context->MakeCurrent());
+    ASSIGN_OR_RETURN(std::unique_ptr<Canvas> made,
+                     Canvas::Create(*context, settings.width, settings.height, settings.scale));
+    canvas = std::move(made);
     description = std::string(context->BackEnd()) + ", " + canvas->Description();
     return {};
 }
 
 Result<Renderer> Renderer::Create(const RendererSettings& settings)
 {
-    if (const Result<void> usable = CheckSettings(settings); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckSettings(settings));
     const auto lock = LockGl();
-    Result<std::unique_ptr<Context>> context = CreateContext(settings.backend);
-    if (!context)
-    {
-        return context.GetError();
-    }
+    ASSIGN_OR_RETURN(std::unique_ptr<Context> context, CreateContext(settings.backend));
     auto impl = std::make_unique<Impl>(settings);
-    const Result<void> begun = impl->Begin(std::move(*context));
+    const Result<void> begun = impl->Begin(std::move(context));
     return begun ? Result<Renderer>(Renderer(std::move(impl))) : begun.GetError();
 }
 
 Result<Renderer> Renderer::CreateIn(Window& window, const RendererSettings& settings)
 {
-    if (const Result<void> usable = CheckSettings(settings); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckSettings(settings));
     const auto lock = LockGl();
     auto impl = std::make_unique<Impl>(settings);
     const Result<void> begun = impl->Begin(CreateWindowContext(window));
@@ -419,14 +398,8 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
     static const Overlay kNothing;
     Impl& impl = *m_impl;
     const Overlay& top = overlay ? *overlay : kNothing;
-    if (Result<void> checked = CheckCamera(camera, impl.settings); !checked)
-    {
-        return checked;
-    }
-    if (Result<void> checked = CheckOverlay(top); !checked)
-    {
-        return checked;
-    }
+    RETURN_IF_ERROR(CheckCamera(camera, impl.settings));
+    RETURN_IF_ERROR(CheckOverlay(top));
     const std::size_t outside = impl.statistics.itemsOutside;
     impl.statistics = {};
     impl.statistics.items = list.items.size();
@@ -439,10 +412,7 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
         return {};
     }
     const auto lock = LockGl();
-    if (Result<void> current = impl.context->MakeCurrent(); !current)
-    {
-        return current;
-    }
+    RETURN_IF_ERROR(impl.context->MakeCurrent());
     const bool isWhole = !impl.hasLast || impl.last.camera != camera || impl.settings.redrawsWhole;
     impl.hasLast = false; // until all of it is drawn
     impl.builder.SetCamera(camera);
@@ -464,10 +434,7 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
     if (!impl.statistics.unchanged)
     {
         impl.Plan();
-        if (Result<void> drawn = impl.Draw(top); !drawn)
-        {
-            return drawn;
-        }
+        RETURN_IF_ERROR(impl.Draw(top));
     }
     impl.Keep(list, camera, top);
     impl.Count();
@@ -478,10 +445,7 @@ Result<void> Renderer::Read(Frame& frame)
 {
     Impl& impl = *m_impl;
     const auto lock = LockGl();
-    if (Result<void> current = impl.context->MakeCurrent(); !current)
-    {
-        return current;
-    }
+    RETURN_IF_ERROR(impl.context->MakeCurrent());
     const PixelBounds picture = impl.Picture();
     if (frame.width != picture.x1 || frame.height != picture.y1 ||
         frame.rgba.size() != std::size_t(picture.Area()) * 4)
@@ -495,19 +459,13 @@ Result<const Frame*> Renderer::ReadChanges()
 {
     Impl& impl = *m_impl;
     const auto lock = LockGl();
-    if (Result<void> current = impl.context->MakeCurrent(); !current)
-    {
-        return current.GetError();
-    }
+    RETURN_IF_ERROR(impl.context->MakeCurrent());
     if (impl.frame.rgba.empty())
     {
         impl.frame = Frame(impl.settings.width, impl.settings.height);
     }
     impl.unread.Gather(kReadGap, impl.changes);
-    if (Result<void> read = impl.canvas->Read(impl.changes, impl.frame); !read)
-    {
-        return read.GetError();
-    }
+    RETURN_IF_ERROR(impl.canvas->Read(impl.changes, impl.frame));
     impl.unread.Clear();
     return &impl.frame;
 }
@@ -515,10 +473,7 @@ Result<const Frame*> Renderer::ReadChanges()
 Result<void> Renderer::Show()
 {
     const auto lock = LockGl();
-    if (Result<void> current = m_impl->context->MakeCurrent(); !current)
-    {
-        return current;
-    }
+    RETURN_IF_ERROR(m_impl->context->MakeCurrent());
     m_impl->canvas->CopyToScreen();
     m_impl->context->SwapBuffers();
     return {};
@@ -532,10 +487,7 @@ std::span<const PixelBounds> Renderer::Changes() const
 Result<void> Renderer::Draw(const DrawList& list, const Camera& camera, Frame& frame,
                             const Overlay* overlay)
 {
-    if (Result<void> submitted = Submit(list, camera, overlay); !submitted)
-    {
-        return submitted;
-    }
+    RETURN_IF_ERROR(Submit(list, camera, overlay));
     return Read(frame);
 }
 

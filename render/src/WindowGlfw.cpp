@@ -2,6 +2,8 @@
 #include "ContextLibrary.h"
 #include "ContextWindow.h"
 
+#include <base/ErrorMacros.h>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -62,10 +64,10 @@ struct Glfw
     BOXREEL_GLFW_FUNCTIONS(BOXREEL_GLFW_MEMBER)
 #undef BOXREEL_GLFW_MEMBER
 
-    bool Load(void* library)
+    bool Load(const SharedLibrary& library)
     {
 #define BOXREEL_GLFW_LOAD(name)                                                                    \
-    if (!FindFunction(library, "glfw" #name, name))                                                \
+    if (!library.Bind("glfw" #name, name))                                                         \
     {                                                                                              \
         return false;                                                                              \
     }
@@ -98,16 +100,11 @@ void PreferX11([[maybe_unused]] const Glfw& glfw)
 /// The library, started. `Terminate` ends it again.
 Result<Glfw> Start()
 {
-    const Result<void*> library = OpenContextLibrary(kLibrary, kPackages);
-    if (!library)
-    {
-        return library.GetError();
-    }
+    ASSIGN_OR_RETURN(const SharedLibrary library, OpenContextLibrary(kLibrary, kPackages));
     Glfw glfw;
-    if (!glfw.Load(*library))
+    if (!glfw.Load(library))
     {
-        return Absent(std::string(kLibrary) +
-                      " lacks functions of GLFW 3.3; install it with: apt install " + kPackages);
+        return library.Lacks("functions of GLFW 3.3");
     }
     PreferX11(glfw);
     if (!glfw.Init())
@@ -422,12 +419,8 @@ std::unique_ptr<Context> CreateWindowContext(Window& window)
 
 Result<void> CheckDisplay()
 {
-    const Result<Glfw> glfw = Start();
-    if (!glfw)
-    {
-        return glfw.GetError();
-    }
-    glfw->Terminate();
+    ASSIGN_OR_RETURN(const Glfw glfw, Start());
+    glfw.Terminate();
     return {};
 }
 

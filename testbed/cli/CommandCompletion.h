@@ -22,17 +22,6 @@ _boxreel_all_scenes()
 }
 )sh";
 
-/// In single quotes, whatever it holds.
-inline std::string ShellQuoted(const std::string& text)
-{
-    std::string quoted = "'";
-    for (const char c : text)
-    {
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return quoted + "'";
-}
-
 inline std::string JoinedBy(const std::string& separator, const std::vector<std::string>& words)
 {
     std::string text;

@@ -2,6 +2,8 @@
 #include "CommandCompletion.h"
 #include "CommandTree.h"
 
+#include <base/Quoting.h>
+
 namespace boxreel
 {
 namespace

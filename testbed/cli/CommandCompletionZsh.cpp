@@ -2,6 +2,8 @@
 #include "CommandCompletion.h"
 #include "CommandTree.h"
 
+#include <base/Quoting.h>
+
 #include <algorithm>
 
 namespace boxreel
@@ -10,19 +12,6 @@ namespace
 {
 
 using Kind = Completion::Kind;
-
-/// In one line, for a place between brackets or colons.
-std::string Escaped(const std::string& text)
-{
-    std::string escaped;
-    for (const char c : text)
-    {
-        const bool isSign = c == '[' || c == ']' || c == ':' || c == '\\';
-        escaped += isSign ? "\\" : "";
-        escaped += c == '\n' ? ' ' : c;
-    }
-    return escaped;
-}
 
 /// ".png", ".svg": a pattern for both.
 std::string Pattern(const std::vector<std::string>& ends)
@@ -77,8 +66,9 @@ std::string OptionLines(const OptionText& option)
         const bool isLong = name.starts_with("--");
         const std::string value = option.unit.empty() ? "" : isLong ? "=" : "+";
         const std::string behind =
-            option.unit.empty() ? "" : ":" + Escaped(option.unit) + ":" + Action(option.completion);
-        lines += Line(before + name + value + "[" + Escaped(option.help) + "]" + behind);
+            option.unit.empty() ? ""
+                                : ":" + ZshEscaped(option.unit) + ":" + Action(option.completion);
+        lines += Line(before + name + value + "[" + ZshEscaped(option.help) + "]" + behind);
     }
     return lines;
 }
@@ -104,7 +94,7 @@ std::string CommandBody(const CommandText& command, bool isProgram)
     for (const CommandText& next : command.commands)
     {
         body += "                " +
-                ShellQuoted(LastWord(next.path) + ":" + Escaped(next.summary)) + "\n";
+                ShellQuoted(LastWord(next.path) + ":" + ZshEscaped(next.summary)) + "\n";
     }
     body += "            )\n";
     body += isProgram ? kScriptsOwn : "";
@@ -133,8 +123,8 @@ std::string Function(const CommandText& command)
     }
     for (const WordText& word : command.words)
     {
-        text +=
-            Line((word.isList ? "*:" : ":") + Escaped(word.name) + ":" + Action(word.completion));
+        text += Line((word.isList ? "*:" : ":") + ZshEscaped(word.name) + ":" +
+                     Action(word.completion));
     }
     return text + (command.commands.empty() ? "\n" : CommandBody(command, isProgram)) + "}\n\n";
 }

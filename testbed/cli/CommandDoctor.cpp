@@ -5,6 +5,7 @@
 
 #include <base/Bytes.h>
 #include <base/Terminal.h>
+#include <base/WorkFolder.h>
 #include <recorder/VideoWriter.h>
 #include <render/Figure.h>
 #include <render/Renderer.h>
@@ -15,7 +16,6 @@
 #include <cstdlib>
 #include <functional>
 #include <thread>
-#include <unistd.h>
 
 namespace boxreel
 {
@@ -78,40 +78,8 @@ Finding LookAtBackend(Backend backend)
     return renderer->Description();
 }
 
-/// A folder for films, removed with all in it.
-class Scratch
-{
-public:
-    Scratch()
-    {
-        std::error_code error;
-        std::string name = (fs::temp_directory_path(error) / "boxreel-doctor-XXXXXX").string();
-        m_path = error || ::mkdtemp(name.data()) == nullptr ? fs::path() : fs::path(name);
-    }
-    ~Scratch()
-    {
-        std::error_code ignored;
-        if (!m_path.empty())
-        {
-            fs::remove_all(m_path, ignored);
-        }
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-
-    const fs::path& Path() const { return m_path; } ///< empty: none could be made
-
-private:
-    fs::path m_path;
-};
-
 Finding LookAtFilm(const fs::path& folder, const std::string& name, const std::string& codec)
 {
-    if (folder.empty())
-    {
-        return Error{ErrorKind::Failed,
-                     "there is no folder for temporary files; set TMPDIR to one."};
-    }
     VideoSettings settings;
     settings.width = settings.height = 64;
     settings.codec = codec;
@@ -243,9 +211,11 @@ void AddBackends(Report& report)
 
 Result<int> RunDoctor(const DoctorOptions&)
 {
-    const Scratch scratch;
+    const Result<WorkFolder> scratch = WorkFolder::Create();
     const auto film = [&scratch](const char* name, const char* codec) {
-        return [&scratch, name, codec] { return LookAtFilm(scratch.Path(), name, codec); };
+        return [&scratch, name, codec] {
+            return scratch ? LookAtFilm(scratch->Path(), name, codec) : Finding(scratch.GetError());
+        };
     };
     const Check checks[] = {
         {"mp4, H.264", film("h264.mp4", "h264")},

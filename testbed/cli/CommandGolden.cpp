@@ -3,6 +3,7 @@
 #include "CommandGoldenState.h"
 #include "Commands.h"
 
+#include <base/Counting.h>
 #include <base/Terminal.h>
 #include <session/GoldenScenes.h>
 
@@ -117,18 +118,13 @@ Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
     return selections;
 }
 
-std::string Count(std::size_t number, const std::string& things)
-{
-    return std::to_string(number) + " " + things + (number == 1 ? "" : "s");
-}
-
 /// A line when references of another renderer were compared by other limits, else nothing.
 std::string LimitsOfOthers(std::size_t moments, const CompareSettings& settings)
 {
     const std::optional<CompareSettings> others = ForOtherRenderer(settings);
     return moments == 0 || !others
                ? ""
-               : Count(moments, "reference") +
+               : Counted(moments, "reference") +
                      " drawn by another renderer: " + DescribeLimits(*others) + "\n";
 }
 
@@ -171,7 +167,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     {
         WriteMessage("boxreel: no verdict is kept of what passed: " + warning);
     }
-    const std::string what = Count(moments, "moment");
+    const std::string what = Counted(moments, "moment");
     const std::string output = folders.output.string();
     const std::string named = options.output.empty() ? "" : " '" + output + "'";
     const std::string page =
@@ -229,7 +225,7 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
         }
     }
     const Result<void> written = WriteOutput(
-        Count(moments, "moment") + " accepted in '" + folders.references.string() + "'" +
+        Counted(moments, "moment") + " accepted in '" + folders.references.string() + "'" +
         (same == 0 ? "" : ", " + std::to_string(same) + " of them as they were") + "\n");
     if (!written)
     {
@@ -263,7 +259,7 @@ Result<int> VerifyAgainst(const std::filesystem::path& given,
             return written.GetError();
         }
     }
-    const std::string what = Count(selections.size(), "scene");
+    const std::string what = Counted(selections.size(), "scene");
     const Result<void> written =
         WriteOutput(what + (failures == 0 ? ": each step as " + given.string() + " does it\n"
                                           : ": " + std::to_string(failures) + " not as " +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Commands.h"
 
+#include <base/Counting.h>
 #include <base/Terminal.h>
 #include <film/FilmPapers.h>
 #include <film/StopSignals.h>
@@ -194,9 +195,8 @@ Result<int> RunMerge(const MergeOptions& options)
         return StopSignals::kExitCode;
     }
     const std::int64_t frames = parts->back().papers.end - first.first;
-    WriteMessage(options.output.string() + ": " + std::to_string(frames) +
-                 (frames == 1 ? " frame of " : " frames of ") + std::to_string(films.size()) +
-                 (films.size() == 1 ? " part" : " parts"));
+    WriteMessage(options.output.string() + ": " + Counted(frames, "frame") + " of " +
+                 Counted(films.size(), "part"));
     return 0;
 }
 

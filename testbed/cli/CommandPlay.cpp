@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "OutputPath.h"
 
+#include <base/Counting.h>
 #include <base/Terminal.h>
 #include <golden/ReferenceStore.h>
 #include <golden/StateHash.h>
@@ -545,11 +546,6 @@ Result<int> MakeFiles(const Play& play, bool resumes)
     return 0;
 }
 
-std::string Count(std::size_t number, const std::string& thing)
-{
-    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
-}
-
 } // namespace
 
 Result<int> RunPlay(const PlayOptions& options)
@@ -580,10 +576,10 @@ Result<int> RunPlay(const PlayOptions& options)
     {
         const Result<void> written =
             WriteOutput(play.script.file.string() + ": " + session->Title() + ", " +
-                        Count(play.script.actions.size(), "action") + ", " +
-                        Count(play.expectations.size(), "expectation") + ", " +
-                        Count(play.goldens.size() + play.stills.size(), "picture") + ", " +
-                        Count(play.films.size(), "film") + "\n");
+                        Counted(play.script.actions.size(), "action") + ", " +
+                        Counted(play.expectations.size(), "expectation") + ", " +
+                        Counted(play.goldens.size() + play.stills.size(), "picture") + ", " +
+                        Counted(play.films.size(), "film") + "\n");
         return written ? Result<int>(0) : written.GetError();
     }
     const Result<int> unmet = Expect(play, *session);

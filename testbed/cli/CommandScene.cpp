@@ -3,6 +3,7 @@
 #include "Commands.h"
 
 #include <base/AtomicFile.h>
+#include <base/Counting.h>
 #include <base/Terminal.h>
 #include <rube/RubeExport.h>
 #include <rube/RubeFile.h>
@@ -14,14 +15,7 @@
 namespace boxreel
 {
 namespace
-{
-
-std::string Count(std::size_t number, const std::string& thing)
-{
-    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
-}
-
-} // namespace
+{} // namespace
 
 Result<int> RunCheck(const CheckOptions& options)
 {
@@ -48,9 +42,9 @@ Result<int> RunCheck(const CheckOptions& options)
     }
     text += options.file.string() + ": " + std::to_string(content.bodies.size()) +
             (content.bodies.size() == 1 ? " body, " : " bodies, ") +
-            Count(content.joints.size(), "joint") + ", " + Count(content.images.size(), "image") +
-            ", " + Count(traps->size(), "note") + ", " + std::to_string(leftOut.size()) +
-            " left out\n";
+            Counted(content.joints.size(), "joint") + ", " +
+            Counted(content.images.size(), "image") + ", " + Counted(traps->size(), "note") + ", " +
+            std::to_string(leftOut.size()) + " left out\n";
     if (const Result<void> written = WriteOutput(text); !written)
     {
         return written.GetError();

@@ -2,6 +2,7 @@
 #include "Strips.h"
 #include "ChildProcess.h"
 
+#include <base/ReadWhole.h>
 #include <base/WorkFolder.h>
 #include <debugdraw/NiceNumbers.h>
 #include <golden/StateHash.h>
@@ -10,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 namespace boxreel
@@ -25,6 +24,7 @@ namespace fs = std::filesystem;
 // A quarter of a golden picture: ten of them are seen without scrolling far.
 constexpr int kWidth = kGoldenWidth / 2;
 constexpr int kHeight = kGoldenHeight / 2;
+constexpr std::uintmax_t kLargestPicture = 64u << 20; // [bytes]
 constexpr double kCloseUpMargin = 0.3; // of the picture's height, on every side of the body
 
 /// Where a body lies; empty when it draws nothing.
@@ -110,9 +110,8 @@ Result<std::string> PictureBy(const fs::path& program, const std::string& scene,
                             NumberPlain(close->height / close->pixelsPerMeter));
     }
     const Result<std::string> said = OutputOf(program, arguments, ChildBounds{1u << 20, 300.0});
-    std::ifstream in(picture, std::ios::binary);
-    std::string bytes(std::istreambuf_iterator<char>(in), {});
-    if (!said || bytes.empty())
+    Result<std::string> bytes = ReadWhole(picture, kLargestPicture);
+    if (!said || !bytes || bytes->empty())
     {
         return Error{ErrorKind::Unusable, "--against " + program.string() +
                                               ": it made no picture of '" + scene +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Progress.h"
 
+#include <base/Counting.h>
 #include <base/Terminal.h>
 
 #include <algorithm>
@@ -173,9 +174,8 @@ std::string FailOpenJdText(const std::string& sentence)
 std::string ReportText(const FilmReport& report)
 {
     std::string text =
-        report.file.string() + Format(": %lld frame%s of %dx%d at %g fps", Printable(report.frames),
-                                      report.frames == 1 ? "" : "s", report.width, report.height,
-                                      report.framesPerSecond);
+        report.file.string() + ": " + Counted(report.frames, "frame") +
+        Format(" of %dx%d at %g fps", report.width, report.height, report.framesPerSecond);
     if (report.framesFilmed > report.frames)
     {
         text += Format(" (kept of %lld: a GIF shows at most 50 a second)",

@@ -7,9 +7,10 @@
 #include "RubeText.h"
 #include "RubeTraps.h"
 
+#include <base/ReadWhole.h>
+
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -126,48 +127,12 @@ private:
     std::vector<const b2Joint*> m_joints; ///< in the order of the file
 };
 
-// The size is asked for before anything is read, so that a huge file costs nothing; a device or a
-// pipe has no size to ask for.
-Result<std::string> ReadBounded(const std::filesystem::path& file)
-{
-    const std::string name = file.string();
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status))
-    {
-        return Error{ErrorKind::Unusable, name + " does not exist; check the path."};
-    }
-    if (!std::filesystem::is_regular_file(status))
-    {
-        return Error{ErrorKind::Unusable, name + " is no regular file; name a scene file."};
-    }
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (error || size > kMostBytes)
-    {
-        return Error{ErrorKind::Unusable, name + " is larger than " +
-                                              std::to_string(kMostBytes >> 20) +
-                                              " MB; split the scene into smaller files."};
-    }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-    {
-        return Error{ErrorKind::Unusable, name + " cannot be opened; check its permissions."};
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(size));
-    if (stream.gcount() != static_cast<std::streamsize>(size))
-    {
-        return Error{ErrorKind::Failed, name + " could not be read to its end; check the disk."};
-    }
-    return text;
-}
-
 } // namespace
 
 Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
                                              std::vector<std::string>& leftOut)
 {
-    const Result<std::string> text = ReadBounded(file);
+    const Result<std::string> text = ReadWhole(file, kMostBytes);
     return text ? SceneOfText(*text, file.string(), leftOut)
                 : Result<std::unique_ptr<Scene>>(text.GetError());
 }
@@ -192,7 +157,7 @@ Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::str
 
 Result<std::vector<std::string>> TrapsOfFile(const std::filesystem::path& file)
 {
-    const Result<std::string> text = ReadBounded(file);
+    const Result<std::string> text = ReadWhole(file, kMostBytes);
     return text ? RubeTraps(*text, file.string())
                 : Result<std::vector<std::string>>(text.GetError());
 }

@@ -15,7 +15,7 @@ constexpr const char* kNoLength = "its length is zero; a revolute joint keeps po
 // The kind without the quotes that a name has.
 std::string Shown(const std::string& type)
 {
-    const std::string quoted = Quoted(type);
+    const std::string quoted = QuotedName(type);
     return type.empty() ? "no kind" : quoted.substr(1, quoted.size() - 2);
 }
 

@@ -29,7 +29,7 @@ std::size_t ControlAt(const std::string& text, std::size_t index)
 
 // Names come from the file: long ones would drown the message, control characters could garble the
 // terminal. Bytes of other scripts pass; a name is cut between characters only.
-std::string Quoted(const std::string& name)
+std::string QuotedName(const std::string& name)
 {
     constexpr std::size_t kMost = 60;
     std::size_t length = name.size();
@@ -59,7 +59,7 @@ std::string NameOfBody(const RubeScene& scene, std::size_t index)
 std::string WithName(const char* what, std::size_t index, const std::string& name)
 {
     const std::string text = what + (" " + std::to_string(index));
-    return name.empty() ? text : text + " " + Quoted(name);
+    return name.empty() ? text : text + " " + QuotedName(name);
 }
 
 } // namespace boxreel

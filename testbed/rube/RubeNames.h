@@ -10,7 +10,7 @@ namespace boxreel
 {
 
 /// In quotes, at most 60 bytes long, and without control characters.
-std::string Quoted(const std::string& name);
+std::string QuotedName(const std::string& name);
 
 /// `fixture 3 "left wheel"`, or `fixture 3` of one that has no name.
 std::string WithName(const char* what, std::size_t index, const std::string& name);

@@ -4,10 +4,11 @@
 #include "ScriptWords.h"
 
 #include <base/Nearest.h>
+#include <base/Quoting.h>
+#include <base/ReadWhole.h>
 #include <options/ViewChoice.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -23,11 +24,6 @@ constexpr std::uintmax_t kMostBytes = 16'000'000; // of a script: many more than
 Error Unusable(std::string message)
 {
     return Error{ErrorKind::Unusable, std::move(message)};
-}
-
-std::string Quoted(const std::string& text)
-{
-    return "'" + text + "'";
 }
 
 /// "1.5s", exactly.
@@ -536,30 +532,18 @@ Result<Script> ParseScript(const std::string& text, const std::filesystem::path&
 
 Result<Script> ReadScript(const std::filesystem::path& file)
 {
-    std::error_code error;
-    const bool isFile = std::filesystem::is_regular_file(file, error);
-    const std::uintmax_t size = isFile ? std::filesystem::file_size(file, error) : 0;
-    if (size > kMostBytes)
+    const Result<std::string> text = ReadWhole(file, kMostBytes);
+    if (!text)
     {
-        return Unusable(file.string() + " has " + std::to_string(size) +
-                        " bytes, and no script has more than 16 million; name a script.");
+        Error error = text.GetError();
+        error.remedy = "name a script, such as car.play";
+        return error;
     }
-    std::ifstream stream(file, std::ios::binary);
-    if (!isFile || !stream)
+    if (text->find('\0') != std::string::npos)
     {
-        const bool isThere = std::filesystem::exists(file, error);
-        return Unusable("Cannot read " + file.string() +
-                        (isFile    ? "; it may not be read."
-                         : isThere ? ": it is no file; name a script."
-                                   : ": there is no such file; name a script, such as car.play."));
+        return Error{ErrorKind::Unusable, file.string(), "is not a text", "name a script"};
     }
-    const std::string text{std::istreambuf_iterator<char>(stream),
-                           std::istreambuf_iterator<char>()};
-    if (text.find('\0') != std::string::npos)
-    {
-        return Unusable(file.string() + " is no text; name a script.");
-    }
-    return ParseScript(text, file);
+    return ParseScript(*text, file);
 }
 
 } // namespace boxreel

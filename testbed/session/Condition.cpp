@@ -2,6 +2,7 @@
 #include "Condition.h"
 
 #include <base/Nearest.h>
+#include <base/Quoting.h>
 #include <options/Values.h>
 
 #include <algorithm>
@@ -34,13 +35,6 @@ std::string_view Trimmed(std::string_view text)
         text.remove_suffix(1);
     }
     return text;
-}
-
-std::string Quoted(std::string_view text)
-{
-    std::string quoted(1, '\'');
-    quoted.append(text).append(1, '\'');
-    return quoted;
 }
 
 constexpr const char* kRemedy =

@@ -3,12 +3,12 @@
 
 #include <base/AtomicFile.h>
 #include <base/Bytes.h>
+#include <base/ReadWhole.h>
 #include <base/Terminal.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <unistd.h>
 
 namespace boxreel
@@ -81,19 +81,6 @@ std::string WithDigits(std::int64_t step)
     char text[32];
     std::snprintf(text, sizeof text, "%0*lld", kStepDigits, static_cast<long long>(step));
     return text;
-}
-
-/// Empty when there is no such file, or it cannot be read.
-std::string ReadWhole(const std::filesystem::path& path)
-{
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error) ||
-        std::filesystem::file_size(path, error) > kMostBytes || error)
-    {
-        return "";
-    }
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 std::span<const std::uint8_t> BytesOf(std::string_view text)
@@ -184,7 +171,8 @@ std::string SnapshotFolder::Heading(std::int64_t step) const
 /// Empty when the session has gone on from the file.
 std::string SnapshotFolder::WhyNot(SceneSession& session, std::int64_t step) const
 {
-    const std::string file = ReadWhole(PathOf(step));
+    const Result<std::string> read = ReadWhole(PathOf(step), kMostBytes);
+    const std::string file = read ? *read : "";
     const std::string heading = Heading(step);
     const std::size_t versionEnds = heading.find(m_origin);
     if (file.empty())

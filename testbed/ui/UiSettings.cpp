@@ -2,13 +2,13 @@
 #include "UiSettings.h"
 
 #include <base/AtomicFile.h>
+#include <base/ReadWhole.h>
 #include <debugdraw/Theme.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 
 namespace boxreel
@@ -113,15 +113,8 @@ Result<UiSettings> ReadUiSettings(const std::filesystem::path& file)
     const Error unreadable{ErrorKind::Failed, file.string() +
                                                   " holds no settings of this program; it is left "
                                                   "alone until they are written anew."};
-    if (!std::filesystem::is_regular_file(file, error) ||
-        std::filesystem::file_size(file, error) > kMostBytes)
-    {
-        return unreadable;
-    }
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream),
-                           std::istreambuf_iterator<char>()};
-    const json object = json::parse(text, nullptr, false);
+    const Result<std::string> text = ReadWhole(file, kMostBytes);
+    const json object = text ? json::parse(*text, nullptr, false) : json();
     if (!object.is_object())
     {
         return unreadable;

@@ -26,17 +26,6 @@ bool IsLibavLoaded()
     return ReadBytes("/proc/self/maps").find("libavcodec") != std::string::npos;
 }
 
-TEST(FFmpegLibrary, AMissingLibraryIsNamedWithThePackageThatHasIt)
-{
-    const Result<boxreel::SharedLibrary> opened =
-        boxreel::SharedLibrary::Open("libavcodec.so.1", "libavcodec1");
-    ASSERT_FALSE(opened);
-    EXPECT_EQ(opened.GetError().kind, ErrorKind::Absent);
-    EXPECT_THAT(opened.GetError().Text(), HasSubstr("libavcodec.so.1"));
-    EXPECT_THAT(opened.GetError().Text(), HasSubstr("No such file"));
-    EXPECT_THAT(opened.GetError().Text(), HasSubstr("install Debian's libavcodec1."));
-}
-
 // In a process of its own, where nothing has loaded it.
 TEST(FFmpegLibrary, IsLoadedByAFilmAndNotByPicturesOrChecks)
 {

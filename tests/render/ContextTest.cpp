@@ -272,18 +272,13 @@ TEST(Backend, OfAnUnknownNameInTheVariableIsRefused)
     EXPECT_EQ(renderer.GetError().kind, ErrorKind::Unusable);
 }
 
-TEST(Context, NamesEachBackEndThatWasTriedItsLibraryItsErrorAndItsPackage)
+TEST(Context, ListsLibraryAndPackageOfEachTriedBackEnd)
 {
     const Variable none(nullptr);
-    EXPECT_EQ(Refusal(Backend::Auto, kNoLibraries),
-              "Nothing can be drawn, for no back end that was tried works:\n"
-              "  osmesa: libNoSuchMesa.so.8 did not load (libNoSuchMesa.so.8: cannot open shared "
-              "object file: No such file or directory); install it with: apt install libosmesa6 "
-              "(Mesa 25.1 and later have none)\n"
-              "  egl: libNoSuchEgl.so.1 did not load (libNoSuchEgl.so.1: cannot open shared object "
-              "file: No such file or directory); install it with: apt install libegl1 "
-              "libegl-mesa0 libgl1-mesa-dri\n"
-              "The variable BOXREEL_BACKEND chooses one: auto, osmesa, egl, egl-gpu.");
+    EXPECT_THAT(Refusal(Backend::Auto, kNoLibraries),
+                AllOf(HasSubstr("\n  osmesa: libNoSuchMesa.so.8"), HasSubstr("libosmesa6"),
+                      HasSubstr("\n  egl: libNoSuchEgl.so.1"), HasSubstr("libegl1"),
+                      HasSubstr("BOXREEL_BACKEND")));
 }
 
 TEST(Context, TriesOnlyTheBackEndThatIsNamed)
@@ -299,12 +294,11 @@ TEST(Context, TriesOnlyTheBackEndThatIsNamed)
                 AllOf(HasSubstr("\n  egl: libNoSuchEgl.so.1"), Not(HasSubstr("\n  osmesa"))));
 }
 
-TEST(Context, RefusesALibraryThatIsAnother)
+TEST(Context, RefusesLibraryThatIsAnother)
 {
     const ContextLibraries foreign{"libm.so.6", "libm.so.6"};
-    EXPECT_THAT(Refusal(Backend::OSMesa, foreign),
-                HasSubstr("libm.so.6 lacks functions of OSMesa"));
-    EXPECT_THAT(Refusal(Backend::Egl, foreign), HasSubstr("libm.so.6 lacks functions of EGL"));
+    EXPECT_THAT(Refusal(Backend::OSMesa, foreign), HasSubstr("\n  osmesa: libm.so.6"));
+    EXPECT_THAT(Refusal(Backend::Egl, foreign), HasSubstr("\n  egl: libm.so.6"));
 }
 
 TEST_F(FakeEglLibrary, DrawsInSoftwareBesideAGpu)
@@ -334,20 +328,19 @@ TEST_F(FakeEglLibrary, NeverComesToAGpuByItself)
     for (const Backend backend : {Backend::Egl, Backend::Auto})
     {
         EXPECT_EQ(Drawing(backend), nullptr);
-        EXPECT_THAT(message, AllOf(HasSubstr("the surfaceless platform draws with AMD Radeon RX "
-                                             "6600, which BOXREEL_BACKEND=egl-gpu asks for"),
-                                   HasSubstr("apt install libegl-mesa0 libgl1-mesa-dri")));
+        EXPECT_THAT(message,
+                    AllOf(HasSubstr("AMD Radeon RX 6600"), HasSubstr("BOXREEL_BACKEND=egl-gpu"),
+                          HasSubstr("apt install libegl-mesa0 libgl1-mesa-dri")));
     }
     EXPECT_EQ(gpu.started, 0);
 }
 
-TEST_F(FakeEglLibrary, SaysThatThereIsNoGpu)
+TEST_F(FakeEglLibrary, NamesSoftwareWhenThereIsNoGpu)
 {
     Add(kSoftware);
     fake->surfaceless = kSoftware;
     EXPECT_EQ(Drawing(Backend::EglGpu), nullptr);
-    EXPECT_THAT(message, AllOf(HasSubstr("draws with llvmpipe (LLVM 15.0.6, 256 bits), which is no "
-                                         "GPU"),
+    EXPECT_THAT(message, AllOf(HasSubstr("llvmpipe (LLVM 15.0.6, 256 bits)"),
                                HasSubstr("install the driver of your GPU")));
 }
 
@@ -365,10 +358,8 @@ TEST_F(FakeEglLibrary, GoesOnToTheNextDeviceWhenOneFails)
     fake->devices[2].bindsWithoutSurface = false;
     fake->surfaceless = kSoftware;
     EXPECT_EQ(Drawing(Backend::EglGpu), nullptr);
-    EXPECT_THAT(message, HasSubstr("device 0 does not start (EGL error 0x3009); "
-                                   "device 1 has no GL 3.3 core context (EGL error 0x3009); "
-                                   "device 2 cannot draw without a surface (EGL error 0x3009); "
-                                   "the surfaceless platform draws with llvmpipe"));
+    EXPECT_THAT(message, testing::ContainsRegex(
+                             "device 0.*0x3009.*device 1.*0x3009.*device 2.*0x3009.*llvmpipe"));
 }
 
 TEST_F(FakeEglLibrary, LooksAtWhoDrawsWhereDevicesCannotBeTold)
@@ -388,7 +379,7 @@ TEST_F(FakeEglLibrary, IsRefusedWhenItCanOnlyDrawOnScreens)
 {
     fake->extensions = nullptr;
     EXPECT_EQ(Drawing(Backend::Egl), nullptr);
-    EXPECT_THAT(message, HasSubstr("knows no way to draw without a screen"));
+    EXPECT_THAT(message, HasSubstr("egl: " BOXREEL_FAKE_EGL));
 }
 
 TEST_F(FakeEglLibrary, IsLeftWhenAnotherContextIsEntered)

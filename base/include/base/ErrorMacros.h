@@ -12,13 +12,13 @@
 #define BOXREEL_JOIN_NAMES(a, b) a##b
 #define BOXREEL_UNIQUE_NAME(a, b) BOXREEL_JOIN_NAMES(a, b)
 
-/// Returns the error of `expression`, a Result, from the enclosing function if it has one.
-#define RETURN_IF_ERROR(expression)                                                                \
+/// Returns the error of the expression, a Result, from the enclosing function if it has one.
+#define RETURN_IF_ERROR(...)                                                                       \
     do                                                                                             \
     {                                                                                              \
-        if (auto result = (expression); !result)                                                   \
+        if (auto resultToReturn = (__VA_ARGS__); !resultToReturn)                                  \
         {                                                                                          \
-            return std::move(result).TakeError();                                                  \
+            return std::move(resultToReturn).TakeError();                                          \
         }                                                                                          \
     } while (false)
 
@@ -26,7 +26,7 @@
 /// `ASSIGN_OR_RETURN(const Frame frame, ReadPng(path));` A target with a comma needs parentheses
 /// around its type, so name the type before.
 #define ASSIGN_OR_RETURN(target, ...)                                                              \
-    ASSIGN_OR_RETURN_FROM(BOXREEL_UNIQUE_NAME(result, __LINE__), target, (__VA_ARGS__))
+    ASSIGN_OR_RETURN_FROM(BOXREEL_UNIQUE_NAME(resultOfLine, __LINE__), target, (__VA_ARGS__))
 #define ASSIGN_OR_RETURN_FROM(result, target, expression)                                          \
     auto result = expression;                                                                      \
     if (!result)                                                                                   \

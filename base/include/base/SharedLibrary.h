@@ -6,16 +6,25 @@
 #include <string>
 
 /// @file
-/// A library that is opened when a film needs it, not before.
+/// Libraries that are loaded when they are needed.
 namespace boxreel
 {
 
+/// A library that is loaded when it is needed, not when the program starts. Its symbols are its
+/// own, so that those of two GL libraries never meet in one process. It is never unloaded:
+/// libraries keep threads and thread-local data.
 class SharedLibrary
 {
 public:
-    /// An Error (Absent) names the library and Debian's package. Once open it stays open: libraries
-    /// keep threads and tables of their own.
-    static Result<SharedLibrary> Open(const std::string& name, const std::string& package);
+    enum class Symbols
+    {
+        Lazy, ///< each is looked up at its first call
+        Now,  ///< a library that lacks one of its own does not open
+    };
+
+    /// An Error (Absent) names the library and Debian's packages.
+    static Result<SharedLibrary> Open(const std::string& name, const std::string& packages,
+                                      Symbols symbols = Symbols::Lazy);
 
     /// Whether the library has this function.
     template <class Function>
@@ -25,11 +34,15 @@ public:
         return function != nullptr;
     }
 
+    /// The Error (Absent) when it lacks something, such as "the function avcodec_open2".
+    Error Lacks(const std::string& what) const;
+
 private:
-    explicit SharedLibrary(void* handle) : m_handle(handle) {}
+    SharedLibrary(void* handle, std::string name, std::string packages);
     void* Find(const char* symbol) const;
 
     void* m_handle;
+    std::string m_name, m_packages;
 };
 
 } // namespace boxreel

@@ -24,8 +24,8 @@ public:
         std::string pattern = (parent / "boxreel-XXXXXX").string();
         if (error || mkdtemp(pattern.data()) == nullptr)
         {
-            return Error{ErrorKind::Failed, "There is no folder for temporary files; name "
-                                            "one by TMPDIR."};
+            return Error{ErrorKind::Failed, "TMPDIR", "no folder for temporary files can be made",
+                         "set it to a folder that can be written"};
         }
         return WorkFolder(pattern);
     }

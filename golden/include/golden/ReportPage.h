@@ -37,12 +37,6 @@ struct FilmStrip
 Result<std::string> ReportPage(const std::vector<ReportedMoment>& moments,
                                const std::map<std::string, FilmStrip>& strips);
 
-/// As text between tags and in quoted attributes.
-std::string HtmlText(const std::string& text);
-
-/// RFC 4648, section 4.
-std::string Base64(const std::string& bytes);
-
 /// "3 not as approved", "all as approved": of all moments, for a line.
 std::string DescribeOutcome(const std::vector<ReportedMoment>& moments);
 

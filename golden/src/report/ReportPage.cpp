@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "PageTexts.h"
+#include <base/Counting.h>
+#include <base/ErrorMacros.h>
+#include <base/Quoting.h>
+#include <base/ReadWhole.h>
 #include <golden/ReportPage.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -47,33 +49,18 @@ std::string LabelOf(const std::string& status)
     return status;
 }
 
-std::string Count(std::size_t number, const std::string& things)
-{
-    return std::to_string(number) + " " + things + (number == 1 ? "" : "s");
-}
-
 bool IsFailure(const ReportedMoment& moment)
 {
     return moment.shown.status != "same" && moment.shown.status != "accepted";
 }
 
+constexpr std::uintmax_t kLargestFile = 256u << 20; // a picture or a draw list [bytes]
+
 /// Empty when there is none.
 Result<std::string> ReadIfThere(const fs::path& path)
 {
     std::error_code code;
-    if (!fs::exists(path, code))
-    {
-        return std::string();
-    }
-    const bool isFile = fs::is_regular_file(path, code);
-    std::ifstream in(path, std::ios::binary);
-    std::string bytes = isFile && in ? std::string(std::istreambuf_iterator<char>(in), {}) : "";
-    if (!isFile || !in)
-    {
-        return Error{ErrorKind::Unusable,
-                     "'" + path.string() + "' cannot be read; make it readable."};
-    }
-    return bytes;
+    return fs::exists(path, code) ? ReadWhole(path, kLargestFile) : std::string();
 }
 
 std::string Png(const std::string& bytes)
@@ -127,15 +114,12 @@ Result<std::string> DataOf(const ReportedMoment& moment, const FilmStrip* strip)
     std::string text = "{\"verdict\":" + moment.shown.json;
     for (const Part& part : kParts)
     {
-        const Result<std::string> bytes = ReadIfThere(moment.shown.base.string() + part.end);
-        if (!bytes)
-        {
-            return bytes.GetError();
-        }
-        if (!bytes->empty())
+        ASSIGN_OR_RETURN(const std::string bytes,
+                         ReadIfThere(moment.shown.base.string() + part.end));
+        if (!bytes.empty())
         {
             text += std::string(",\"") + part.name +
-                    "\":" + (part.isPicture ? Png(*bytes) : JsonText(*bytes));
+                    "\":" + (part.isPicture ? Png(bytes) : JsonText(bytes));
         }
     }
     return text + (strip != nullptr ? ",\"strip\":" + StripJson(*strip) : "") + "}";
@@ -173,39 +157,35 @@ std::string Message(const ReportedVerdict& verdict)
     std::string text = "<ul class=\"message\">\n";
     for (const std::string& clause : ClausesOf(verdict))
     {
-        text += "<li>" + HtmlText(clause) + "</li>\n";
+        text += "<li>" + MarkupEscaped(clause) + "</li>\n";
     }
     return text + "</ul>\n";
 }
 
 Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
 {
-    const Result<std::string> data = DataOf(moment, strip);
-    if (!data)
-    {
-        return data.GetError();
-    }
+    ASSIGN_OR_RETURN(const std::string data, DataOf(moment, strip));
     const ReportedVerdict& shown = moment.shown;
-    const std::string name = HtmlText(shown.name);
+    const std::string name = MarkupEscaped(shown.name);
     std::string text = "<article class=\"moment\" id=\"" + name +
                        "\" tabindex=\"-1\" data-status=\"" + shown.status + "\" data-name=\"" +
                        name + "\">\n<h2><a href=\"#" + name + "\">" + name +
                        "</a> <span class=\"badge " + shown.status + "\">" +
-                       HtmlText(LabelOf(shown.status)) + "</span></h2>\n" + Message(shown);
+                       MarkupEscaped(LabelOf(shown.status)) + "</span></h2>\n" + Message(shown);
     if (!shown.accept.empty() && IsFailure(moment))
     {
         const char* const which = shown.status == "missing" ? "missing" : "changed";
-        text += "<p>If the picture is right, accept it: <code>" + HtmlText(shown.accept) +
+        text += "<p>If the picture is right, accept it: <code>" + MarkupEscaped(shown.accept) +
                 "</code>, or run the test with <code>BOXREEL_GOLDEN_ACCEPT=" + which +
                 "</code>.</p>\n";
     }
     for (const ReportedVerdict& other : moment.others)
     {
-        text += "<p class=\"other\">This is of " + HtmlText(shown.folder) + "; " +
-                HtmlText(other.folder) + " says <b>" + HtmlText(LabelOf(other.status)) +
-                "</b>: " + HtmlText(other.message) + "</p>\n";
+        text += "<p class=\"other\">This is of " + MarkupEscaped(shown.folder) + "; " +
+                MarkupEscaped(other.folder) + " says <b>" + MarkupEscaped(LabelOf(other.status)) +
+                "</b>: " + MarkupEscaped(other.message) + "</p>\n";
     }
-    return text + "<div class=\"views\"></div>\n<script type=\"application/json\">" + *data +
+    return text + "<div class=\"views\"></div>\n<script type=\"application/json\">" + data +
            "</script>\n</article>\n";
 }
 
@@ -235,7 +215,7 @@ std::string Terms(const char* what, const std::set<std::string>& values)
     std::string text;
     for (const std::string& value : values)
     {
-        text += value.empty() ? "" : "<dd>" + HtmlText(value) + "</dd>";
+        text += value.empty() ? "" : "<dd>" + MarkupEscaped(value) + "</dd>";
     }
     return text.empty() ? "" : std::string("<dt>") + what + "</dt>" + text + "\n";
 }
@@ -261,14 +241,14 @@ std::string Passed(const std::vector<ReportedMoment>& moments)
         if (moment.shown.Passed())
         {
             ++number;
-            const std::string name = HtmlText(moment.shown.name);
+            const std::string name = MarkupEscaped(moment.shown.name);
             list += "<li data-name=\"" + name + "\">" + name + "</li>\n";
         }
     }
     return number == 0
                ? ""
                : "<details id=\"passed\"" + std::string(number == moments.size() ? " open" : "") +
-                     "><summary>" + Count(number, "moment") + " as approved</summary>\n<ul>\n" +
+                     "><summary>" + Counted(number, "moment") + " as approved</summary>\n<ul>\n" +
                      list + "</ul>\n</details>\n";
 }
 
@@ -292,57 +272,6 @@ std::string Fill(std::string_view page, const std::map<std::string_view, std::st
 
 } // namespace
 
-std::string HtmlText(const std::string& text)
-{
-    std::string escaped;
-    for (const char c : text)
-    {
-        switch (c)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        case '\'':
-            escaped += "&#39;";
-            break;
-        default:
-            escaped += c;
-        }
-    }
-    return escaped;
-}
-
-std::string Base64(const std::string& bytes)
-{
-    constexpr std::string_view kLetters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3)
-    {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-            group = group << 8 | (k < count ? std::uint8_t(bytes[i + k]) : 0u);
-        }
-        for (std::size_t k = 0; k < 4; ++k)
-        {
-            text += k <= count ? kLetters[group >> (18 - 6 * k) & 63] : '=';
-        }
-    }
-    return text;
-}
-
 std::string DescribeOutcome(const std::vector<ReportedMoment>& moments)
 {
     const auto failures = std::count_if(moments.begin(), moments.end(), IsFailure);
@@ -350,7 +279,7 @@ std::string DescribeOutcome(const std::vector<ReportedMoment>& moments)
         std::count_if(moments.begin(), moments.end(), [](const ReportedMoment& moment) {
             return moment.shown.status == "accepted";
         });
-    return Count(moments.size(), "moment") + ": " +
+    return Counted(moments.size(), "moment") + ": " +
            (failures == 0 ? "all as approved" : std::to_string(failures) + " not as approved") +
            (accepted == 0 ? "" : ", " + std::to_string(accepted) + " accepted just now");
 }
@@ -367,13 +296,9 @@ Result<std::string> ReportPage(const std::vector<ReportedMoment>& moments,
             continue;
         }
         const auto strip = strips.find(moment.shown.name);
-        const Result<std::string> card =
-            Card(moment, strip == strips.end() ? nullptr : &strip->second);
-        if (!card)
-        {
-            return card.GetError();
-        }
-        cards += *card;
+        ASSIGN_OR_RETURN(const std::string card,
+                         Card(moment, strip == strips.end() ? nullptr : &strip->second));
+        cards += card;
     }
     const std::string outcome = DescribeOutcome(moments);
     const std::string buttons = Buttons(moments);

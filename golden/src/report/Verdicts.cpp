@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <golden/Verdicts.h>
 
+#include <base/ErrorMacros.h>
+#include <base/ReadWhole.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <system_error>
@@ -95,14 +97,7 @@ Error Unusable(const fs::path& path, const std::string& why)
 
 Result<ReportedVerdict> ReadVerdict(const fs::path& path)
 {
-    const std::string remedy = "; remove it, or run the test again that left it.";
-    std::error_code code;
-    if (fs::file_size(path, code) > kLargest || code)
-    {
-        return Unusable(path, "cannot be read" + remedy);
-    }
-    std::ifstream in(path, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    ASSIGN_OR_RETURN(const std::string bytes, ReadWhole(path, kLargest));
     try // the parser's way to say that a file is not what it should be
     {
         // Twice, so that what is no UTF-8 does not make the whole file unreadable.
@@ -110,7 +105,8 @@ Result<ReportedVerdict> ReadVerdict(const fs::path& path)
     }
     catch (const std::exception&)
     {
-        return Unusable(path, "is no verdict of a golden test" + remedy);
+        return Error{ErrorKind::Unusable, path.string(), "is not a verdict of a golden test",
+                     "remove it, or run the test again that left it"};
     }
 }
 
@@ -192,18 +188,14 @@ Result<std::vector<ReportedMoment>> CollectVerdicts(const std::vector<fs::path>&
     std::map<std::string, ReportedMoment> moments;
     for (const fs::path& folder : folders)
     {
-        const Result<std::vector<fs::path>> paths = FindVerdicts(folder);
-        if (!paths)
-        {
-            return paths.GetError();
-        }
-        if (paths->empty())
+        ASSIGN_OR_RETURN(const std::vector<fs::path> paths, FindVerdicts(folder));
+        if (paths.empty())
         {
             return Unusable(folder,
                             "holds no verdict of a golden test; run `boxreel golden verify`, "
                             "or your tests, and name the folder they write to.");
         }
-        for (const fs::path& path : *paths)
+        for (const fs::path& path : paths)
         {
             Result<ReportedVerdict> verdict = ReadVerdict(path);
             if (!verdict)

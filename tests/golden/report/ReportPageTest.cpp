@@ -60,11 +60,10 @@ TEST_F(Page, CountsEachVerdictAndShowsWhatDiffers)
     missing.shown.accept = "boxreel golden accept d --references '<r>'";
     const std::string page = Of({Moment("a", "same"), Moment("b", "state"), Moment("c", "state"),
                                  missing, Moment("e", "accepted")});
-    EXPECT_THAT(
-        page,
-        AllOf(HasSubstr("<title>5 moments: 3 not as approved, 1 accepted just now</title>"),
-              HasSubstr(">2 state</button>"), HasSubstr(">1 missing</button>"),
-              HasSubstr("<code>boxreel golden accept d --references &#39;&lt;r&gt;&#39;</code>")));
+    EXPECT_THAT(page,
+                AllOf(HasSubstr("<title>5 moments: 3 not as approved, 1 accepted just now</title>"),
+                      HasSubstr(">2 state</button>"), HasSubstr(">1 missing</button>"),
+                      HasSubstr("<code>boxreel golden accept d --references '&lt;r&gt;'</code>")));
     EXPECT_THAT(page,
                 AllOf(HasSubstr("id=\"b\""), HasSubstr("id=\"e\""), Not(HasSubstr("id=\"a\""))));
 }
@@ -97,9 +96,8 @@ TEST_F(Page, ShowsHostileNamesAndMessagesAsText)
     const std::string page =
         Of({Moment(hostile, "pixels", hostile), Moment("ok" + hostile, "same")});
     EXPECT_THAT(page, Not(HasSubstr("<b class=\"x\">")));
-    EXPECT_THAT(page, AllOf(HasSubstr("<li>&lt;b class=&quot;x&quot;&gt;&#39;&amp;{{script}}</li>"),
+    EXPECT_THAT(page, AllOf(HasSubstr("<li>&lt;b class=&quot;x&quot;&gt;'&amp;{{script}}</li>"),
                             HasSubstr("data-name=\"ok&lt;b")));
-    EXPECT_EQ(HtmlText("<a b=\"c\" d='e'>&"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt;&amp;");
 }
 
 TEST_F(Page, TellsWhatTheOtherShardsSay)
@@ -127,22 +125,6 @@ TEST_F(Page, RefusesAPictureThatCannotBeRead)
     const Result<std::string> page = ReportPage({Moment("a", "state")}, {});
     ASSERT_FALSE(page);
     EXPECT_THAT(page.GetError().Text(), HasSubstr("base.actual.png"));
-}
-
-TEST(Base64, IsThatOfRfc4648)
-{
-    const char* const vectors[][2] = {{"", ""},
-                                      {"f", "Zg=="},
-                                      {"fo", "Zm8="},
-                                      {"foo", "Zm9v"},
-                                      {"foob", "Zm9vYg=="},
-                                      {"fooba", "Zm9vYmE="},
-                                      {"foobar", "Zm9vYmFy"}};
-    for (const auto& [bytes, text] : vectors)
-    {
-        EXPECT_EQ(Base64(bytes), text);
-    }
-    EXPECT_EQ(Base64("\xff\xef\xbe"), "/+++");
 }
 
 } // namespace

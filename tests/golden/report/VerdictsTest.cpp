@@ -152,8 +152,7 @@ TEST_F(Verdicts, ThatCannotBeReadAreToldBesideTheOthers)
         const ReportedVerdict& shown = moments->front().shown;
         EXPECT_EQ(shown.status, "error") << text.substr(0, 80);
         EXPECT_EQ(shown.name, "x");
-        EXPECT_THAT(shown.message, AllOf(HasSubstr("x.verdict.json'"), HasSubstr("; remove it")))
-            << text.substr(0, 80);
+        EXPECT_THAT(shown.message, HasSubstr("x.verdict.json")) << text.substr(0, 80);
     }
 }
 

@@ -158,9 +158,8 @@ TEST_F(GoldenReport, TellsAVerdictThatCannotBeReadBesideTheOthers)
     const Outcome outcome = Run({"report", "o"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.output, HasSubstr("2 moments: 1 not as approved"));
-    EXPECT_THAT(
-        ReadFile(folder / "o/report.html"),
-        AllOf(HasSubstr("id=\"c/b\""), HasSubstr("is no verdict of a golden test; remove it")));
+    EXPECT_THAT(ReadFile(folder / "o/report.html"),
+                AllOf(HasSubstr("id=\"c/b\""), HasSubstr("o/c/b.verdict.json")));
 }
 
 } // namespace

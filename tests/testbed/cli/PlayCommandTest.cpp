@@ -257,15 +257,11 @@ TEST_F(PlayCommand, SaysInOneSentenceWhatIsWrongAndMakesNothing)
         }
     }
     EXPECT_EQ(RunBoxreel({"play"}, folder.Path()).code, 1);
-    const std::pair<const char*, const char*> unreadable[] = {
-        {"none.play", "there is no such file"},
-        {".", "it is no file"},
-        {"/dev/zero", "it is no file"}};
-    for (const auto& [name, reason] : unreadable)
+    for (const std::string name : {"none.play", ".", "/dev/zero"})
     {
         const Outcome outcome = RunBoxreel({"play", name}, folder.Path());
         EXPECT_EQ(outcome.code, 1) << name;
-        EXPECT_THAT(outcome.errors, AllOf(HasSubstr(reason), HasSubstr("name a script")));
+        EXPECT_THAT(outcome.errors, HasSubstr(" " + name + ": "));
     }
     EXPECT_EQ(RunBoxreel({"play", "a.play", "--check", "--accept"}, folder.Path()).code, 1);
 }

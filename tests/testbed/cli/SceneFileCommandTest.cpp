@@ -104,7 +104,7 @@ TEST_F(SceneFile, ThatIsNoneIsRefusedInOneSentence)
 {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
         {{"check"}, "Name the scene file"},
-        {{"check", "none.json"}, "none.json does not exist"},
+        {{"check", "none.json"}, "none.json: does not exist"},
         {{"check", "a.json"}, "a.json is no JSON text"},
         {{"export"}, "Say which scene"},
         {{"export", "bridge"}, "Say where the scene file goes"},
@@ -197,7 +197,7 @@ TEST_F(SceneFile, OfAGigabyteIsRefusedUnread)
     {
         const Outcome outcome = Run(arguments);
         EXPECT_EQ(outcome.code, 1);
-        EXPECT_THAT(outcome.errors, HasSubstr("a.json is larger than 64 MB; split the scene"));
+        EXPECT_THAT(outcome.errors, HasSubstr("a.json: is larger than 64 MB"));
         if (!BOXREEL_IS_SANITIZED)
         {
             EXPECT_LT(outcome.peakKilobytes, 200 * 1024);

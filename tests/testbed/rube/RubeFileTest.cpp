@@ -273,10 +273,10 @@ TEST_F(RubeFile, FramesItsImages)
 TEST_F(RubeFile, ThatCannotBeReadIsNamed)
 {
     EXPECT_THAT(Complaint(m_folder / "absent.json"), HasSubstr("does not exist"));
-    EXPECT_THAT(Complaint(m_folder), HasSubstr("is no regular file"));
+    EXPECT_THAT(Complaint(m_folder), HasSubstr("is not a regular file"));
     const std::filesystem::path pipe = m_folder / "pipe.json";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_THAT(Complaint(pipe), HasSubstr("is no regular file"));
+    EXPECT_THAT(Complaint(pipe), HasSubstr("is not a regular file"));
     EXPECT_THAT(Complaint(Write("")), HasSubstr("is empty"));
 }
 

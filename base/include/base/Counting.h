@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace boxreel
+{
+
+/// "1 frame", "2 frames".
+template <class Integer>
+std::string Counted(Integer count, std::string_view thing)
+{
+    return std::to_string(count).append(" ").append(thing).append(count == 1 ? "" : "s");
+}
+
+} // namespace boxreel

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <base/Counting.h>
+#include <base/Quoting.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace boxreel;
+
+TEST(Quoting, ShellWordKeepsSingleQuotes)
+{
+    EXPECT_EQ(ShellQuoted("it's $HOME"), "'it'\\''s $HOME'");
+    EXPECT_EQ(ShellQuoted(""), "''");
+}
+
+TEST(Quoting, ZshTextIsOneLineWithSignsEscaped)
+{
+    EXPECT_EQ(ZshEscaped("[a]:b\\\nc"), "\\[a\\]\\:b\\\\ c");
+}
+
+TEST(Quoting, MarkupSignsAreEscaped)
+{
+    EXPECT_EQ(MarkupEscaped("<a b=\"c\">'d' & e"), "&lt;a b=&quot;c&quot;&gt;'d' &amp; e");
+}
+
+TEST(Quoting, Base64MatchesRfc4648)
+{
+    constexpr std::pair<std::string_view, std::string_view> kVectors[] = {{"", ""},
+                                                                          {"f", "Zg=="},
+                                                                          {"fo", "Zm8="},
+                                                                          {"foo", "Zm9v"},
+                                                                          {"foob", "Zm9vYg=="},
+                                                                          {"fooba", "Zm9vYmE="},
+                                                                          {"foobar", "Zm9vYmFy"},
+                                                                          {"\xff\xfe", "//4="}};
+    for (const auto& [bytes, text] : kVectors)
+    {
+        EXPECT_EQ(Base64(bytes), text);
+    }
+}
+
+TEST(Quoting, HexByteHasTwoDigits)
+{
+    EXPECT_EQ(HexByte(0), "00");
+    EXPECT_EQ(HexByte(0xa7), "a7");
+}
+
+TEST(Counting, OnlyOneIsSingular)
+{
+    EXPECT_EQ(Counted(0, "frame"), "0 frames");
+    EXPECT_EQ(Counted(1, "frame"), "1 frame");
+    EXPECT_EQ(Counted(std::size_t(2), "frame"), "2 frames");
+}
+
+} // namespace
