@@ -23,9 +23,10 @@ namespace
 
 namespace fs = std::filesystem;
 
-Error CannotWrite(ErrorKind kind, const fs::path& path, const std::string& why)
+Error CannotWrite(ErrorKind kind, const fs::path& path, const std::string& problem,
+                  const std::string& remedy)
 {
-    return Error{kind, "Cannot write " + path.string() + ": " + why + "."};
+    return Error{kind, path.string(), "cannot be written: " + problem, remedy};
 }
 
 // A full, broken or locked place is nobody's choice of words; everything else about opening is the
@@ -41,53 +42,51 @@ Error CannotOpen(const fs::path& path, int code)
         const bool isThere = fs::is_directory(folder, ignored);
         return CannotWrite(ErrorKind::Unusable, path,
                            "the folder " + folder.string() +
-                               (isThere ? " takes no files; choose another"
-                                        : " does not exist; create it or choose another"));
+                               (isThere ? " takes no files" : " does not exist"),
+                           isThere ? "choose another" : "create it or choose another");
     }
     case ENOTDIR:
-        return CannotWrite(ErrorKind::Unusable, path,
-                           folder.string() + " is not a folder; choose another place");
+        return CannotWrite(ErrorKind::Unusable, path, folder.string() + " is not a folder",
+                           "choose another place");
     case EACCES:
     case EPERM:
     case EROFS:
         return CannotWrite(ErrorKind::Failed, path,
-                           "no permission to write in the folder " + folder.string() +
-                               "; choose another place");
+                           "no permission to write in the folder " + folder.string(),
+                           "choose another place");
     case ENAMETOOLONG:
-        return CannotWrite(ErrorKind::Unusable, path, "the name is too long; choose a shorter one");
+        return CannotWrite(ErrorKind::Unusable, path, "the name is too long",
+                           "choose a shorter one");
     case ENOSPC:
     case EDQUOT:
-        return CannotWrite(ErrorKind::Failed, path,
-                           "the disk is full; free some space and try again");
+        return CannotWrite(ErrorKind::Failed, path, "the disk is full", "free some space");
     default:
-        return CannotWrite(ErrorKind::Failed, path,
-                           std::generic_category().message(code) +
-                               "; check the disk and try again");
+        return CannotWrite(ErrorKind::Failed, path, std::generic_category().message(code),
+                           "check the disk");
     }
 }
 
 Error CannotFinish(const fs::path& path, int code)
 {
     const bool isFull = code == ENOSPC || code == EDQUOT || code == EFBIG;
-    return CannotWrite(
-        ErrorKind::Failed, path,
-        isFull ? "the disk is full or the file too large for it; free some space and try again"
-               : std::generic_category().message(code) + "; check the disk and try again");
+    return CannotWrite(ErrorKind::Failed, path,
+                       isFull ? "the disk is full or the file too large for it"
+                              : std::generic_category().message(code),
+                       isFull ? "free some space" : "check the disk");
 }
 
 Error InTheWay(const fs::path& path)
 {
-    return CannotWrite(
-        ErrorKind::Unusable, path,
-        "it exists already; choose another name or allow overwriting (boxreel's --force)");
+    return CannotWrite(ErrorKind::Unusable, path, "it exists already",
+                       "choose another name or allow overwriting (boxreel's --force)");
 }
 
 Error PartInTheWay(const fs::path& path, const fs::path& part)
 {
     return CannotWrite(ErrorKind::Unusable, path,
                        part.string() +
-                           ", as it is called until it is whole, is a folder, a link or "
-                           "a device; move that away or choose another name");
+                           ", its name until it is whole, is a folder, a link or a device",
+                       "move that away or choose another name");
 }
 
 // Opens and locks the part file. Whoever held the lock before may have renamed or removed the file
@@ -110,8 +109,8 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
         {
             ::close(descriptor);
             return CannotWrite(ErrorKind::Failed, path,
-                               "another program is writing it (" + part.string() +
-                                   "); wait for it or choose another name");
+                               "another program is writing it (" + part.string() + ")",
+                               "wait for it or choose another name");
         }
         struct stat opened = {};
         struct stat named = {};
@@ -127,9 +126,8 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
             {
                 ::close(descriptor);
                 return CannotWrite(ErrorKind::Unusable, path,
-                                   part.string() +
-                                       " was left by a run that was stopped; continue "
-                                       "it (boxreel's --resume) or begin anew (--force)");
+                                   part.string() + " was left by a run that was stopped",
+                                   "continue it (boxreel's --resume) or start again (--force)");
             }
             if (::ftruncate(descriptor, 0) == 0)
             {
@@ -141,8 +139,8 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
         }
         ::close(descriptor);
     }
-    return CannotWrite(ErrorKind::Failed, path,
-                       "other programs keep writing it; choose another name");
+    return CannotWrite(ErrorKind::Failed, path, "other programs keep writing it",
+                       "choose another name");
 }
 
 // A rename that refuses to replace, where the file system knows how; 0 or an errno.
@@ -204,16 +202,16 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
     if (!path.has_filename())
     {
         return CannotWrite(ErrorKind::Unusable, path.empty() ? fs::path("''") : path,
-                           "this names no file; add a file name");
+                           "this names no file", "add a file name");
     }
     if (fs::is_directory(status))
     {
-        return CannotWrite(ErrorKind::Unusable, path, "it is a folder; add a file name");
+        return CannotWrite(ErrorKind::Unusable, path, "it is a folder", "add a file name");
     }
     if (fs::exists(status) && !fs::is_regular_file(status))
     {
-        return CannotWrite(ErrorKind::Unusable, path,
-                           "it is a device or a pipe; choose the name of a plain file");
+        return CannotWrite(ErrorKind::Unusable, path, "it is a device or a pipe",
+                           "choose the name of a regular file");
     }
     if (!settings.overwrite && fs::exists(fs::symlink_status(path, ignored)))
     {

@@ -103,8 +103,7 @@ Error NotOneOf(const std::string& option, const std::string& text,
     {
         remedy.append(&word == &words.front() ? "" : ", ").append(word);
     }
-    return Error{ErrorKind::Unusable,
-                 option + " '" + text + "': " + Suggesting(text, words, remedy + ".")};
+    return Error{ErrorKind::Unusable, option + " '" + text + "'", Suggesting(text, words, remedy)};
 }
 
 } // namespace boxreel

@@ -59,8 +59,8 @@ Result<void> WriteOutput(std::string_view text)
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (!written || std::fflush(stdout) != 0)
     {
-        return Error{ErrorKind::Failed,
-                     std::string("Cannot write to standard output: ") + std::strerror(errno) + "."};
+        return Error{ErrorKind::Failed, "standard output",
+                     std::string("cannot be written: ") + std::strerror(errno)};
     }
     return {};
 }

@@ -96,8 +96,9 @@ Result<bool> StoredFrames::Next()
 
 Error CutShort(const std::filesystem::path& path, std::int64_t frames)
 {
-    return Error{ErrorKind::Unusable, path.string() + " ends after " + std::to_string(frames) +
-                                          " frames, before the next part begins; make it anew."};
+    return Error{ErrorKind::Unusable, path.string(),
+                 "ends after " + std::to_string(frames) + " frames, before the next part begins",
+                 "record it again"};
 }
 
 /// The last frame once more until `count` are appended.
@@ -127,8 +128,8 @@ Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSetting
     ASSIGN_OR_RETURN(StoredFrames frames, StoredFrames::Open(from, settings));
     if (frames.Info().width != settings.width || frames.Info().height != settings.height)
     {
-        return Error{ErrorKind::Unusable, from.string() + " has another size than the film that "
-                                                          "it is a part of; make it anew."};
+        return Error{ErrorKind::Unusable, from.string(),
+                     "has another size than the film that it is a part of", "record it again"};
     }
     const std::int64_t end = count.value_or(std::numeric_limits<std::int64_t>::max());
     std::int64_t appended = 0;

@@ -25,10 +25,10 @@ std::string ThisLibrary()
 
 Error Missing(const EncoderPlan& plan, const std::string& film)
 {
-    return Error{ErrorKind::Absent,
-                 film + " needs the encoder " + plan.encoder +
-                     ", which this build of libavcodec lacks; install Debian's " + ThisLibrary() +
-                     " or write another format, such as frames-####.png."};
+    return Error{ErrorKind::Absent, film,
+                 "needs the encoder " + plan.encoder + ", which this build of libavcodec lacks",
+                 "install Debian's " + ThisLibrary() +
+                     " or write another format, such as frames-####.png"};
 }
 
 std::string Given(const VideoSettings& settings)
@@ -48,14 +48,13 @@ Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std:
     const std::string options = Given(settings);
     if (!options.empty())
     {
-        return Error{ErrorKind::Unusable, "The encoder " + plan.encoder + " does not take " +
-                                              options + " (" + FFmpegText(status) +
-                                              "); `ffmpeg -h encoder=" + plan.encoder +
-                                              "` shows what it takes."};
+        return Error{ErrorKind::Unusable, "--codec-option " + options,
+                     "the encoder " + plan.encoder + " does not take it (" + FFmpegText(status) +
+                         ")",
+                     "`ffmpeg -h encoder=" + plan.encoder + "` shows what it takes"};
     }
-    return Error{ErrorKind::Failed, film + " cannot be made: " + plan.encoder + " failed (" +
-                                        FFmpegText(status) +
-                                        "); try another quality, size or format."};
+    return Error{ErrorKind::Failed, film, plan.encoder + " failed (" + FFmpegText(status) + ")",
+                 "try another quality, size or format"};
 }
 
 /// An option that is left over is one that the encoder does not know: the user's, or one of ours
@@ -66,14 +65,13 @@ Error Unknown(const EncoderPlan& plan, const VideoSettings& settings, const std:
     {
         if (name == option)
         {
-            return Error{ErrorKind::Unusable, "The encoder " + plan.encoder + " knows no option '" +
-                                                  option + "'; `ffmpeg -h encoder=" + plan.encoder +
-                                                  "` shows what it knows."};
+            return Error{ErrorKind::Unusable, "--codec-option " + option,
+                         "the encoder " + plan.encoder + " does not know it",
+                         "`ffmpeg -h encoder=" + plan.encoder + "` shows what it knows"};
         }
     }
-    return Error{ErrorKind::Absent, "The encoder " + plan.encoder +
-                                        " of this machine knows no option " + option +
-                                        "; install Debian's " + ThisLibrary() + "."};
+    return Error{ErrorKind::Absent, plan.encoder, "does not know the option " + option,
+                 "install Debian's " + ThisLibrary()};
 }
 
 void TagColours(AVCodecContext& context, const EncoderPlan& plan)

@@ -81,8 +81,9 @@ private:
 
 Error FFmpegFilm::EncodeError(int status) const
 {
-    return Error{ErrorKind::Failed, Name() + " cannot be encoded: " + m_plan.encoder + " failed (" +
-                                        FFmpegText(status) + "); try another quality or format."};
+    return Error{ErrorKind::Failed, Name(),
+                 "cannot be encoded: " + m_plan.encoder + " failed (" + FFmpegText(status) + ")",
+                 "try another quality or format"};
 }
 
 Result<void> FFmpegFilm::Open()

@@ -79,9 +79,9 @@ Result<void> CheckAlike(const std::vector<FilmPart>& films, AVRational tick)
         ASSIGN_OR_RETURN(const FFmpegPackets packets, FFmpegPackets::Open(film.path, tick));
         if (!IsAlike(first.Codec(), packets.Codec()))
         {
-            return Error{ErrorKind::Unusable,
-                         film.path.string() + " is not coded as " + films.front().path.string() +
-                             " is; make both with the same options and libraries."};
+            return Error{ErrorKind::Unusable, film.path.string(),
+                         "is not coded as " + films.front().path.string() + " is",
+                         "record both with the same options and libraries"};
         }
     }
     return {};

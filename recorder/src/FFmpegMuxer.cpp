@@ -11,9 +11,9 @@ namespace boxreel
 /// What the file said first, or libav's reason.
 Error FFmpegMuxer::WriteError(int status) const
 {
-    return m_output->FirstError(
-        Error{ErrorKind::Failed,
-              m_film + " could not be written: " + FFmpegText(status) + "; try another format."});
+    return m_output->FirstError(Error{ErrorKind::Failed, m_film,
+                                      "cannot be written: " + FFmpegText(status),
+                                      "try another format"});
 }
 
 Result<FFmpegMuxer> FFmpegMuxer::Open(FFmpegOutput& output, const std::string& muxer,

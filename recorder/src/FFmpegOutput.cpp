@@ -24,13 +24,11 @@ Result<void> WriteToStandardOutput(std::span<const std::uint8_t> bytes)
         const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
         if (written < 0 && errno != EINTR)
         {
-            return Error{ErrorKind::Failed,
-                         errno == EPIPE
-                             ? "The program that the film was piped to has stopped reading; look "
-                               "at what it said."
-                             : "The film cannot be written to the standard output: " +
-                                   std::generic_category().message(errno) +
-                                   "; check where it leads."};
+            return Error{ErrorKind::Failed, "standard output",
+                         errno == EPIPE ? "the program that reads the film has stopped"
+                                        : "the film cannot be written: " +
+                                              std::generic_category().message(errno),
+                         errno == EPIPE ? "look at what it said" : "check where it leads"};
         }
         bytes = bytes.subspan(std::size_t(written < 0 ? 0 : written));
     }

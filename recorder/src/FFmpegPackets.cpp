@@ -31,8 +31,9 @@ Result<FFmpegPackets> FFmpegPackets::Open(const std::filesystem::path& path, AVR
     }
     if (status < 0)
     {
-        return Error{ErrorKind::Unusable, path.string() + " holds no film that can be read (" +
-                                              FFmpegText(status) + "); make it anew."};
+        return Error{ErrorKind::Unusable, path.string(),
+                     "is not a film, is damaged or cut short (" + FFmpegText(status) + ")",
+                     "record it again"};
     }
     packets.m_stream = input->streams[status];
     return packets;

@@ -122,9 +122,9 @@ Result<FrameToPicture> FrameToPicture::Create(int width, int height, AVPixelForm
     const std::optional<PlaneFormat> planes = PlanesOf(format);
     if (!planes)
     {
-        return Error{ErrorKind::Unusable,
-                     std::string("Frames cannot become pictures of the kind ") + NameOf(format) +
-                         "; use yuv420p, yuv444p, gbrp, bgr0 or rgb24."};
+        return Error{ErrorKind::Unusable, std::string(NameOf(format)),
+                     "frames cannot be converted to this pixel format",
+                     "use yuv420p, yuv444p, gbrp, bgr0 or rgb24"};
     }
     const bool isBt601 = space == AVCOL_SPC_SMPTE170M;
     return FrameToPicture(width, height, *planes, isBt601 ? YuvMatrix::Bt601 : YuvMatrix::Bt709);
@@ -237,9 +237,8 @@ Result<void> PictureToFrame::Convert(const AVFrame& picture, Frame& frame)
     }
     if (!Prepare(picture))
     {
-        return Error{ErrorKind::Unusable, std::string("pictures of the kind ") +
-                                              NameOf(AVPixelFormat(picture.format)) +
-                                              " cannot be converted"};
+        return Error{ErrorKind::Unusable, std::string(NameOf(AVPixelFormat(picture.format))),
+                     "pictures of this pixel format cannot be converted"};
     }
     if (frame.width != picture.width || frame.height != picture.height)
     {

@@ -99,9 +99,10 @@ private:
 
 Error FFmpegReader::Damaged(const std::string& why) const
 {
-    return Error{ErrorKind::Failed, m_path.string() + " is damaged or cut short after " +
-                                        std::to_string(m_frames) + " frames (" + why +
-                                        "); record it again."};
+    return Error{ErrorKind::Failed, m_path.string(),
+                 "is damaged or cut short after " + std::to_string(m_frames) + " frames (" + why +
+                     ")",
+                 "record it again"};
 }
 
 Result<void> FFmpegReader::Open()
@@ -117,10 +118,8 @@ Result<void> FFmpegReader::OpenInput()
     std::error_code error;
     if (!std::filesystem::is_regular_file(m_path, error))
     {
-        return Error{ErrorKind::Unusable,
-                     m_path.string() + (std::filesystem::exists(m_path, error)
-                                            ? " is not a file; name a film."
-                                            : " does not exist; check the name.")};
+        return Error{ErrorKind::Unusable, m_path.string(),
+                     std::filesystem::exists(m_path, error) ? "is not a file" : "does not exist"};
     }
     AVDictionary* options = nullptr;
     FFmpeg().av_dict_set(&options, "format_whitelist", kContainers, 0);
@@ -141,9 +140,8 @@ Result<void> FFmpegReader::OpenInput()
     }
     if (status < 0)
     {
-        return Error{ErrorKind::Unusable, m_path.string() + " is not a film that can be read (" +
-                                              FFmpegText(status) +
-                                              "); it is damaged, cut short or of another kind."};
+        return Error{ErrorKind::Unusable, m_path.string(),
+                     "is not a film, is damaged or cut short (" + FFmpegText(status) + ")"};
     }
     m_stream = input->streams[status];
     return {};
@@ -154,9 +152,9 @@ Result<void> FFmpegReader::OpenDecoder()
     const AVCodec* codec = FFmpeg().avcodec_find_decoder(m_stream->codecpar->codec_id);
     if (codec == nullptr)
     {
-        return Error{ErrorKind::Absent, m_path.string() +
-                                            " needs a decoder that this build of libavcodec lacks; "
-                                            "install Debian's libavcodec-extra."};
+        return Error{ErrorKind::Absent, m_path.string(),
+                     "needs a decoder that this build of libavcodec lacks",
+                     "install Debian's libavcodec-extra"};
     }
     m_decoder.reset(FFmpeg().avcodec_alloc_context3(codec));
     FFmpeg().avcodec_parameters_to_context(m_decoder.get(), m_stream->codecpar);
@@ -167,9 +165,8 @@ Result<void> FFmpegReader::OpenDecoder()
     const int status = FFmpeg().avcodec_open2(m_decoder.get(), codec, nullptr);
     if (status < 0)
     {
-        return Error{ErrorKind::Unusable, m_path.string() + " cannot be decoded (" +
-                                              FFmpegText(status) +
-                                              "); it is damaged or of another kind."};
+        return Error{ErrorKind::Unusable, m_path.string(),
+                     "cannot be decoded (" + FFmpegText(status) + ")"};
     }
     m_packet.reset(FFmpeg().av_packet_alloc());
     m_picture.reset(FFmpeg().av_frame_alloc());

@@ -42,9 +42,8 @@ Error Refuse(std::string_view text, const char* why)
     {
         shown += "...";
     }
-    return Error{ErrorKind::Unusable,
-                 "\"" + shown + "\" " + why +
-                     "; write a number above zero such as 60, 29.97 or 30000/1001."};
+    return Error{ErrorKind::Unusable, "'" + shown + "'", why,
+                 "write a number above zero such as 60, 29.97 or 30000/1001"};
 }
 
 std::optional<Rational> Reduce(std::int64_t num, std::int64_t den)
@@ -71,9 +70,8 @@ Result<Rational> Rational::Parse(std::string_view text)
 {
     if (text.empty())
     {
-        return Error{ErrorKind::Unusable,
-                     "An empty text is no number; write one above zero such as 60, "
-                     "29.97 or 30000/1001."};
+        return Error{ErrorKind::Unusable, "''", "is not a number",
+                     "write one above zero such as 60, 29.97 or 30000/1001"};
     }
     if (text.front() == '-')
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <recorder/FrameRange.h>
 
+#include <base/Quoting.h>
+
 #include <algorithm>
 #include <cassert>
 #include <charconv>
@@ -17,9 +19,9 @@ constexpr std::int64_t kMost = 1'000'000'000'000;
 /// `why` is said of the word at fault.
 Error Refused(std::string_view text, std::string_view word, std::string_view why)
 {
-    std::string message = "'";
-    message.append(text).append("' names no frames: '").append(word).append("' ").append(why);
-    return Error{ErrorKind::Unusable, message + "; give them as 200-399 or 1-3,5,7-20:2."};
+    const std::string problem = Quoted(word) + " " + std::string(why);
+    return Error{ErrorKind::Unusable, Quoted(text), problem,
+                 "give frames as 200-399 or 1-3,5,7-20:2"};
 }
 
 std::optional<std::int64_t> Whole(std::string_view text)
@@ -76,7 +78,7 @@ Result<FrameRange> FrameRange::Parse(std::string_view text)
         const std::optional<FrameRun> run = ParseRun(word);
         if (!run)
         {
-            return Refused(text, word, "is no run of whole numbers");
+            return Refused(text, word, "is not a range of whole numbers");
         }
         if (run->last < run->first)
         {
@@ -84,7 +86,7 @@ Result<FrameRange> FrameRange::Parse(std::string_view text)
         }
         if (!range.m_runs.empty() && run->first <= range.m_runs.back().last)
         {
-            return Refused(text, word, "does not come after the run before");
+            return Refused(text, word, "does not come after the range before it");
         }
         range.m_runs.push_back(*run);
         if (comma == std::string_view::npos)

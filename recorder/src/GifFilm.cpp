@@ -247,10 +247,10 @@ Result<void> GifFilm::Map()
     const bool isExact = m_palette.Map(m_last, m_indices.data(), std::size_t(m_last.width));
     if (!isExact && m_settings.quality == Quality::Lossless)
     {
-        return Error{ErrorKind::Unusable,
-                     m_path.string() + " cannot be lossless, frame " +
-                         std::to_string(m_times.NumberOf(Last())) +
-                         " has more than 256 colours; use .mkv or frames-####.png."};
+        return Error{ErrorKind::Unusable, m_path.string(),
+                     "cannot be lossless: frame " + std::to_string(m_times.NumberOf(Last())) +
+                         " has more than 256 colours",
+                     "use .mkv or frames-####.png"};
     }
     m_colors.resize(m_indices.size());
     std::transform(m_indices.begin(), m_indices.end(), m_colors.begin(),

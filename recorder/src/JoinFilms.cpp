@@ -22,17 +22,15 @@ Result<bool> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem
     {
         if (FormatOf(part.path, {}) != format)
         {
-            return Error{ErrorKind::Unusable, part.path.string() + " and " + path.string() +
-                                                  " are of different kinds; parts and whole have "
-                                                  "the same extension."};
+            return Error{ErrorKind::Unusable, part.path.string(),
+                         "is not of the same format as " + path.string(),
+                         "give parts and whole the same extension"};
         }
     }
     if (IsPipe(path) || !HasParts(format) || format == VideoFormat::PngSequence)
     {
-        return Error{ErrorKind::Unusable, path.string() +
-                                              " is of a kind that cannot be joined; make parts of "
-                                              "another. Parts of frames-####.png need no joining: "
-                                              "put them into one folder."};
+        return Error{ErrorKind::Unusable, path.string(), "is of a format that cannot be joined",
+                     "record parts in another one; put parts of frames-####.png into one folder"};
     }
     if (IsAnimation(format))
     {

@@ -281,16 +281,15 @@ public:
         if (m_numbers[m_next] != m_numbers.front() + std::int64_t(m_next))
         {
             const std::int64_t missing = m_numbers.front() + std::int64_t(m_next);
-            return Error{ErrorKind::Unusable,
-                         m_name.PathOf(missing).string() +
-                             " is missing in the middle of the sequence; render it again."};
+            return Error{ErrorKind::Unusable, m_name.PathOf(missing).string(),
+                         "is missing in the middle of the sequence", "render it again"};
         }
         ASSIGN_OR_RETURN(Frame read, ReadPng(path));
         if (read.width != info.width || read.height != info.height)
         {
-            return Error{ErrorKind::Unusable, path.string() +
-                                                  " has another size than the first picture of the "
-                                                  "sequence; render it again."};
+            return Error{ErrorKind::Unusable, path.string(),
+                         "has another size than the first picture of the sequence",
+                         "render it again"};
         }
         stored.frame = std::move(read);
         stored.seconds = double(std::int64_t(m_next) * info.framesPerSecond.den) /
@@ -316,10 +315,9 @@ Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& 
     {
         if (!settings.overwrite && !settings.resume && IsAmong(number, settings.frames))
         {
-            return Error{ErrorKind::Unusable,
-                         name.PathOf(number).string() +
-                             " exists already; choose another name or folder, continue what was "
-                             "stopped (boxreel's --resume), or allow overwriting (--force)."};
+            return Error{ErrorKind::Unusable, name.PathOf(number).string(), "exists already",
+                         "choose another name or folder, continue what was stopped (boxreel's "
+                         "--resume), or allow overwriting (--force)"};
         }
     }
     // Whether the folder can be written to is known before anything is simulated.
@@ -334,9 +332,9 @@ Result<std::unique_ptr<VideoSource>> OpenPngSequenceSource(const std::filesystem
     std::vector<std::int64_t> numbers = NumbersPresent(name);
     if (numbers.empty())
     {
-        return Error{ErrorKind::Unusable, path.string() + " stands for no picture, " +
-                                              name.PathOf(0).string() +
-                                              " for one does not exist; check the name."};
+        return Error{ErrorKind::Unusable, path.string(),
+                     "no picture has such a name; " + name.PathOf(0).string() + " would be one",
+                     "check the name"};
     }
     auto reader = std::make_unique<PngSequenceReader>(name, std::move(numbers));
     RETURN_IF_ERROR(reader->Open());

@@ -143,8 +143,8 @@ Result<RecordingEnd> Record(const RecordingSettings& settings, Renderer& rendere
     assert(settings.fill && "a recording needs somebody who fills its frames");
     if (settings.frameCount < 1)
     {
-        return Error{ErrorKind::Unusable, "A film of " + std::to_string(settings.frameCount) +
-                                              " frames cannot be made; record at least one."};
+        return Error{ErrorKind::Unusable, "frameCount " + std::to_string(settings.frameCount),
+                     "must be at least 1"};
     }
     return Recorder(settings, renderer, writer).Run();
 }

@@ -65,30 +65,29 @@ Error UnknownName(const std::filesystem::path& path, const VideoSettings& settin
 {
     const std::string formats =
         "use .mp4, .mkv, .webm, .gif, .apng, .webp or a name like frames-####.png";
-    const auto unusable = [](const std::string& text) { return Error{ErrorKind::Unusable, text}; };
+    const auto unusable = [&](const std::string& problem, const std::string& remedy) {
+        return Error{ErrorKind::Unusable, path.empty() ? "''" : path.string(), problem, remedy};
+    };
     if (IsPipe(path))
     {
-        return unusable((settings.format.empty()
-                             ? "The standard output has no name that says which "
-                               "kind of film to write"
-                             : settings.format + " cannot be written to the "
-                                                 "standard output") +
-                        "; give --format y4m, nut, mkv or webm.");
+        return Error{ErrorKind::Unusable,
+                     settings.format.empty() ? "--format" : "--format " + settings.format,
+                     settings.format.empty() ? "is needed for standard output"
+                                             : "cannot be written to standard output",
+                     "give --format y4m, nut, mkv or webm"};
     }
     if (LowerExtension(path) == ".png")
     {
-        return unusable(path.string() + " is the name of one picture; a film as pictures has a "
-                                        "place for the number, like frames-####.png.");
+        return unusable("is the name of one picture",
+                        "give a place for the number, like frames-####.png");
     }
     if (!path.has_filename())
     {
-        return unusable((path.empty() ? "An empty name" : path.string()) + " names no file; " +
-                        formats + ".");
+        return unusable("names no file", formats);
     }
     const std::string extension = path.extension().string();
-    return unusable(path.string() + " does not say which kind of film to write (" +
-                    (extension.empty() ? "no extension" : "unknown extension " + extension) +
-                    "); " + Suggesting(extension, VideoEnds(), formats + "."));
+    return unusable(extension.empty() ? "has no extension" : "unsupported extension " + extension,
+                    Suggesting(extension, VideoEnds(), formats));
 }
 
 std::string SizeText(int width, int height)
@@ -102,10 +101,8 @@ Result<void> CheckSize(const VideoSettings& settings)
     const int h = settings.height;
     if (w < 1 || h < 1 || w > kMaxSize || h > kMaxSize)
     {
-        return Error{ErrorKind::Unusable, "A film of " + SizeText(w, h) +
-                                              " cannot be made; both sides must lie "
-                                              "between 1 and " +
-                                              std::to_string(kMaxSize) + " pixels."};
+        return Error{ErrorKind::Unusable, "size " + SizeText(w, h),
+                     "width and height must be between 1 and " + std::to_string(kMaxSize)};
     }
     return {};
 }
@@ -120,13 +117,11 @@ Result<void> CheckEvenSize(VideoFormat format, const VideoSettings& settings)
         return {};
     }
     const char* const others = format == VideoFormat::Y4m // which cannot be lossless
-                                   ? ", --chroma 444 or nut."
-                                   : ", --chroma 444, --quality lossless, .gif or frames-####.png.";
-    return Error{ErrorKind::Unusable,
-                 SizeText(w, h) +
-                     " is odd, and this film halves the resolution of colours, so it "
-                     "needs even sizes; use " +
-                     SizeText(w + w % 2, h + h % 2) + others};
+                                   ? ", --chroma 444 or nut"
+                                   : ", --chroma 444, --quality lossless, .gif or frames-####.png";
+    return Error{ErrorKind::Unusable, "size " + SizeText(w, h),
+                 "must be even, since this film halves the resolution of colours",
+                 "use " + SizeText(w + w % 2, h + h % 2) + others};
 }
 
 Result<void> CheckRate(const Rational& rate)
@@ -134,9 +129,9 @@ Result<void> CheckRate(const Rational& rate)
     if (rate.num < 1 || rate.den < 1 || rate.num > rate.den * kMaxRate)
     {
         return Error{ErrorKind::Unusable,
-                     std::to_string(rate.num) + "/" + std::to_string(rate.den) +
-                         " frames a second cannot be stored; use more than 0 and at most " +
-                         std::to_string(kMaxRate) + "."};
+                     "rate " + std::to_string(rate.num) + "/" + std::to_string(rate.den),
+                     "must be above 0 and at most " + std::to_string(kMaxRate) +
+                         " frames per second"};
     }
     return {};
 }
@@ -145,21 +140,18 @@ Result<void> CheckNumbers(const VideoSettings& settings)
 {
     if (settings.threads < 0 || settings.threads > kMaxThreads)
     {
-        return Error{ErrorKind::Unusable,
-                     std::to_string(settings.threads) +
-                         " threads cannot encode a film; use 0 (two threads) to " +
-                         std::to_string(kMaxThreads) + "."};
+        return Error{ErrorKind::Unusable, "threads " + std::to_string(settings.threads),
+                     "must be between 0 (two threads) and " + std::to_string(kMaxThreads)};
     }
     if (settings.groupFrames < 1)
     {
-        return Error{ErrorKind::Unusable, "A group of " + std::to_string(settings.groupFrames) +
-                                              " frames is none; give at least 1."};
+        return Error{ErrorKind::Unusable, "groupFrames " + std::to_string(settings.groupFrames),
+                     "must be at least 1"};
     }
     if (settings.plays < 0 || settings.plays > kMostPlays)
     {
-        return Error{ErrorKind::Unusable, "A film cannot play " + std::to_string(settings.plays) +
-                                              " times; give 0 (for ever) to " +
-                                              std::to_string(kMostPlays) + "."};
+        return Error{ErrorKind::Unusable, "plays " + std::to_string(settings.plays),
+                     "must be between 0 (for ever) and " + std::to_string(kMostPlays)};
     }
     RETURN_IF_ERROR(CheckRate(settings.framesPerSecond));
     return CheckSize(settings);
@@ -171,32 +163,29 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
 {
     if (settings.plays != 0 && !IsAnimation(format))
     {
-        return Error{ErrorKind::Unusable,
-                     path.string() + " cannot say how often it plays, its player does; leave "
-                                     "--loop out, or write .gif, .apng or .webp."};
+        return Error{ErrorKind::Unusable, path.string(), "cannot say how often it plays",
+                     "leave --loop out, or write .gif, .apng or .webp"};
     }
     const bool isWhole = IsPipe(path) || !HasParts(format);
     if (settings.resume && isWhole)
     {
-        return Error{ErrorKind::Unusable, "A film written to " + path.string() +
-                                              " cannot be continued; leave --resume out, or write "
-                                              "a file of another kind."};
+        return Error{ErrorKind::Unusable, path.string(), "cannot be continued",
+                     "leave --resume out, or write another format"};
     }
     if (settings.constantRate && format == VideoFormat::WebP)
     {
-        return Error{ErrorKind::Unusable,
-                     path.string() + " stores no frame twice, its library joins those that are "
-                                     "equal; leave --constant-rate out, or write .apng."};
+        return Error{ErrorKind::Unusable, path.string(),
+                     "cannot have a constant rate, since its library joins equal frames",
+                     "leave --constant-rate out, or write .apng"};
     }
     if (!IsOfLibav(format))
     {
         const bool asksCodec = !settings.codec.empty() || settings.chroma != Chroma::Half;
         if (asksCodec || (format != VideoFormat::WebP && !settings.codecOptions.empty()))
         {
-            return Error{ErrorKind::Unusable, path.string() +
-                                                  " has neither a choice of codecs nor of chroma; "
-                                                  "leave --codec, --chroma and --codec-option "
-                                                  "out."};
+            return Error{ErrorKind::Unusable, path.string(),
+                         "has neither a choice of codecs nor of chroma",
+                         "leave --codec, --chroma and --codec-option out"};
         }
         return {};
     }
@@ -280,14 +269,13 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
     }
     if (!IsPipe(path) && !settings.format.empty())
     {
-        return Error{ErrorKind::Unusable, "--format " + settings.format +
-                                              " is for the standard output; the name " +
-                                              path.string() + " says what it is."};
+        return Error{ErrorKind::Unusable, "--format " + settings.format,
+                     "is for standard output; the extension of " + path.string() +
+                         " says the format"};
     }
     if (*format == VideoFormat::PngSequence && ParseSequenceName(path)->digits > 9)
     {
-        return Error{ErrorKind::Unusable,
-                     path.string() + " has more than nine #; no film is that long."};
+        return Error{ErrorKind::Unusable, path.string(), "has more than nine #"};
     }
     RETURN_IF_ERROR(CheckNumbers(settings));
     return CheckFormat(path, *format, settings);

@@ -55,9 +55,10 @@ const Container& ContainerOf(VideoFormat format)
                          [format](const Container& c) { return c.format == format; });
 }
 
-Error Contradiction(const std::string& what, const std::string& remedy)
+Error Contradiction(const std::string& culprit, const std::string& problem,
+                    const std::string& remedy)
 {
-    return Error{ErrorKind::Unusable, what + "; " + remedy + "."};
+    return Error{ErrorKind::Unusable, culprit, problem, remedy};
 }
 
 const char* YuvOf(Chroma chroma)
@@ -208,13 +209,13 @@ Result<void> AddUsers(EncoderPlan& plan, const VideoSettings& settings)
     {
         if (settings.quality == Quality::Lossless && plan.needsGroups && IsRateOption(name))
         {
-            return Contradiction("--quality lossless leaves nothing to --codec-option " + name,
+            return Contradiction("--codec-option " + name, "--quality lossless decides it",
                                  "leave one of them out");
         }
         if (name == "flags" && value.find("pass") != std::string::npos)
         {
-            return Contradiction("A film is made in one pass",
-                                 "leave --codec-option flags=" + value + " out");
+            return Contradiction("--codec-option flags=" + value, "a film is made in one pass",
+                                 "leave it out");
         }
         plan.codecOptions.emplace_back(name == "x264-params" ? "x264opts" : name, value);
     }
@@ -228,8 +229,8 @@ Result<void> PlanRaw(EncoderPlan& plan, VideoFormat format, const VideoSettings&
     plan.pixelFormat = format == VideoFormat::Nut ? "rgb24" : YuvOf(settings.chroma);
     if (format == VideoFormat::Y4m && settings.quality == Quality::Lossless)
     {
-        return Contradiction("y4m holds YUV, which rounds colours and so is never lossless",
-                             "use nut, or leave --quality lossless out");
+        return Contradiction("--quality lossless", "y4m holds YUV, which rounds colours",
+                             "use nut, or leave it out");
     }
     return {};
 }
@@ -256,9 +257,9 @@ Result<std::string> CodecOf(const Container& container, const VideoSettings& set
     if (std::find(codecs.begin(), codecs.end(), settings.codec) == codecs.end())
     {
         const bool hasChoice = codecs.size() > 1;
-        return Contradiction(std::string(container.name) + " does not hold " + settings.codec,
-                             hasChoice ? "give one of " + Listed(codecs)
-                                       : "leave --codec out, it has one only");
+        return Contradiction(
+            "--codec " + settings.codec, std::string(container.name) + " does not hold it",
+            hasChoice ? "give one of " + Listed(codecs) : "leave --codec out, it has one only");
     }
     return settings.codec;
 }
@@ -271,13 +272,13 @@ Result<void> PlanCodec(EncoderPlan& plan, VideoFormat format, const std::string&
     const bool hasChroma = format == VideoFormat::Y4m || plan.needsGroups;
     if (settings.chroma == Chroma::Full && (!hasChroma || isLossless))
     {
-        return Contradiction(
-            "--chroma 444 is about films in YUV, and this one is RGB, whole in all colours",
-            "leave it out");
+        return Contradiction("--chroma 444", "applies to YUV, and this film is RGB",
+                             "leave it out");
     }
     if (codec == "ffv1" && !isLossless)
     {
-        return Contradiction("FFV1 is lossless", "add --quality lossless, or use another codec");
+        return Contradiction("--codec ffv1", "is lossless",
+                             "add --quality lossless, or use another codec");
     }
     if (codec == "h264")
     {

@@ -121,8 +121,8 @@ Result<void> VideoWriter::Append(const Frame& frame, std::span<const PixelBounds
            "a film's frames are of one size");
     if (!m_impl->sink || frame.width != m_impl->width || frame.height != m_impl->height)
     {
-        return Error{ErrorKind::Failed,
-                     "A frame of another size, or after the end, cannot be appended to a film."};
+        return Error{ErrorKind::Failed, "frame",
+                     "is of another size than the film, or appended after its end"};
     }
     m_impl->isEmpty = false;
     return m_impl->Keep(m_impl->sink->Append(frame, changed));
@@ -133,8 +133,8 @@ Result<void> VideoWriter::Repeat()
     assert(m_impl->sink && !m_impl->isEmpty && "there must be a frame to repeat");
     if (!m_impl->sink || m_impl->isEmpty)
     {
-        return Error{ErrorKind::Failed,
-                     "A film has no frame to repeat before its first or after its end."};
+        return Error{ErrorKind::Failed, "film",
+                     "has no frame to repeat before its first or after its end"};
     }
     return m_impl->Keep(m_impl->sink->Repeat());
 }
@@ -144,14 +144,13 @@ Result<void> VideoWriter::End(Result<void> (VideoSink::*end)())
     assert(m_impl->sink && "a film is closed once");
     if (!m_impl->sink)
     {
-        return Error{ErrorKind::Failed,
-                     "A film that is closed already, or failed, cannot be closed."};
+        return Error{ErrorKind::Failed, "film", "is closed already, or failed"};
     }
     if (m_impl->isEmpty && m_impl->sink->ResumedFrames() == 0)
     {
         m_impl->sink.reset();
-        return Error{ErrorKind::Unusable,
-                     "A film without a frame is none; append at least one before Close."};
+        return Error{ErrorKind::Unusable, "film", "has no frame",
+                     "append at least one before Close"};
     }
     Result<void> ended = (m_impl->sink.get()->*end)();
     m_impl->sink.reset();

@@ -103,8 +103,8 @@ Result<double> ParseOption(const std::string& name, const std::string& text)
     {
         read = 0;
     }
-    return Error{ErrorKind::Unusable,
-                 "The codec option " + name + "=" + text + " needs a number after the sign."};
+    return Error{ErrorKind::Unusable, "--codec-option " + name + "=" + text,
+                 "needs a number after the sign"};
 }
 
 Result<void> SetOption(const std::string& name, const std::string& text, WebPConfig& config)
@@ -125,8 +125,8 @@ Result<void> SetOption(const std::string& name, const std::string& text, WebPCon
         }
         known += std::string(", ") + option.name;
     }
-    return Error{ErrorKind::Unusable,
-                 "The encoder libwebp knows no option '" + name + "'; it knows " + known + "."};
+    return Error{ErrorKind::Unusable, "--codec-option " + name, "libwebp does not know it",
+                 "it knows " + known};
 }
 
 class WebPFilm final : public VideoSink
@@ -169,17 +169,17 @@ WebPFilm::~WebPFilm()
 
 Error WebPFilm::EncodeError() const
 {
-    return Error{ErrorKind::Failed, m_path.string() +
-                                        " cannot be encoded: " + m_library.encoderError(m_encoder) +
-                                        "; make it smaller or write another format."};
+    return Error{ErrorKind::Failed, m_path.string(),
+                 std::string("cannot be encoded: ") + m_library.encoderError(m_encoder),
+                 "make it smaller or write another format"};
 }
 
 Result<void> WebPFilm::Configure()
 {
     if (m_library.configInit(&m_config, WEBP_PRESET_DEFAULT, 75.0f, WEBP_ENCODER_ABI_VERSION) == 0)
     {
-        return Error{ErrorKind::Absent,
-                     "This libwebp is of another version; install Debian's libwebp7."};
+        return Error{ErrorKind::Absent, "libwebp", "is of another version",
+                     "install Debian's libwebp7"};
     }
     SetQuality(m_settings.quality, m_config);
     for (const auto& [name, value] : m_settings.codecOptions)
@@ -188,8 +188,8 @@ Result<void> WebPFilm::Configure()
     }
     if (m_library.validateConfig(&m_config) == 0)
     {
-        return Error{ErrorKind::Unusable, "libwebp does not take these values of --codec-option; "
-                                          "see `cwebp -longhelp` for what it takes."};
+        return Error{ErrorKind::Unusable, "--codec-option", "libwebp does not take these values",
+                     "`cwebp -longhelp` shows what it takes"};
     }
     return {};
 }
@@ -209,11 +209,10 @@ Result<void> WebPFilm::Open()
     options.anim_params.loop_count = m_settings.plays;
     m_encoder =
         m_library.encoderNew(m_settings.width, m_settings.height, &options, WEBP_MUX_ABI_VERSION);
-    return m_encoder != nullptr
-               ? Result<void>()
-               : Result<void>(Error{ErrorKind::Failed,
-                                    m_path.string() + " cannot be encoded: libwebp did not "
-                                                      "start; free some memory and try again."});
+    return m_encoder != nullptr ? Result<void>()
+                                : Result<void>(Error{ErrorKind::Failed, m_path.string(),
+                                                     "cannot be encoded: libwebp did not start",
+                                                     "free some memory"});
 }
 
 /// Rounded by itself, so that no error adds up.

@@ -42,9 +42,8 @@ Result<std::unique_ptr<Canvas>> Canvas::Create(const Context& context, int width
     const std::string missing = gl.Load(context);
     if (!missing.empty())
     {
-        return Error{ErrorKind::Absent, std::string("cannot draw: ") + context.BackEnd() +
-                                            " lacks the GL function " + missing +
-                                            "; install Mesa 17 or newer"};
+        return Error{ErrorKind::Absent, context.BackEnd(), "lacks the GL function " + missing,
+                     "install Mesa 17 or newer"};
     }
     std::unique_ptr<Canvas> canvas(new Canvas(gl, width, height, scale));
     RETURN_IF_ERROR(canvas->MakeTarget());
@@ -86,9 +85,8 @@ Result<void> Canvas::MakeTarget()
     if (m_gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
         m_gl.GetError() != GL_NO_ERROR)
     {
-        return Error{ErrorKind::Failed,
-                     "GL has no room for a picture of " + std::to_string(m_width) + " x " +
-                         std::to_string(m_height) + " pixels; ask for a smaller size"};
+        return Error{ErrorKind::Failed, std::to_string(m_width) + "x" + std::to_string(m_height),
+                     "GL has no memory for a picture of this size", "choose a smaller size"};
     }
     m_gl.Viewport(0, 0, m_width, m_height);
     m_gl.Disable(GL_DITHER);
@@ -143,8 +141,7 @@ Result<Canvas::Program> Canvas::Link(const ShaderSource& source)
         m_gl.GetProgramInfoLog(made.program, GLsizei(log.size()), &length, log.data());
         m_gl.DeleteProgram(made.program);
         log.resize(std::size_t(length));
-        return Error{ErrorKind::Failed,
-                     "this GL does not accept a shader of boxreel's (" + log + ")"};
+        return Error{ErrorKind::Failed, "GL", "does not compile a shader (" + log + ")"};
     }
     m_gl.UseProgram(made.program);
     m_gl.Uniform2f(m_gl.GetUniformLocation(made.program, "pixelToClip"), 2.0f / float(m_width),
@@ -382,10 +379,10 @@ Result<void> Canvas::Read(std::span<const PixelBounds> rectangles, Frame& frame)
     }
     if (const GLenum error = m_gl.GetError(); error != GL_NO_ERROR)
     {
-        return Error{
-            ErrorKind::Failed,
-            "GL failed to draw the picture (error " + std::to_string(error) +
-                (error == GL_OUT_OF_MEMORY ? ", out of memory; ask for a smaller size)" : ")")};
+        return Error{ErrorKind::Failed, "GL",
+                     "cannot draw the picture (error " + std::to_string(error) +
+                         (error == GL_OUT_OF_MEMORY ? ", out of memory)" : ")"),
+                     error == GL_OUT_OF_MEMORY ? "choose a smaller size" : ""};
     }
     return {};
 }

@@ -58,7 +58,7 @@ Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibrari
     case Backend::Auto:
         break; // is one of kAutomatic by now
     }
-    return Error{ErrorKind::Absent, "no such back end"};
+    return Error{ErrorKind::Absent, NameOf(backend), "no such back end"};
 }
 
 } // namespace

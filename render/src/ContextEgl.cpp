@@ -168,7 +168,7 @@ protected:
         {
             return {};
         }
-        return Error{ErrorKind::Failed, "EGL refused to make its GL context current"};
+        return Error{ErrorKind::Failed, "EGL", "cannot make its GL context current"};
     }
 
     void Unbind() override { m_egl.makeCurrent(m_display, nullptr, nullptr, nullptr); }

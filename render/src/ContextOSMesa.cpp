@@ -68,7 +68,7 @@ protected:
         {
             return {};
         }
-        return Error{ErrorKind::Failed, "OSMesa refused to make its GL context current"};
+        return Error{ErrorKind::Failed, "OSMesa", "cannot make its GL context current"};
     }
 
     void Unbind() override { m_mesa.makeCurrent(nullptr, nullptr, 0, 0, 0); }

@@ -316,8 +316,8 @@ Result<void> PaintOn(cairo_surface_t* surface, const Figure& figure, double unit
     const cairo_status_t status = g_cairo.cairo_status(context.get());
     if (status != CAIRO_STATUS_SUCCESS)
     {
-        return Error{ErrorKind::Failed, std::string("Drawing the figure failed: ") +
-                                            g_cairo.cairo_status_to_string(status) + "."};
+        return Error{ErrorKind::Failed, "figure",
+                     std::string("cannot be drawn: ") + g_cairo.cairo_status_to_string(status)};
     }
     return {};
 }
@@ -356,8 +356,8 @@ Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure)
     const cairo_status_t status = g_cairo.cairo_surface_status(surface.get());
     if (status != CAIRO_STATUS_SUCCESS)
     {
-        return Error{ErrorKind::Failed, std::string("Writing the PDF failed: ") +
-                                            g_cairo.cairo_status_to_string(status) + "."};
+        return Error{ErrorKind::Failed, "PDF",
+                     std::string("cannot be written: ") + g_cairo.cairo_status_to_string(status)};
     }
     return bytes;
 }

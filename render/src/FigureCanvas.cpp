@@ -398,22 +398,22 @@ Result<void> CheckFigure(const Figure& figure)
                  std::isfinite(panel.y);
         if (!CanBeDrawn(camera))
         {
-            return Error{ErrorKind::Unusable,
-                         "a figure's camera must have a finite centre and a finite scale above "
-                         "zero, both at most 1e15 pixels; check pixelsPerMeter"};
+            return Error{
+                ErrorKind::Unusable, "camera",
+                "centre and scale must be finite, the scale above zero, both at most 1e15 pixels",
+                "check pixelsPerMeter"};
         }
     }
     if (!usable)
     {
-        return Error{ErrorKind::Unusable, "a figure and its panels must be 1 to " +
-                                              std::to_string(kLargestFigure) +
-                                              " pixels wide and high; choose another size"};
+        return Error{ErrorKind::Unusable, "size",
+                     "a figure and its panels are 1 to " + std::to_string(kLargestFigure) +
+                         " pixels wide and high"};
     }
     if (!(figure.scale >= 0.1 && figure.scale <= 16.0))
     {
-        return Error{ErrorKind::Unusable, "a figure cannot be scaled by " +
-                                              std::to_string(figure.scale) +
-                                              "; give a scale from 0.1 to 16"};
+        return Error{ErrorKind::Unusable, "scale " + std::to_string(figure.scale),
+                     "must be between 0.1 and 16"};
     }
     return {};
 }

@@ -152,10 +152,10 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* total
         Scaled(Camera{.width = figure.width, .height = figure.height}, figure.scale);
     if (std::max(size.width, size.height) > kMostPixels)
     {
-        return Error{ErrorKind::Unusable, "a figure of " + std::to_string(size.width) + "x" +
-                                              std::to_string(size.height) +
-                                              " pixels cannot be drawn, 8192 is the most each "
-                                              "way; give a smaller scale or size"};
+        return Error{ErrorKind::Unusable,
+                     "size " + std::to_string(size.width) + "x" + std::to_string(size.height),
+                     "a figure is at most 8192 pixels wide and high",
+                     "choose a smaller scale or size"};
     }
     const Frame ground = Ground(size.width, size.height, figure.theme.background);
     Frame frame = ground;

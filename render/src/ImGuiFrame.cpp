@@ -93,14 +93,14 @@ Result<void> CheckPanelSize(int width, int height, double scale)
 {
     if (width < 1 || width > 8192 || height < 1 || height > 8192)
     {
-        return Error{ErrorKind::Unusable, "a panel cannot be laid out in a picture of " +
-                                              std::to_string(width) + "x" + std::to_string(height) +
-                                              " pixels; width and height go from 1 to 8192"};
+        return Error{ErrorKind::Unusable,
+                     "size " + std::to_string(width) + "x" + std::to_string(height),
+                     "width and height must be between 1 and 8192"};
     }
     if (!(scale >= 0.1 && scale <= 16.0))
     {
-        return Error{ErrorKind::Unusable, "a panel cannot be scaled by " + std::to_string(scale) +
-                                              "; give a scale from 0.1 to 16"};
+        return Error{ErrorKind::Unusable, "scale " + std::to_string(scale),
+                     "must be between 0.1 and 16"};
     }
     return {};
 }

@@ -150,9 +150,10 @@ void ReadPixels(Reader& reader, png_bytep* rows)
     png_read_end(png, nullptr);
 }
 
-Error CannotRead(ErrorKind kind, const fs::path& path, const std::string& why)
+Error CannotRead(ErrorKind kind, const fs::path& path, const std::string& problem,
+                 const std::string& remedy)
 {
-    return Error{kind, "Cannot read " + path.string() + ": " + why + "."};
+    return Error{kind, path.string(), "cannot be read: " + problem, remedy};
 }
 
 Error Damaged(const Reader& reader, const fs::path& path)
@@ -160,11 +161,10 @@ Error Damaged(const Reader& reader, const fs::path& path)
     const std::string what = reader.trouble.message;
     if (reader.trouble.isDevice)
     {
-        return CannotRead(ErrorKind::Failed, path, what + "; check the disk and try again");
+        return CannotRead(ErrorKind::Failed, path, what, "check the disk and try again");
     }
-    return CannotRead(ErrorKind::Unusable, path,
-                      "it is not a whole PNG picture (" + what +
-                          "); give it anew or choose another");
+    return CannotRead(ErrorKind::Unusable, path, "it is not a whole PNG picture (" + what + ")",
+                      "choose another");
 }
 
 Result<void> OpenFile(Reader& reader, const fs::path& path)
@@ -172,16 +172,15 @@ Result<void> OpenFile(Reader& reader, const fs::path& path)
     std::error_code code;
     if (fs::is_directory(path, code))
     {
-        return CannotRead(ErrorKind::Unusable, path, "it is a folder; name a PNG file");
+        return CannotRead(ErrorKind::Unusable, path, "it is a folder", "name a PNG file");
     }
     reader.file.reset(std::fopen(path.c_str(), "rb"));
     if (!reader.file)
     {
         const bool isMissing = errno == ENOENT || errno == ENOTDIR;
         return CannotRead(ErrorKind::Unusable, path,
-                          isMissing
-                              ? std::string("there is no such file; check the name")
-                              : std::generic_category().message(errno) + "; check its permissions");
+                          isMissing ? "it does not exist" : std::generic_category().message(errno),
+                          isMissing ? "check the name" : "check its permissions");
     }
     return {};
 }
@@ -193,9 +192,8 @@ Result<void> CheckSize(const Reader& reader, const fs::path& path)
     const std::string limit = std::to_string(kMaxSide);
     if (reader.width > kMaxSide || reader.height > kMaxSide)
     {
-        return CannotRead(ErrorKind::Unusable, path,
-                          "it has " + promise + " pixels; choose one of at most " + limit + "x" +
-                              limit);
+        return CannotRead(ErrorKind::Unusable, path, "it has " + promise + " pixels",
+                          "choose one of at most " + limit + "x" + limit);
     }
     std::error_code code;
     const bool isRegular = fs::is_regular_file(path, code);
@@ -204,8 +202,8 @@ Result<void> CheckSize(const Reader& reader, const fs::path& path)
         std::uint64_t{reader.rowBytes} * reader.height / kMaxDeflateRatio > size)
     {
         return CannotRead(ErrorKind::Unusable, path,
-                          "it is too short for the " + promise +
-                              " pixels it promises; give it anew or choose another");
+                          "it is too short for the " + promise + " pixels it promises",
+                          "give it anew or choose another");
     }
     return {};
 }
@@ -324,8 +322,8 @@ Result<void> Begin(Reader& reader, const fs::path& path, bool readsTexts)
     reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
     if (!reader.info)
     {
-        return CannotRead(ErrorKind::Failed, path,
-                          "libpng could not start; free some memory and try again");
+        return CannotRead(ErrorKind::Failed, path, "libpng could not start",
+                          "free some memory and try again");
     }
     return Guarded(reader.png, [&] { ReadHeader(reader, readsTexts); })
                ? Result<void>()
@@ -374,10 +372,10 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
         std::size_t(std::max(frame.width, 0)) * std::size_t(std::max(frame.height, 0)) * 4;
     if (size == 0 || size != frame.rgba.size())
     {
-        return Error{ErrorKind::Unusable,
-                     "Cannot encode a picture of " + std::to_string(frame.width) + "x" +
-                         std::to_string(frame.height) + " pixels with " +
-                         std::to_string(frame.rgba.size()) + " bytes; draw it first."};
+        return Error{
+            ErrorKind::Unusable, std::to_string(frame.width) + "x" + std::to_string(frame.height),
+            "a picture of this size cannot have " + std::to_string(frame.rgba.size()) + " bytes",
+            "draw it first"};
     }
     Writer writer;
     const bool isOpaque = IsOpaque(frame);
@@ -387,17 +385,15 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
     writer.info = writer.png ? png_create_info_struct(writer.png) : nullptr;
     if (!writer.info)
     {
-        return Error{
-            ErrorKind::Failed,
-            "Cannot encode a picture: libpng could not start; free some memory and try again."};
+        return Error{ErrorKind::Failed, "libpng", "cannot start", "free some memory"};
     }
     if (!Guarded(writer.png, [&] { WriteAll(writer, frame, isOpaque, compressionLevel, texts); }))
     {
         return Error{ErrorKind::Failed,
-                     "Cannot encode a picture of " + std::to_string(frame.width) + "x" +
-                         std::to_string(frame.height) + " pixels (" + writer.trouble.message +
-                         "); choose a smaller size, at most " + std::to_string(kMaxSide) +
-                         " a side."};
+                     std::to_string(frame.width) + "x" + std::to_string(frame.height),
+                     std::string("a picture of this size cannot be encoded (") +
+                         writer.trouble.message + ")",
+                     "choose a smaller size, at most " + std::to_string(kMaxSide) + " a side"};
     }
     return std::move(writer.bytes);
 }

@@ -49,16 +49,13 @@ Result<void> CheckSettings(const RendererSettings& settings)
     if (settings.width < 1 || settings.width > kMaxSize || settings.height < 1 ||
         settings.height > kMaxSize)
     {
-        return Error{ErrorKind::Unusable,
-                     "a picture of " + Size(settings.width, settings.height) +
-                         " pixels cannot be drawn; width and height go from 1 to " +
-                         std::to_string(kMaxSize)};
+        return Error{ErrorKind::Unusable, "size " + Size(settings.width, settings.height),
+                     "width and height must be between 1 and " + std::to_string(kMaxSize)};
     }
     if (!(settings.scale >= kMinScale && settings.scale <= kMaxScale))
     {
-        return Error{ErrorKind::Unusable, "pixels cannot be scaled by " +
-                                              std::to_string(settings.scale) +
-                                              "; give a scale from 0.1 to 16"};
+        return Error{ErrorKind::Unusable, "scale " + std::to_string(settings.scale),
+                     "must be between 0.1 and 16"};
     }
     return {};
 }
@@ -67,16 +64,17 @@ Result<void> CheckCamera(const Camera& camera, const RendererSettings& settings)
 {
     if (camera.width != settings.width || camera.height != settings.height)
     {
-        return Error{ErrorKind::Unusable,
-                     "the camera's picture of " + Size(camera.width, camera.height) +
-                         " is not of the renderer's size " + Size(settings.width, settings.height) +
-                         "; give both the same"};
+        return Error{ErrorKind::Unusable, "camera",
+                     "is of size " + Size(camera.width, camera.height) + ", the renderer of size " +
+                         Size(settings.width, settings.height),
+                     "give both the same"};
     }
     if (!CanBeDrawn(camera))
     {
-        return Error{ErrorKind::Unusable,
-                     "the camera's centre and scale must be finite, its scale above zero, and both "
-                     "at most 1e15 pixels; check pixelsPerMeter"};
+        return Error{
+            ErrorKind::Unusable, "camera",
+            "centre and scale must be finite, the scale above zero, both at most 1e15 pixels",
+            "check pixelsPerMeter"};
     }
     return {};
 }
@@ -88,19 +86,18 @@ Result<void> CheckOverlay(const Overlay& overlay)
         const std::uint64_t end = std::uint64_t(command.firstIndex) + command.indexCount;
         if (end > overlay.indices.size())
         {
-            return Error{ErrorKind::Unusable,
-                         "a command of the overlay draws up to index " + std::to_string(end) +
-                             ", but it has " + std::to_string(overlay.indices.size()) +
-                             "; let firstIndex + indexCount lie within its indices"};
+            return Error{ErrorKind::Unusable, "overlay",
+                         "a command draws up to index " + std::to_string(end) + " of " +
+                             std::to_string(overlay.indices.size())};
         }
     }
     const auto most = std::max_element(overlay.indices.begin(), overlay.indices.end());
     if (most != overlay.indices.end() && *most >= overlay.vertices.size())
     {
-        return Error{ErrorKind::Unusable, "an index of the overlay names vertex " +
-                                              std::to_string(*most) + ", but it has " +
-                                              std::to_string(overlay.vertices.size()) +
-                                              "; count its vertices from 0"};
+        return Error{ErrorKind::Unusable, "overlay",
+                     "an index names vertex " + std::to_string(*most) + " of " +
+                         std::to_string(overlay.vertices.size()),
+                     "count vertices from 0"};
     }
     return {};
 }

@@ -77,11 +77,6 @@ struct Glfw
     }
 };
 
-Error Absent(const std::string& message)
-{
-    return Error{ErrorKind::Absent, message};
-}
-
 /// GLFW 3.4 speaks to Wayland, too, and tries that first, with complaints where there is none.
 void PreferX11([[maybe_unused]] const Glfw& glfw)
 {
@@ -111,8 +106,9 @@ Result<Glfw> Start()
     {
         const char* reason = nullptr;
         glfw.GetError(&reason);
-        return Absent(std::string("there is no display for a window (") +
-                      (reason != nullptr ? reason : "GLFW does not start") + ")");
+        return Error{ErrorKind::Absent, "display",
+                     std::string("opens no window (") +
+                         (reason != nullptr ? reason : "GLFW does not start") + ")"};
     }
     return glfw;
 }
@@ -321,7 +317,7 @@ protected:
     {
         m_window.glfw.MakeContextCurrent(m_window.window);
         return IsCurrent() ? Result<void>()
-                           : Error{ErrorKind::Failed, "the window's GL context is lost"};
+                           : Error{ErrorKind::Failed, "window", "its GL context is lost"};
     }
     void Unbind() override { m_window.glfw.MakeContextCurrent(nullptr); }
 
@@ -358,9 +354,10 @@ Result<Window> Window::Create(const std::string& title, int width, int height)
     {
         const char* reason = nullptr;
         impl->glfw.GetError(&reason);
-        return Absent(std::string("the display gives no window with OpenGL 3.3 (") +
-                      (reason != nullptr ? reason : "no reason said") +
-                      "); install its driver, or Mesa's with: apt install libgl1-mesa-dri");
+        return Error{ErrorKind::Absent, "display",
+                     std::string("opens no window with OpenGL 3.3 (") +
+                         (reason != nullptr ? reason : "no reason given") + ")",
+                     "install its driver, or Mesa's with: apt install libgl1-mesa-dri"};
     }
     impl->glfw.SetWindowSizeLimits(impl->window, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
     impl->Listen();

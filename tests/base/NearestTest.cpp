@@ -43,15 +43,16 @@ TEST(Nearest, AnythingElseFindsNothing)
     EXPECT_EQ(NearestWord("pyramid", {}), -1);
 }
 
-TEST(Nearest, RefusalsSuggestBeforeTheyListWhatThereIs)
+TEST(Nearest, RefusalNamesOptionAndSuggestsNearWord)
 {
     const std::vector<std::string> words{"low", "high"};
-    EXPECT_EQ(NotOneOf("--quality", "hihg", words).Text(),
-              "--quality 'hihg': did you mean 'high'? Give one of low, high.");
-    EXPECT_EQ(NotOneOf("--quality", "best", words).Text(),
-              "--quality 'best': give one of low, high.");
-    EXPECT_EQ(NotOneOf("--quality", "", words).Text(), "--quality '': give one of low, high.");
-    EXPECT_EQ(NotOneOf("--quality", "best", words).kind, ErrorKind::Unusable);
+    for (const std::string typed : {"hihg", "best", ""})
+    {
+        const Error error = NotOneOf("--quality", typed, words);
+        EXPECT_EQ(error.kind, ErrorKind::Unusable);
+        EXPECT_EQ(error.culprit, "--quality '" + typed + "'");
+        EXPECT_EQ(error.problem.starts_with("did you mean 'high'?"), typed == "hihg");
+    }
     EXPECT_EQ(Suggesting("hgh", words, "write it."), "did you mean 'high'? Write it.");
     EXPECT_EQ(DidYouMean("best", words), "");
 }

@@ -69,16 +69,14 @@ TEST(Rational, RefusesWhatIsNoPositiveNumberAndNamesIt)
         const Result<Rational> parsed = Rational::Parse(text);
         ASSERT_FALSE(parsed) << text;
         EXPECT_EQ(parsed.GetError().kind, ErrorKind::Unusable) << text;
-        EXPECT_THAT(parsed.GetError().Text(), testing::HasSubstr(text)) << text;
-        EXPECT_THAT(parsed.GetError().Text(), testing::HasSubstr("such as 60, 29.97 or 30000/1001"))
-            << text;
+        EXPECT_EQ(parsed.GetError().culprit, "'" + std::string(text) + "'");
     }
 }
 
 TEST(Rational, RefusesAnEmptyTextAndShortensALongOne)
 {
     ASSERT_FALSE(Rational::Parse(""));
-    EXPECT_THAT(Rational::Parse("").GetError().Text(), testing::HasSubstr("empty"));
+    EXPECT_EQ(Rational::Parse("").GetError().culprit, "''");
     const Result<Rational> parsed = Rational::Parse(std::string(100000, '9'));
     ASSERT_FALSE(parsed);
     EXPECT_LT(parsed.GetError().Text().size(), 200u);

@@ -354,7 +354,7 @@ protected:
         const Result<bool> joined = JoinFilms(parts, m_folder / whole, {});
         EXPECT_FALSE(joined);
         EXPECT_FALSE(std::filesystem::exists(m_folder / whole));
-        return joined ? "" : joined.GetError().Text();
+        return joined ? "" : std::filesystem::path(joined.GetError().culprit).filename().string();
     }
 
     TemporaryFolder m_folder;
@@ -364,32 +364,32 @@ TEST_F(JoinErrors, DifferentKindsAreNamed)
 {
     Make("a.mkv", {});
     Make("b.mp4", {});
-    EXPECT_THAT(Refusal({"a.mkv", "b.mp4"}, "c.mkv"), HasSubstr("different kinds"));
+    EXPECT_EQ(Refusal({"a.mkv", "b.mp4"}, "c.mkv"), "b.mp4");
 }
 
 TEST_F(JoinErrors, PartsThatAreCodedInOtherWaysAreNamed)
 {
     Make("a.mkv", {});
     Make("b.mkv", {.quality = Quality::High});
-    EXPECT_THAT(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), HasSubstr("b.mkv is not coded as"));
+    EXPECT_EQ(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), "b.mkv");
 }
 
 TEST_F(JoinErrors, WhatIsNoFilmIsNamed)
 {
     Make("a.mkv", {});
     WriteBytes(m_folder / "b.mkv", "no film");
-    EXPECT_THAT(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), HasSubstr("b.mkv holds no film"));
+    EXPECT_EQ(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), "b.mkv");
 }
 
 TEST_F(JoinErrors, KindsThatCannotBeJoinedAreNamed)
 {
     Make("a.nut", {});
-    EXPECT_THAT(Refusal({"a.nut"}, "c.nut"), HasSubstr("cannot be joined"));
+    EXPECT_EQ(Refusal({"a.nut"}, "c.nut"), "c.nut");
 }
 
 TEST_F(JoinErrors, PicturesNeedNoJoining)
 {
-    EXPECT_THAT(Refusal({"a-##.png"}, "c-##.png"), HasSubstr("put them into one folder"));
+    EXPECT_EQ(Refusal({"a-##.png"}, "c-##.png"), "c-##.png");
 }
 
 } // namespace

@@ -245,26 +245,20 @@ TEST(Backend, IsReadFromItsName)
     EXPECT_EQ(*ParseBackend("--backend", "osmesa"), Backend::OSMesa);
     EXPECT_EQ(*ParseBackend("--backend", "egl"), Backend::Egl);
     EXPECT_EQ(*ParseBackend("--backend", "egl-gpu"), Backend::EglGpu);
-    const std::pair<std::string, std::string> refusals[] = {
-        {"", "give"},       {"EGL", "did you mean 'egl'? Give"},
-        {"gpu", "give"},    {"egl ", "did you mean 'egl'? Give"},
-        {"vulkan", "give"},
-    };
-    for (const auto& [bad, remedy] : refusals)
+    for (const std::string bad : {"", "EGL", "gpu", "egl ", "vulkan"})
     {
         const Result<Backend> backend = ParseBackend("--backend", bad);
         ASSERT_FALSE(backend) << bad;
         EXPECT_EQ(backend.GetError().kind, ErrorKind::Unusable);
-        EXPECT_EQ(backend.GetError().Text(),
-                  "--backend '" + bad + "': " + remedy + " one of auto, osmesa, egl, egl-gpu.");
+        EXPECT_EQ(backend.GetError().culprit, "--backend '" + bad + "'");
     }
 }
 
 TEST(Backend, OfAnUnknownNameInTheVariableIsRefused)
 {
     const Variable variable("vulkan");
-    EXPECT_EQ(Refusal(Backend::Auto, {}, ErrorKind::Unusable),
-              "BOXREEL_BACKEND 'vulkan': give one of auto, osmesa, egl, egl-gpu.");
+    EXPECT_THAT(Refusal(Backend::Auto, {}, ErrorKind::Unusable),
+                HasSubstr("BOXREEL_BACKEND 'vulkan'"));
     EXPECT_THAT(Refusal(Backend::OSMesa, kNoLibraries), HasSubstr("libNoSuchMesa"))
         << "what the settings name is not looked up";
     const Result<Renderer> renderer = RendererOf(Backend::Auto);

@@ -170,7 +170,7 @@ TEST(AnOverlay, IsRefusedWhenACommandNamesIndicesThatItDoesNotHave)
     const Result<void> submitted = renderer.Submit({}, PixelCamera(64, 64), &overlay);
     ASSERT_FALSE(submitted);
     EXPECT_EQ(submitted.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(submitted.GetError().Text(), testing::HasSubstr("up to index 4, but it has 3"));
+    EXPECT_EQ(submitted.GetError().culprit, "overlay");
     overlay.commands[0].firstIndex = 0xffffffff;
     EXPECT_FALSE(renderer.Submit({}, PixelCamera(64, 64), &overlay)) << "no sum overflows";
 }
@@ -186,7 +186,7 @@ TEST(AnOverlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
     const Result<void> submitted = renderer.Submit({}, camera, &bad);
     ASSERT_FALSE(submitted);
     EXPECT_EQ(submitted.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(submitted.GetError().Text(), testing::HasSubstr("vertex 3, but it has 3"));
+    EXPECT_EQ(submitted.GetError().culprit, "overlay");
     EXPECT_TRUE(DrawWith(renderer, {}, camera, &good) == first) << "and nothing has changed";
 }
 
