@@ -2,6 +2,7 @@
 #include "Commands.h"
 #include "OutputPath.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <render/Png.h>
 
@@ -31,11 +32,7 @@ Result<int> RunDiff(const DiffOptions& options)
 {
     if (!options.output.empty())
     {
-        const Result<void> usable = CheckPicturePath(options.output, options.force);
-        if (!usable)
-        {
-            return usable.GetError();
-        }
+        RETURN_IF_ERROR(CheckPicturePath(options.output, options.force));
         for (const std::filesystem::path& picture : {options.expected, options.actual})
         {
             std::error_code none; // such as one that is not there yet
@@ -47,29 +44,13 @@ Result<int> RunDiff(const DiffOptions& options)
             }
         }
     }
-    Result<Frame> expected = ReadPng(options.expected);
-    if (!expected)
-    {
-        return expected.GetError();
-    }
-    Result<Frame> actual = ReadPng(options.actual);
-    if (!actual)
-    {
-        return actual.GetError();
-    }
+    ASSIGN_OR_RETURN(Frame expected, ReadPng(options.expected));
+    ASSIGN_OR_RETURN(Frame actual, ReadPng(options.actual));
     CompareSettings settings = Effective(options.compare);
     settings.paintsDifference = !options.output.empty();
-    const Comparison comparison = Compare(*expected, *actual, settings);
-    const Result<void> difference = WriteDifference(options, comparison);
-    if (!difference)
-    {
-        return difference.GetError();
-    }
-    const Result<void> verdict = WriteOutput(comparison.verdict + "\n");
-    if (!verdict)
-    {
-        return verdict.GetError();
-    }
+    const Comparison comparison = Compare(expected, actual, settings);
+    RETURN_IF_ERROR(WriteDifference(options, comparison));
+    RETURN_IF_ERROR(WriteOutput(comparison.verdict + "\n"));
     return comparison.equal ? 0 : static_cast<int>(ErrorKind::Different);
 }
 

@@ -4,6 +4,7 @@
 #include "SelfTest.h"
 
 #include <base/Bytes.h>
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <base/WorkFolder.h>
 #include <recorder/VideoWriter.h>
@@ -62,20 +63,14 @@ Finding LookAtEngine()
 
 Finding LookAtBackend(Backend backend)
 {
-    Result<Renderer> renderer = Renderer::Create({.width = 64, .height = 64, .backend = backend});
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
+    ASSIGN_OR_RETURN(Renderer renderer,
+                     Renderer::Create({.width = 64, .height = 64, .backend = backend}));
     DrawList list;
     list.AddSegment({-1.0f, 0.0f}, {1.0f, 0.0f}, Color{255, 255, 255, 255});
     Frame frame;
     const Camera camera{.width = 64, .height = 64};
-    if (const Result<void> drawn = renderer->Draw(list, camera, frame); !drawn)
-    {
-        return drawn.GetError();
-    }
-    return renderer->Description();
+    RETURN_IF_ERROR(renderer.Draw(list, camera, frame));
+    return renderer.Description();
 }
 
 Finding LookAtFilm(const fs::path& folder, const std::string& name, const std::string& codec)
@@ -85,23 +80,16 @@ Finding LookAtFilm(const fs::path& folder, const std::string& name, const std::s
     settings.codec = codec;
     settings.overwrite = true;
     settings.quality = name.ends_with(".mkv") ? Quality::Lossless : Quality::Draft;
-    Result<VideoWriter> writer = VideoWriter::Open(folder / name, settings);
-    if (!writer)
-    {
-        return writer.GetError();
-    }
+    ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(folder / name, settings));
     Frame frame;
     frame.width = frame.height = 64;
     frame.rgba.assign(std::size_t(4) * 64 * 64, 255);
     for (int i = 0; i < 3; ++i)
     {
         frame.rgba[std::size_t(4 * i)] = 0;
-        if (const Result<void> appended = writer->Append(frame); !appended)
-        {
-            return appended.GetError();
-        }
+        RETURN_IF_ERROR(writer.Append(frame));
     }
-    const Result<void> closed = writer->Close();
+    const Result<void> closed = writer.Close();
     return closed ? Finding("a film of three frames") : closed.GetError();
 }
 

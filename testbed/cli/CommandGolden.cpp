@@ -4,6 +4,7 @@
 #include "Commands.h"
 
 #include <base/Counting.h>
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <session/GoldenScenes.h>
 
@@ -101,12 +102,8 @@ Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
     const std::vector<std::string>& names = options.names;
     for (const std::string& name : names)
     {
-        const Result<GoldenSelection> selection = SelectGolden(name);
-        if (!selection)
-        {
-            return selection.GetError();
-        }
-        AddOnce(selections, *selection);
+        ASSIGN_OR_RETURN(const GoldenSelection selection, SelectGolden(name));
+        AddOnce(selections, selection);
     }
     if (names.empty())
     {
@@ -140,13 +137,9 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     std::string warning; // the first: where one file cannot be written, none can
     for (const GoldenSelection& selection : selections)
     {
-        const Result<std::vector<GoldenVerdict>> verdicts =
-            VerifyGolden(selection, store, renderer, settings);
-        if (!verdicts)
-        {
-            return verdicts.GetError();
-        }
-        for (const GoldenVerdict& verdict : *verdicts)
+        ASSIGN_OR_RETURN(const std::vector<GoldenVerdict> verdicts,
+                         VerifyGolden(selection, store, renderer, settings));
+        for (const GoldenVerdict& verdict : verdicts)
         {
             const bool isSame = verdict.status == GoldenStatus::Same;
             names.insert(verdict.name);
@@ -154,13 +147,9 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
             ++moments;
             failures += isSame ? 0 : 1;
             ofOthers += verdict.limits == LimitsChoice::OtherRenderer ? 1 : 0;
-            const Result<void> written =
-                WriteOutput(isSame ? "same  " + verdict.name + "\n"
-                                   : Red("FAIL", stdout) + "  " + verdict.message + "\n");
-            if (!written)
-            {
-                return written.GetError();
-            }
+            RETURN_IF_ERROR(WriteOutput(isSame
+                                            ? "same  " + verdict.name + "\n"
+                                            : Red("FAIL", stdout) + "  " + verdict.message + "\n"));
         }
     }
     if (!warning.empty())
@@ -174,25 +163,18 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
         options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
     const bool isOfOthersOnly = ofOthers > 0 && ofOthers == moments;
     const CompareSettings held = isOfOthersOnly ? *ForOtherRenderer(settings) : settings;
-    const Result<void> written =
+    RETURN_IF_ERROR(
         WriteOutput((failures == 0 ? what + ": all as approved (" + DescribeLimits(held) + ")\n"
                                    : what + ": " + std::to_string(failures) +
                                          " not as approved, see '" + output + "'" + page + "\n") +
-                    LimitsOfOthers(ofOthers, settings));
-    if (!written)
-    {
-        return written.GetError();
-    }
+                    LimitsOfOthers(ofOthers, settings)));
     if (!options.report.empty())
     {
         GoldenReportOptions report;
         report.folders = {folders.output};
         report.output = options.report;
         report.backend = options.backend;
-        if (const Result<void> reported = WriteGoldenReport(report, names); !reported)
-        {
-            return reported.GetError();
-        }
+        RETURN_IF_ERROR(WriteGoldenReport(report, names));
     }
     return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
 }
@@ -205,69 +187,41 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
     std::size_t same = 0;
     for (const GoldenSelection& selection : selections)
     {
-        const Result<std::vector<GoldenVerdict>> accepted =
-            AcceptGolden(selection, store, renderer, acceptance);
-        if (!accepted)
-        {
-            return accepted.GetError();
-        }
-        moments += accepted->size();
-        for (const GoldenVerdict& verdict : *accepted)
+        ASSIGN_OR_RETURN(const std::vector<GoldenVerdict> accepted,
+                         AcceptGolden(selection, store, renderer, acceptance));
+        moments += accepted.size();
+        for (const GoldenVerdict& verdict : accepted)
         {
             const bool isSame = verdict.status == GoldenStatus::Same;
             same += isSame ? 1 : 0;
-            const Result<void> written = WriteOutput(
-                isSame ? "same  " + verdict.name + "\n" : "accepted  " + verdict.message + "\n");
-            if (!written)
-            {
-                return written.GetError();
-            }
+            RETURN_IF_ERROR(WriteOutput(isSame ? "same  " + verdict.name + "\n"
+                                               : "accepted  " + verdict.message + "\n"));
         }
     }
-    const Result<void> written = WriteOutput(
+    RETURN_IF_ERROR(WriteOutput(
         Counted(moments, "moment") + " accepted in '" + folders.references.string() + "'" +
-        (same == 0 ? "" : ", " + std::to_string(same) + " of them as they were") + "\n");
-    if (!written)
-    {
-        return written.GetError();
-    }
+        (same == 0 ? "" : ", " + std::to_string(same) + " of them as they were") + "\n"));
     return 0;
 }
 
 Result<int> VerifyAgainst(const std::filesystem::path& given,
                           const std::vector<GoldenSelection>& selections)
 {
-    const Result<fs::path> program = FindOtherProgram(given);
-    if (!program)
-    {
-        return program.GetError();
-    }
+    ASSIGN_OR_RETURN(const fs::path program, FindOtherProgram(given));
     std::size_t failures = 0;
     for (const GoldenSelection& selection : selections)
     {
-        const Result<std::string> difference = CompareWith(*program, selection);
-        if (!difference)
-        {
-            return difference.GetError();
-        }
-        failures += difference->empty() ? 0 : 1;
-        const Result<void> written =
-            WriteOutput(difference->empty() ? "same  " + SceneSlug(selection.scene->name) + "\n"
-                                            : Red("FAIL", stdout) + "  " + *difference + "\n");
-        if (!written)
-        {
-            return written.GetError();
-        }
+        ASSIGN_OR_RETURN(const std::string difference, CompareWith(program, selection));
+        failures += difference.empty() ? 0 : 1;
+        RETURN_IF_ERROR(WriteOutput(difference.empty()
+                                        ? "same  " + SceneSlug(selection.scene->name) + "\n"
+                                        : Red("FAIL", stdout) + "  " + difference + "\n"));
     }
     const std::string what = Counted(selections.size(), "scene");
-    const Result<void> written =
+    RETURN_IF_ERROR(
         WriteOutput(what + (failures == 0 ? ": each step as " + given.string() + " does it\n"
                                           : ": " + std::to_string(failures) + " not as " +
-                                                given.string() + " does them\n"));
-    if (!written)
-    {
-        return written.GetError();
-    }
+                                                given.string() + " does them\n")));
     return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
 }
 
@@ -281,11 +235,7 @@ fs::path DefaultGoldenOutput()
 
 Result<int> RunGolden(const GoldenOptions& options)
 {
-    const Result<std::vector<GoldenSelection>> selections = Select(options);
-    if (!selections)
-    {
-        return selections.GetError();
-    }
+    ASSIGN_OR_RETURN(const std::vector<GoldenSelection> selections, Select(options));
     if (!options.against.empty() && !options.film.empty())
     {
         return Error{ErrorKind::Unusable, "--against compares what worlds do, and a film shows no "
@@ -312,28 +262,16 @@ Result<int> RunGolden(const GoldenOptions& options)
     }
     if (!options.against.empty())
     {
-        return VerifyAgainst(options.against, *selections);
+        return VerifyAgainst(options.against, selections);
     }
     if (!options.report.empty())
     {
-        const Result<void> usable = CheckGoldenReportPath(options.report, false);
-        if (!usable)
-        {
-            return usable.GetError();
-        }
+        RETURN_IF_ERROR(CheckGoldenReportPath(options.report, false));
     }
-    const Result<Folders> folders = ChooseFolders(options);
-    if (!folders)
-    {
-        return folders.GetError();
-    }
-    Result<Renderer> renderer = CreateGoldenRenderer(options.backend);
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
-    return options.accept ? Accept(*selections, *folders, options.acceptance, *renderer)
-                          : Verify(*selections, *folders, *renderer, options);
+    ASSIGN_OR_RETURN(const Folders folders, ChooseFolders(options));
+    ASSIGN_OR_RETURN(Renderer renderer, CreateGoldenRenderer(options.backend));
+    return options.accept ? Accept(selections, folders, options.acceptance, renderer)
+                          : Verify(selections, folders, renderer, options);
 }
 
 } // namespace boxreel

@@ -4,6 +4,7 @@
 #include "Strips.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <golden/ReportPage.h>
 #include <golden/Verdicts.h>
@@ -70,50 +71,27 @@ Result<void> CheckGoldenReportPath(const fs::path& path, bool force)
 Result<void> WriteGoldenReport(const GoldenReportOptions& options,
                                const std::set<std::string>& only)
 {
-    const Result<fs::path> against =
-        options.against.empty() ? fs::path() : FindOtherProgram(options.against);
-    if (!against)
-    {
-        return against.GetError();
-    }
+    ASSIGN_OR_RETURN(const fs::path against,
+                     options.against.empty() ? fs::path() : FindOtherProgram(options.against));
     std::vector<fs::path> folders = options.folders;
     if (folders.empty())
     {
         folders.push_back(DefaultGoldenOutput());
     }
-    Result<std::vector<ReportedMoment>> moments = CollectVerdicts(folders);
-    if (!moments)
-    {
-        return moments.GetError();
-    }
+    ASSIGN_OR_RETURN(std::vector<ReportedMoment> moments, CollectVerdicts(folders));
     if (!only.empty())
     {
-        std::erase_if(*moments, [&](const ReportedMoment& moment) {
+        std::erase_if(moments, [&](const ReportedMoment& moment) {
             return !only.contains(moment.shown.name);
         });
     }
     const fs::path path = options.output.empty() ? folders.front() / "report.html" : options.output;
-    if (const Result<void> usable = CheckGoldenReportPath(path, options.force); !usable)
-    {
-        return usable;
-    }
-    const Result<std::map<std::string, FilmStrip>> strips =
-        MakeStrips(*moments, *against, options.backend);
-    if (!strips)
-    {
-        return strips.GetError();
-    }
-    const Result<std::string> page = ReportPage(*moments, *strips);
-    if (!page)
-    {
-        return page.GetError();
-    }
-    if (const Result<void> written = WriteWhole(path, *page, true); !written)
-    {
-        return written;
-    }
-    return WriteOutput(DescribeOutcome(*moments) + "; the report is '" + path.string() + "' (" +
-                       Size(page->size()) + ")\n");
+    RETURN_IF_ERROR(CheckGoldenReportPath(path, options.force));
+    ASSIGN_OR_RETURN(const auto strips, MakeStrips(moments, against, options.backend));
+    ASSIGN_OR_RETURN(const std::string page, ReportPage(moments, strips));
+    RETURN_IF_ERROR(WriteWhole(path, page, true));
+    return WriteOutput(DescribeOutcome(moments) + "; the report is '" + path.string() + "' (" +
+                       Size(page.size()) + ")\n");
 }
 
 Result<int> RunGoldenReport(const GoldenReportOptions& options)

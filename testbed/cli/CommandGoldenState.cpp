@@ -3,6 +3,7 @@
 #include "ChildProcess.h"
 #include "Commands.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 
 namespace boxreel
@@ -28,24 +29,16 @@ public:
 
     Result<StateTrace> Trace(std::int64_t step) const
     {
-        const Result<std::string> text = Ask({"--trace", "--step", std::to_string(step)});
-        if (!text)
-        {
-            return text.GetError();
-        }
-        Result<StateTrace> trace = ParseStateTrace(*text);
+        ASSIGN_OR_RETURN(const std::string text, Ask({"--trace", "--step", std::to_string(step)}));
+        Result<StateTrace> trace = ParseStateTrace(text);
         return trace ? std::move(trace) : Result<StateTrace>(Odd(trace.GetError()));
     }
 
     Result<WorldState> State(std::int64_t step) const
     {
-        const Result<std::string> text = Ask({"--step", std::to_string(step)});
-        if (!text)
-        {
-            return text.GetError();
-        }
-        const std::size_t hashEnd = std::min(text->find('\n'), text->size() - 1) + 1;
-        Result<WorldState> state = ParseWorldState(std::string_view(*text).substr(hashEnd));
+        ASSIGN_OR_RETURN(const std::string text, Ask({"--step", std::to_string(step)}));
+        const std::size_t hashEnd = std::min(text.find('\n'), text.size() - 1) + 1;
+        Result<WorldState> state = ParseWorldState(std::string_view(text).substr(hashEnd));
         return state ? std::move(state) : Result<WorldState>(Odd(state.GetError()));
     }
 
@@ -99,19 +92,11 @@ Result<std::string> CompareWith(const std::filesystem::path& program,
                                 const GoldenSelection& selection)
 {
     const std::string scene = SceneSlug(selection.scene->name);
-    const Result<GoldenRun> ours = SimulateGolden(selection);
-    if (!ours)
-    {
-        return ours.GetError();
-    }
+    ASSIGN_OR_RETURN(const GoldenRun ours, SimulateGolden(selection));
     const OtherProgram other(program, scene);
-    const std::int64_t last = ours->trace.steps.empty() ? 0 : ours->trace.steps.back().step;
-    const Result<StateTrace> theirs = other.Trace(last);
-    if (!theirs)
-    {
-        return theirs.GetError();
-    }
-    const std::optional<TraceDifference> parted = FirstDifference(*theirs, ours->trace);
+    const std::int64_t last = ours.trace.steps.empty() ? 0 : ours.trace.steps.back().step;
+    ASSIGN_OR_RETURN(const StateTrace theirs, other.Trace(last));
+    const std::optional<TraceDifference> parted = FirstDifference(theirs, ours.trace);
     if (!parted)
     {
         return std::string();
@@ -133,17 +118,9 @@ Result<std::string> CompareWith(const std::filesystem::path& program,
 
 Result<int> RunGoldenState(const GoldenStateOptions& options)
 {
-    const Result<GoldenSelection> selection = SelectGolden(options.scene);
-    if (!selection)
-    {
-        return selection.GetError();
-    }
-    const Result<GoldenRun> run = SimulateGolden(*selection, options.step);
-    if (!run)
-    {
-        return run.GetError();
-    }
-    const Result<void> written = WriteOutput(options.trace ? ToText(run->trace) : StateText(*run));
+    ASSIGN_OR_RETURN(const GoldenSelection selection, SelectGolden(options.scene));
+    ASSIGN_OR_RETURN(const GoldenRun run, SimulateGolden(selection, options.step));
+    const Result<void> written = WriteOutput(options.trace ? ToText(run.trace) : StateText(run));
     return written ? Result<int>(0) : Result<int>(written.GetError());
 }
 

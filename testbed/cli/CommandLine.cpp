@@ -3,6 +3,7 @@
 #include "CommandLineOptions.h"
 #include "OutputPath.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 
 #include <algorithm>
@@ -260,10 +261,7 @@ Result<void> CheckHud(SceneLook& look)
 
 Result<Request> CheckRecord(RecordOptions options)
 {
-    if (const Result<void> hud = CheckHud(options.look); !hud)
-    {
-        return hud.GetError();
-    }
+    RETURN_IF_ERROR(CheckHud(options.look));
     if (options.scene.empty())
     {
         return Unusable("Say which scene, such as `boxreel record pyramid -o pyramid.mp4`; "
@@ -273,10 +271,7 @@ Result<Request> CheckRecord(RecordOptions options)
     {
         return Unusable("Say where the film goes, such as -o film.mp4.");
     }
-    if (const Result<void> usable = CheckFilmName(options.output); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckFilmName(options.output));
     if (options.film.resume && options.film.overwrite)
     {
         return Unusable("--resume goes on with what --force throws away; give one of them.");
@@ -352,10 +347,7 @@ Result<void> CheckPixels(const ShotOptions& options)
 
 Result<Request> CheckShot(ShotOptions options)
 {
-    if (const Result<void> hud = CheckHud(options.look); !hud)
-    {
-        return hud.GetError();
-    }
+    RETURN_IF_ERROR(CheckHud(options.look));
     if (options.scene.empty())
     {
         return Unusable("Say which scene, such as `boxreel shot pyramid --at 3s -o pyramid.png`; "
@@ -373,14 +365,8 @@ Result<Request> CheckShot(ShotOptions options)
     {
         return Unusable("Say when the picture is taken, such as --at 3s or --step 180.");
     }
-    if (const Result<void> motion = CheckMotion(options); !motion)
-    {
-        return motion.GetError();
-    }
-    if (const Result<void> pixels = CheckPixels(options); !pixels)
-    {
-        return pixels.GetError();
-    }
+    RETURN_IF_ERROR(CheckMotion(options));
+    RETURN_IF_ERROR(CheckPixels(options));
     return Request(std::move(options));
 }
 
@@ -399,10 +385,7 @@ Result<Request> CheckMerge(MergeOptions options)
         return Unusable("A film that is joined needs a file, of the same kind as its parts; give "
                         "its name, such as -o film.mkv.");
     }
-    if (Result<void> usable = CheckFilmName(options.output); !usable)
-    {
-        return usable.GetError();
-    }
+    RETURN_IF_ERROR(CheckFilmName(options.output));
     return Request(std::move(options));
 }
 

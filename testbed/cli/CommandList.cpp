@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Commands.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 
 #include <algorithm>
@@ -51,11 +52,7 @@ std::string Names()
 
 Result<int> RunList(const ListOptions& options)
 {
-    const Result<void> written = WriteOutput(options.namesOnly ? Names() : Table());
-    if (!written)
-    {
-        return written.GetError();
-    }
+    RETURN_IF_ERROR(WriteOutput(options.namesOnly ? Names() : Table()));
     return 0;
 }
 

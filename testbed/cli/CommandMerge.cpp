@@ -2,6 +2,7 @@
 #include "Commands.h"
 
 #include <base/Counting.h>
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/FilmPapers.h>
 #include <film/StopSignals.h>
@@ -38,19 +39,16 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
                                                               "`boxreel record --frame-range` "
                                                               "made."};
         }
-        Result<FilmPapers> papers =
-            ReadPapers(path, "it lies beside each part, bring it along or make that part anew");
-        if (!papers)
-        {
-            return papers.GetError();
-        }
-        if (papers->checksum.empty() || ChecksumOfFilm(path) != papers->checksum)
+        ASSIGN_OR_RETURN(
+            FilmPapers papers,
+            ReadPapers(path, "it lies beside each part, bring it along or make that part anew"));
+        if (papers.checksum.empty() || ChecksumOfFilm(path) != papers.checksum)
         {
             return Error{ErrorKind::Unusable,
                          path.string() + " is not the film that " + PapersPath(path).string() +
                              " speaks of: it is cut off or was altered; make that part anew."};
         }
-        parts.push_back({path, std::move(*papers)});
+        parts.push_back({path, std::move(papers)});
     }
     std::sort(parts.begin(), parts.end(), [](const NamedPart& a, const NamedPart& b) {
         return a.papers.first < b.papers.first;
@@ -150,33 +148,20 @@ int GroupOf(const FilmPapers& papers, const std::filesystem::path& film)
 
 Result<int> RunMerge(const MergeOptions& options)
 {
-    if (Result<void> usable = CheckOutput(options); !usable)
-    {
-        return usable.GetError();
-    }
-    const Result<std::vector<NamedPart>> parts = ReadParts(options.parts);
-    if (!parts)
-    {
-        return parts.GetError();
-    }
+    RETURN_IF_ERROR(CheckOutput(options));
+    ASSIGN_OR_RETURN(const std::vector<NamedPart> parts, ReadParts(options.parts));
     std::vector<FilmPart> films;
-    for (std::size_t i = 0; i < parts->size(); ++i)
+    for (std::size_t i = 0; i < parts.size(); ++i)
     {
         if (i > 0)
         {
-            if (Result<void> seam = CheckSeam((*parts)[i - 1], (*parts)[i]); !seam)
-            {
-                return seam.GetError();
-            }
+            RETURN_IF_ERROR(CheckSeam(parts[i - 1], parts[i]));
         }
-        const FilmPapers& papers = (*parts)[i].papers;
-        films.push_back({(*parts)[i].path, papers.first, papers.end - papers.first});
+        const FilmPapers& papers = parts[i].papers;
+        films.push_back({parts[i].path, papers.first, papers.end - papers.first});
     }
-    if (Result<void> whole = options.partial ? Result<void>() : CheckWhole(*parts); !whole)
-    {
-        return whole.GetError();
-    }
-    const FilmPapers& first = parts->front().papers;
+    RETURN_IF_ERROR(options.partial ? Result<void>() : CheckWhole(parts));
+    const FilmPapers& first = parts.front().papers;
     VideoSettings settings;
     settings.framesPerSecond = first.framesPerSecond;
     settings.overwrite = options.force;
@@ -194,7 +179,7 @@ Result<int> RunMerge(const MergeOptions& options)
         WriteMessage("Stopped; nothing of " + options.output.string() + " is left.");
         return StopSignals::kExitCode;
     }
-    const std::int64_t frames = parts->back().papers.end - first.first;
+    const std::int64_t frames = parts.back().papers.end - first.first;
     WriteMessage(options.output.string() + ": " + Counted(frames, "frame") + " of " +
                  Counted(films.size(), "part"));
     return 0;

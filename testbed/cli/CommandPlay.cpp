@@ -4,6 +4,7 @@
 #include "OutputPath.h"
 
 #include <base/Counting.h>
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <golden/ReferenceStore.h>
 #include <golden/StateHash.h>
@@ -81,12 +82,8 @@ Result<Options> Understood(const Script& script, const char* command,
     words.insert(words.end(), shared.begin(), shared.end());
     words.insert(words.end(), options.begin(), options.end());
     words.insert(words.end(), {"-o", output.string()});
-    Result<Request> request = ParseCommandLine(words);
-    if (!request)
-    {
-        return request.GetError();
-    }
-    Options* const understood = std::get_if<Options>(&*request);
+    ASSIGN_OR_RETURN(Request request, ParseCommandLine(words));
+    Options* const understood = std::get_if<Options>(&request);
     if (understood == nullptr)
     {
         return Unusable("--help has no place in a script; leave it out.");
@@ -182,32 +179,22 @@ Result<void> Planner::AddExpectation(const ScriptProduct& product)
         m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});
         return {};
     }
-    const Result<Condition> condition = Condition::Parse("expect", product.name);
-    if (!condition)
-    {
-        return condition.GetError();
-    }
-    m_play.expectations.push_back({product.line, product.at, *condition});
+    ASSIGN_OR_RETURN(const Condition condition, Condition::Parse("expect", product.name));
+    m_play.expectations.push_back({product.line, product.at, condition});
     return {};
 }
 
 Result<void> Planner::AddGolden(const ScriptProduct& product)
 {
-    if (const Result<void> named = CheckReferenceName(product.name); !named)
-    {
-        return named;
-    }
+    RETURN_IF_ERROR(CheckReferenceName(product.name));
     std::vector<std::string> options = product.options;
     const std::vector<std::string> moment = product.at.AsOption();
     options.insert(options.end(), moment.begin(), moment.end());
-    Result<ShotOptions> shot = Understood<ShotOptions>(m_play.script, "shot", options, "any.png");
-    if (!shot)
-    {
-        return shot.GetError();
-    }
-    shot->look.script = m_actions;
-    shot->look.collectEverything = true;
-    m_play.goldens.push_back({product.line, product.name, std::move(*shot)});
+    ASSIGN_OR_RETURN(ShotOptions shot,
+                     Understood<ShotOptions>(m_play.script, "shot", options, "any.png"));
+    shot.look.script = m_actions;
+    shot.look.collectEverything = true;
+    m_play.goldens.push_back({product.line, product.name, std::move(shot)});
     return {};
 }
 
@@ -254,57 +241,35 @@ Result<void> Planner::Claim(const ScriptProduct& product, Options options, bool 
 
 Result<void> Planner::AddStill(const ScriptProduct& product)
 {
-    const Result<fs::path> output = OutputOf(product);
-    if (!output)
-    {
-        return output.GetError();
-    }
-    Result<ShotOptions> shot =
-        Understood<ShotOptions>(m_play.script, "shot", product.options, *output);
-    if (!shot)
-    {
-        return shot.GetError();
-    }
-    shot->look.script = m_actions;
-    shot->force = shot->force || m_options.force;
-    shot->backend = m_options.backend;
-    if (const Result<void> usable = Claim(product, *shot, shot->force); !usable)
-    {
-        return usable;
-    }
-    m_play.stills.push_back({product.line, std::move(*shot)});
+    ASSIGN_OR_RETURN(const fs::path output, OutputOf(product));
+    ASSIGN_OR_RETURN(ShotOptions shot,
+                     Understood<ShotOptions>(m_play.script, "shot", product.options, output));
+    shot.look.script = m_actions;
+    shot.force = shot.force || m_options.force;
+    shot.backend = m_options.backend;
+    RETURN_IF_ERROR(Claim(product, shot, shot.force));
+    m_play.stills.push_back({product.line, std::move(shot)});
     return {};
 }
 
 Result<void> Planner::AddFilm(const ScriptProduct& product)
 {
-    const Result<fs::path> output = OutputOf(product);
-    if (!output)
-    {
-        return output.GetError();
-    }
-    Result<RecordOptions> record =
-        Understood<RecordOptions>(m_play.script, "record", product.options, *output);
-    if (!record)
-    {
-        return record.GetError();
-    }
-    if (m_play.script.UsesPanels() && !record->snapshots.folder.empty())
+    ASSIGN_OR_RETURN(const fs::path output, OutputOf(product));
+    ASSIGN_OR_RETURN(RecordOptions record,
+                     Understood<RecordOptions>(m_play.script, "record", product.options, output));
+    if (m_play.script.UsesPanels() && !record.snapshots.folder.empty())
     {
         return Unusable("--snapshots keeps states of the scene, but not of the panels that the "
                         "script uses; leave it out.");
     }
-    record->look.script = m_actions;
-    record->film.overwrite = record->film.overwrite || m_options.force;
-    record->film.resume = record->film.resume || m_options.resume;
-    record->backend = m_options.backend;
-    if (const Result<void> usable = Claim(product, *record, record->film.overwrite); !usable)
-    {
-        return usable;
-    }
+    record.look.script = m_actions;
+    record.film.overwrite = record.film.overwrite || m_options.force;
+    record.film.resume = record.film.resume || m_options.resume;
+    record.backend = m_options.backend;
+    RETURN_IF_ERROR(Claim(product, record, record.film.overwrite));
     // A film that was stopped is gone on with if all of this is the same.
-    record->arguments.push_back("actions:" + m_actions->actionText);
-    m_play.films.push_back({product.line, std::move(*record)});
+    record.arguments.push_back("actions:" + m_actions->actionText);
+    m_play.films.push_back({product.line, std::move(record)});
     return {};
 }
 
@@ -375,10 +340,7 @@ Result<int> Expect(const Play& play, SceneSession& session)
     int failures = 0;
     for (const Expectation* expectation : inOrder)
     {
-        if (const Result<void> known = CheckBody(play, *expectation, session); !known)
-        {
-            return known.GetError();
-        }
+        RETURN_IF_ERROR(CheckBody(play, *expectation, session));
     }
     for (const Expectation* expectation : inOrder)
     {
@@ -389,10 +351,7 @@ Result<int> Expect(const Play& play, SceneSession& session)
         line += play.script.file.string() + ":" + std::to_string(expectation->line) + ": " +
                 answer.expected;
         line += answer.found.empty() ? "" : " (" + answer.found + ")";
-        if (const Result<void> written = WriteOutput(line + "\n"); !written)
-        {
-            return written.GetError();
-        }
+        RETURN_IF_ERROR(WriteOutput(line + "\n"));
     }
     // A click on what is not there is to be known before anything is made.
     for (const ScriptAction& action : play.script.actions)
@@ -402,50 +361,32 @@ Result<int> Expect(const Play& play, SceneSession& session)
             session.AdvanceTo(action.at.Step(session.StepsPerSecond()) + 1);
         }
     }
-    if (const Result<void> played = session.CheckCompanion(); !played)
-    {
-        return played.GetError();
-    }
+    RETURN_IF_ERROR(session.CheckCompanion());
     return failures;
 }
 
 Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golden, Backend backend)
 {
-    Result<SceneSession> session = OpenSession(play, golden.shot.look);
-    if (!session)
-    {
-        return session.GetError();
-    }
+    ASSIGN_OR_RETURN(SceneSession session, OpenSession(play, golden.shot.look));
     const SceneLook& look = golden.shot.look;
-    Result<Renderer> renderer = Renderer::Create(
-        {.width = look.width, .height = look.height, .theme = look.theme, .backend = backend});
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
-    session->AdvanceTo(golden.shot.steps.empty()
-                           ? StepAt(golden.shot.at.front(), session->StepsPerSecond())
-                           : golden.shot.steps.front());
+    ASSIGN_OR_RETURN(
+        Renderer renderer,
+        Renderer::Create(
+            {.width = look.width, .height = look.height, .theme = look.theme, .backend = backend}));
+    session.AdvanceTo(golden.shot.steps.empty()
+                          ? StepAt(golden.shot.at.front(), session.StepsPerSecond())
+                          : golden.shot.steps.front());
     FrameContent content;
-    session->Fill(content);
+    session.Fill(content);
     GoldenCandidate candidate;
     candidate.name = golden.name;
-    candidate.stateHash = StateHashText(session->World());
-    candidate.state = ReadWorldState(session->World());
-    candidate.renderer = renderer->Description();
-    const Result<std::string> fingerprint = renderer->Fingerprint();
-    if (!fingerprint)
-    {
-        return fingerprint.GetError();
-    }
-    candidate.fingerprint = *fingerprint;
+    candidate.stateHash = StateHashText(session.World());
+    candidate.state = ReadWorldState(session.World());
+    candidate.renderer = renderer.Description();
+    ASSIGN_OR_RETURN(const std::string fingerprint, renderer.Fingerprint());
+    candidate.fingerprint = fingerprint;
     const Overlay* const panel = look.hud || look.panels ? &content.overlay : nullptr;
-    if (const Result<void> drawn =
-            renderer->Draw(content.list, content.camera, candidate.frame, panel);
-        !drawn)
-    {
-        return drawn.GetError();
-    }
+    RETURN_IF_ERROR(renderer.Draw(content.list, content.camera, candidate.frame, panel));
     candidate.list = std::move(content.list);
     return candidate;
 }
@@ -459,28 +400,25 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
     int failures = 0;
     for (const GoldenPicture& golden : play.goldens)
     {
-        const Result<GoldenCandidate> candidate = CandidateOf(play, golden, options.backend);
-        if (!candidate)
-        {
-            return candidate.GetError();
-        }
+        ASSIGN_OR_RETURN(const GoldenCandidate candidate,
+                         CandidateOf(play, golden, options.backend));
         std::string line = "accepted  " + golden.name;
         if (options.accept)
         {
             const AcceptAs as =
                 options.forThisRenderer ? AcceptAs::ForThisRenderer : AcceptAs::TheOneCompared;
-            if (const Result<void> accepted = store.Accept(*candidate, as); !accepted)
+            if (const Result<void> accepted = store.Accept(candidate, as); !accepted)
             {
                 return play.script.At(golden.line, accepted.GetError());
             }
         }
         else
         {
-            Result<GoldenVerdict> verdict = store.Judge(*candidate);
+            Result<GoldenVerdict> verdict = store.Judge(candidate);
             const bool isSame = verdict && verdict->status == GoldenStatus::Same;
             if (!isSame) // only a failure leaves files to look at
             {
-                verdict = store.Verify(*candidate);
+                verdict = store.Verify(candidate);
             }
             if (!verdict)
             {
@@ -492,10 +430,7 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
                           : Red("FAIL", stdout) + "  " + play.script.file.string() + ":" +
                                 std::to_string(golden.line) + ": " + why;
         }
-        if (const Result<void> written = WriteOutput(line + "\n"); !written)
-        {
-            return written.GetError();
-        }
+        RETURN_IF_ERROR(WriteOutput(line + "\n"));
     }
     return failures;
 }
@@ -556,33 +491,22 @@ Result<int> RunPlay(const PlayOptions& options)
                      "--for-this-renderer says for whom pictures are accepted; "
                      "give --accept as well."};
     }
-    Result<Script> script = ReadScript(options.script);
-    if (!script)
-    {
-        return script.GetError();
-    }
+    ASSIGN_OR_RETURN(Script script, ReadScript(options.script));
     Play play;
-    play.script = std::move(*script);
-    if (const Result<void> planned = Planner(play, options).Plan(); !planned)
-    {
-        return planned.GetError();
-    }
-    Result<SceneSession> session = OpenSession(play, play.look);
-    if (!session)
-    {
-        return session.GetError();
-    }
+    play.script = std::move(script);
+    RETURN_IF_ERROR(Planner(play, options).Plan());
+    ASSIGN_OR_RETURN(SceneSession session, OpenSession(play, play.look));
     if (options.check)
     {
         const Result<void> written =
-            WriteOutput(play.script.file.string() + ": " + session->Title() + ", " +
+            WriteOutput(play.script.file.string() + ": " + session.Title() + ", " +
                         Counted(play.script.actions.size(), "action") + ", " +
                         Counted(play.expectations.size(), "expectation") + ", " +
                         Counted(play.goldens.size() + play.stills.size(), "picture") + ", " +
                         Counted(play.films.size(), "film") + "\n");
         return written ? Result<int>(0) : written.GetError();
     }
-    const Result<int> unmet = Expect(play, *session);
+    const Result<int> unmet = Expect(play, session);
     if (!unmet)
     {
         return unmet;

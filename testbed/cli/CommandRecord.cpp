@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "OutputPath.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/FilmRun.h>
 #include <film/StopSignals.h>
@@ -46,14 +47,8 @@ Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
 /// Asked before anything is simulated.
 Result<void> CheckFilm(const RecordOptions& options, const FilmPlan& plan)
 {
-    if (Result<void> usable = CheckVideoPath(options.output, plan.film); !usable)
-    {
-        return usable;
-    }
-    if (Result<void> usable = CheckPapersPaths(options, plan); !usable)
-    {
-        return usable;
-    }
+    RETURN_IF_ERROR(CheckVideoPath(options.output, plan.film));
+    RETURN_IF_ERROR(CheckPapersPaths(options, plan));
     return options.thumbnail.file.empty() ? Result<void>() : CheckThumbnail(options, plan);
 }
 
@@ -86,64 +81,41 @@ std::vector<std::filesystem::path> FilesOf(const RecordOptions& options)
 
 Result<void> Prepare(const RecordOptions& options)
 {
-    const Result<FilmPlan> plan = PlanFilm(options);
-    if (!plan)
-    {
-        return plan.GetError();
-    }
-    const Result<void> usable = CheckFilm(options, *plan);
+    ASSIGN_OR_RETURN(const FilmPlan plan, PlanFilm(options));
+    const Result<void> usable = CheckFilm(options, plan);
     return usable ? CheckFolderOf(options.output) : usable;
 }
 
 Result<int> RunRecord(const RecordOptions& options)
 {
     GiveLargeBlocksBack();
-    Result<FilmPlan> plan = PlanFilm(options);
-    if (!plan)
-    {
-        return plan.GetError();
-    }
+    ASSIGN_OR_RETURN(FilmPlan plan, PlanFilm(options));
     if (options.skipDone)
     {
-        const Result<bool> isDone = IsPartDone(options, *plan);
-        if (!isDone)
-        {
-            return isDone.GetError();
-        }
-        if (*isDone)
+        ASSIGN_OR_RETURN(const bool isDone, IsPartDone(options, plan));
+        if (isDone)
         {
             WriteMessage(options.output.string() + " is there already.");
             return 0;
         }
     }
-    if (Result<void> usable = CheckFilm(options, *plan); !usable)
-    {
-        return usable.GetError();
-    }
-    TellLooseParts(options, *plan);
+    RETURN_IF_ERROR(CheckFilm(options, plan));
+    TellLooseParts(options, plan);
     std::optional<SnapshotFolder> snapshots;
     if (!options.snapshots.folder.empty())
     {
-        Result<SnapshotFolder> folder =
-            SnapshotFolder::Open(options.snapshots.folder, options.snapshots.every);
-        if (!folder)
-        {
-            return folder.GetError();
-        }
-        snapshots = std::move(*folder);
+        ASSIGN_OR_RETURN(SnapshotFolder folder,
+                         SnapshotFolder::Open(options.snapshots.folder, options.snapshots.every));
+        snapshots = std::move(folder);
     }
-    Result<SceneSource> source = OpenScene(options.scene);
-    if (!source)
-    {
-        return source.GetError();
-    }
-    for (const std::string& line : source->leftOut)
+    ASSIGN_OR_RETURN(SceneSource source, OpenScene(options.scene));
+    for (const std::string& line : source.leftOut)
     {
         WriteMessage(line);
     }
     const StopSignals stopSignals;
-    return FilmRun(options, std::move(*plan), snapshots ? &*snapshots : nullptr)
-        .Make(std::move(*source));
+    return FilmRun(options, std::move(plan), snapshots ? &*snapshots : nullptr)
+        .Make(std::move(source));
 }
 
 } // namespace boxreel

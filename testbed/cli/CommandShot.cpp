@@ -2,6 +2,7 @@
 #include "Commands.h"
 #include "OutputPath.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <debugdraw/NiceNumbers.h>
 #include <film/RenderReport.h>
@@ -123,18 +124,14 @@ Result<void> TellMissingLetters(const Figure& figure, PictureFormat format)
         return {}; // its viewer has the fonts
     }
     const bool isPdf = format == PictureFormat::Pdf;
-    const Result<std::vector<std::string>> letters =
-        isPdf ? LettersWithoutPdf(figure) : LettersWithoutPixels(figure);
-    if (!letters)
+    ASSIGN_OR_RETURN(const std::vector<std::string> letters,
+                     isPdf ? LettersWithoutPdf(figure) : LettersWithoutPixels(figure));
+    if (!letters.empty())
     {
-        return letters.GetError();
-    }
-    if (!letters->empty())
-    {
-        WriteMessage(isPdf ? "boxreel: A PDF cannot show " + Listed(*letters) +
+        WriteMessage(isPdf ? "boxreel: A PDF cannot show " + Listed(letters) +
                                  ": its font has empty boxes instead, or does not join them; an "
                                  ".svg leaves letters to its viewer."
-                           : "boxreel: The font of pictures has no " + Listed(*letters) +
+                           : "boxreel: The font of pictures has no " + Listed(letters) +
                                  ", and shows ? instead; an .svg leaves letters to its viewer.");
     }
     return {};
@@ -155,13 +152,9 @@ Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, con
         break;
     }
     RenderTotals drawn;
-    const Result<Frame> frame = ToFrame(figure, options.backend, &drawn);
-    if (!frame)
-    {
-        return frame.GetError();
-    }
+    ASSIGN_OR_RETURN(const Frame frame, ToFrame(figure, options.backend, &drawn));
     totals += drawn;
-    return WritePng(picture.path, *frame, {.overwrite = options.force});
+    return WritePng(picture.path, frame, {.overwrite = options.force});
 }
 
 /// A picture under the panel, which only pixels can show.
@@ -169,21 +162,14 @@ Result<void> WriteWithPanel(const ShotOptions& options, const Picture& picture,
                             const DrawList& list, const Camera& camera, const Overlay& panel,
                             RenderTotals& totals)
 {
-    Result<Renderer> renderer = Renderer::Create({.width = camera.width,
-                                                  .height = camera.height,
-                                                  .theme = picture.theme,
-                                                  .backend = options.backend,
-                                                  .scale = options.look.scale});
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
+    ASSIGN_OR_RETURN(Renderer renderer, Renderer::Create({.width = camera.width,
+                                                          .height = camera.height,
+                                                          .theme = picture.theme,
+                                                          .backend = options.backend,
+                                                          .scale = options.look.scale}));
     Frame frame;
-    if (const Result<void> drawn = renderer->Draw(list, camera, frame, &panel); !drawn)
-    {
-        return drawn;
-    }
-    totals += renderer->Totals();
+    RETURN_IF_ERROR(renderer.Draw(list, camera, frame, &panel));
+    totals += renderer.Totals();
     return WritePng(picture.path, frame, {.overwrite = options.force});
 }
 
@@ -192,33 +178,22 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
 {
     if (PictureFormatOf(pictures.front().path) == PictureFormat::Png)
     {
-        if (const Result<void> draws = PrepareFrames(options.backend); !draws)
-        {
-            return draws;
-        }
+        RETURN_IF_ERROR(PrepareFrames(options.backend));
     }
-    Result<SceneSession> session = OpenSession(std::move(source), options.look);
-    if (!session)
-    {
-        return session.GetError();
-    }
-    const std::vector<std::int64_t> moments = MomentsOf(options, session->StepsPerSecond());
-    Result<SceneMotion> motion = SceneMotion::Create(options.motion, *session, moments);
-    if (!motion)
-    {
-        return motion.GetError();
-    }
+    ASSIGN_OR_RETURN(SceneSession session, OpenSession(std::move(source), options.look));
+    const std::vector<std::int64_t> moments = MomentsOf(options, session.StepsPerSecond());
+    ASSIGN_OR_RETURN(SceneMotion motion, SceneMotion::Create(options.motion, session, moments));
     std::vector<SheetPicture> parts;
     FrameContent content;
     for (const std::int64_t moment : moments)
     {
-        motion->AdvanceTo(*session, moment);
+        motion.AdvanceTo(session, moment);
         content = {};
-        session->Fill(content, motion->Notes(*session));
-        parts.push_back({motion->Picture(*session, content.list), session->CurrentCamera(),
-                         moments.size() > 1 ? NumberPlain(session->Time()) + " s" : ""});
+        session.Fill(content, motion.Notes(session));
+        parts.push_back({motion.Picture(session, content.list), session.CurrentCamera(),
+                         moments.size() > 1 ? NumberPlain(session.Time()) + " s" : ""});
     }
-    for (const Result<void>& came : {motion->CheckBodiesCame(), session->CheckView()})
+    for (const Result<void>& came : {motion.CheckBodiesCame(), session.CheckView()})
     {
         if (!came)
         {
@@ -227,10 +202,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
     }
     const Figure anyTheme = MakeFigure(options, options.look.theme, parts, "");
     const PictureFormat format = *PictureFormatOf(pictures.front().path);
-    if (const Result<void> told = TellMissingLetters(anyTheme, format); !told)
-    {
-        return told;
-    }
+    RETURN_IF_ERROR(TellMissingLetters(anyTheme, format));
     RenderTotals totals;
     for (const Picture& picture : pictures)
     {
@@ -239,8 +211,8 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
                 ? WriteWithPanel(options, picture, parts.front().list, content.camera,
                                  content.overlay, totals)
                 : WriteFigure(options, picture,
-                              Named(MakeFigure(options, picture.theme, parts, session->Title()),
-                                    session->Names()),
+                              Named(MakeFigure(options, picture.theme, parts, session.Title()),
+                                    session.Names()),
                               totals);
         if (!written)
         {
@@ -259,16 +231,10 @@ Result<void> CheckPictures(const ShotOptions& options, const std::vector<Picture
 {
     for (const Picture& picture : pictures)
     {
-        if (const Result<void> usable = CheckFigurePath(picture.path, options.force); !usable)
-        {
-            return usable;
-        }
+        RETURN_IF_ERROR(CheckFigurePath(picture.path, options.force));
     }
     const PictureFormat format = *PictureFormatOf(pictures.front().path);
-    if (const Result<void> fits = CheckSheet(options, format); !fits)
-    {
-        return fits;
-    }
+    RETURN_IF_ERROR(CheckSheet(options, format));
     return format == PictureFormat::Pdf ? PreparePdf() : Result<void>();
 }
 
@@ -292,20 +258,13 @@ Result<void> Prepare(const ShotOptions& options)
 Result<int> RunShot(const ShotOptions& options)
 {
     const std::vector<Picture> pictures = PicturesOf(options);
-    if (const Result<void> usable = CheckPictures(options, pictures); !usable)
-    {
-        return usable.GetError();
-    }
-    Result<SceneSource> source = OpenScene(options.scene);
-    if (!source)
-    {
-        return source.GetError();
-    }
-    for (const std::string& line : source->leftOut)
+    RETURN_IF_ERROR(CheckPictures(options, pictures));
+    ASSIGN_OR_RETURN(SceneSource source, OpenScene(options.scene));
+    for (const std::string& line : source.leftOut)
     {
         WriteMessage(line);
     }
-    const Result<void> taken = TakePictures(options, pictures, std::move(*source));
+    const Result<void> taken = TakePictures(options, pictures, std::move(source));
     return taken ? Result<int>(0) : taken.GetError();
 }
 

@@ -2,6 +2,7 @@
 // `boxreel ui`: the window.
 #include "Commands.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/StopSignals.h>
 #include <render/Renderer.h>
@@ -75,12 +76,8 @@ Result<SceneSource> Desk::Source(const UiSettings& settings) const
 
 Result<void> Desk::Open(const UiSettings& settings)
 {
-    Result<SceneSource> source = Source(settings);
-    if (!source)
-    {
-        return source.GetError();
-    }
-    for (const std::string& line : source->leftOut)
+    ASSIGN_OR_RETURN(SceneSource source, Source(settings));
+    for (const std::string& line : source.leftOut)
     {
         WriteMessage(line);
     }
@@ -98,12 +95,8 @@ Result<void> Desk::Open(const UiSettings& settings)
     look.theme = FindTheme(bench.choices.theme).value_or(Theme::Classic());
     look.seed = m_options.seed;
     look.stepsPerSecond = m_options.stepsPerSecond;
-    Result<Workbench> opened = Workbench::Open(std::move(*source), bench);
-    if (!opened)
-    {
-        return opened.GetError();
-    }
-    m_bench.emplace(std::move(*opened));
+    ASSIGN_OR_RETURN(Workbench opened, Workbench::Open(std::move(source), bench));
+    m_bench.emplace(std::move(opened));
     m_bench->Controls().Controls().SetOpenSections(settings.openSections);
     return Prepare();
 }
@@ -124,16 +117,13 @@ Result<void> Desk::Prepare()
         m_bench->Resize(width, height);
     }
     m_renderer.reset();
-    Result<Renderer> renderer =
+    ASSIGN_OR_RETURN(
+        Renderer renderer,
         Renderer::CreateIn(m_window, {.width = width,
                                       .height = height,
                                       .theme = FindTheme(theme).value_or(Theme::Classic()),
-                                      .scale = m_window.Scale()});
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
-    m_renderer.emplace(std::move(*renderer));
+                                      .scale = m_window.Scale()}));
+    m_renderer.emplace(std::move(renderer));
     m_width = width;
     m_height = height;
     m_theme = theme;
@@ -162,12 +152,7 @@ Result<void> Desk::Show()
     m_bench->Fill(content);
     content.camera.width = m_width; // a scale may have rounded otherwise
     content.camera.height = m_height;
-    if (const Result<void> drawn =
-            m_renderer->Submit(content.list, content.camera, &content.overlay);
-        !drawn)
-    {
-        return drawn;
-    }
+    RETURN_IF_ERROR(m_renderer->Submit(content.list, content.camera, &content.overlay));
     if (m_renderer->Statistics().unchanged && !m_isLost)
     {
         std::this_thread::sleep_for(kPause); // else the display is waited for
@@ -192,14 +177,8 @@ Result<void> Desk::Run()
         const Clock::time_point now = Clock::now();
         m_bench->Advance(std::chrono::duration<double>(now - last).count());
         last = now;
-        if (const Result<void> prepared = Prepare(); !prepared)
-        {
-            return prepared;
-        }
-        if (const Result<void> shown = Show(); !shown)
-        {
-            return shown;
-        }
+        RETURN_IF_ERROR(Prepare());
+        RETURN_IF_ERROR(Show());
     }
     return m_bench->Finish();
 }
@@ -253,15 +232,8 @@ Result<int> RunUi(const UiOptions& options)
         return WithoutWindow(window.GetError());
     }
     Desk desk(std::move(*window), options);
-    if (const Result<void> opened = desk.Open(settings); !opened)
-    {
-        return opened.GetError();
-    }
-    const Result<void> run = desk.Run();
-    if (!run)
-    {
-        return run.GetError();
-    }
+    RETURN_IF_ERROR(desk.Open(settings));
+    RETURN_IF_ERROR(desk.Run());
     if (!options.fresh && !file.empty())
     {
         if (const Result<void> kept = WriteUiSettings(file, desk.Settings()); !kept)

@@ -2,6 +2,7 @@
 #include "OutputPath.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 
 #include <algorithm>
@@ -69,14 +70,8 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, const Form
         return Error{ErrorKind::Unusable,
                      name + " is a folder; name a file in it, such as picture.png."};
     }
-    if (const Result<void> end = CheckEnd(path, formats); !end)
-    {
-        return end;
-    }
-    if (const Result<void> folder = CheckFolderOf(path); !folder)
-    {
-        return folder;
-    }
+    RETURN_IF_ERROR(CheckEnd(path, formats));
+    RETURN_IF_ERROR(CheckFolderOf(path));
     if (!force && std::filesystem::exists(path, ignored))
     {
         return Error{ErrorKind::Unusable, name + " exists; --force overwrites it."};

@@ -2,6 +2,7 @@
 #include "Program.h"
 #include "CommandLine.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/Progress.h>
 
@@ -14,11 +15,7 @@ struct Runner
 {
     Result<int> operator()(const TextRequest& request) const
     {
-        const Result<void> written = WriteOutput(request.text);
-        if (!written)
-        {
-            return written.GetError();
-        }
+        RETURN_IF_ERROR(WriteOutput(request.text));
         return 0;
     }
     Result<int> operator()(const ListOptions& options) const { return RunList(options); }

@@ -2,6 +2,7 @@
 #include "Strips.h"
 #include "ChildProcess.h"
 
+#include <base/ErrorMacros.h>
 #include <base/ReadWhole.h>
 #include <base/WorkFolder.h>
 #include <debugdraw/NiceNumbers.h>
@@ -81,10 +82,7 @@ Camera CloseUp(const Rect& bounds)
 Result<std::string> Drawn(Renderer& renderer, const DrawList& list, const Camera& camera)
 {
     Frame frame;
-    if (const Result<void> drawn = renderer.Draw(list, camera, frame); !drawn)
-    {
-        return drawn.GetError();
-    }
+    RETURN_IF_ERROR(renderer.Draw(list, camera, frame));
     const Result<std::vector<std::uint8_t>> png = EncodePng(frame, 9);
     return png ? Result<std::string>(std::string(png->begin(), png->end()))
                : Result<std::string>(png.GetError());
@@ -94,12 +92,8 @@ Result<std::string> Drawn(Renderer& renderer, const DrawList& list, const Camera
 Result<std::string> PictureBy(const fs::path& program, const std::string& scene, std::int64_t step,
                               const std::optional<Camera>& close)
 {
-    const Result<WorkFolder> folder = WorkFolder::Create();
-    if (!folder)
-    {
-        return folder.GetError();
-    }
-    const fs::path picture = folder->Path() / "shot.png";
+    ASSIGN_OR_RETURN(const WorkFolder folder, WorkFolder::Create());
+    const fs::path picture = folder.Path() / "shot.png";
     const std::string size = std::to_string(kWidth) + "x" + std::to_string(kHeight);
     std::vector<std::string> arguments{"shot",   scene, "--step", std::to_string(step),
                                        "--size", size,  "-o",     picture.string()};
@@ -134,20 +128,12 @@ public:
         strip.width = kWidth;
         strip.height = kHeight;
         const std::int64_t first = *verdict.firstStep;
-        const Result<std::int64_t> end = LastStepOf(selection);
-        if (!end)
-        {
-            return end.GetError();
-        }
+        ASSIGN_OR_RETURN(const std::int64_t end, LastStepOf(selection));
         // A verdict comes from a file, and may say any number.
-        const bool isOurs = first >= 1 && first <= last && last <= *end;
-        const Result<GoldenRun> run = SimulateGolden(selection, isOurs ? first : 0);
-        if (!run)
-        {
-            return run.GetError();
-        }
+        const bool isOurs = first >= 1 && first <= last && last <= end;
+        ASSIGN_OR_RETURN(const GoldenRun run, SimulateGolden(selection, isOurs ? first : 0));
         // Another project's scene of the same name, or a program that was built since.
-        if (run->trace.steps.empty() || run->trace.steps.back().world != verdict.firstHash)
+        if (run.trace.steps.empty() || run.trace.steps.back().world != verdict.firstHash)
         {
             strip.note = "This program does not do what the verdict says, so the steps cannot be "
                          "shown; verify again with it.";
@@ -158,28 +144,16 @@ public:
             strip.note = "The steps could not be drawn: " + ready.GetError().Text();
             return strip;
         }
-        Result<SceneSession> session = OpenGolden(selection, kWidth, kHeight);
-        if (!session)
-        {
-            return session.GetError();
-        }
+        ASSIGN_OR_RETURN(SceneSession session, OpenGolden(selection, kWidth, kHeight));
         for (const std::int64_t step : StepsAround(first, last))
         {
-            session->AdvanceTo(step);
+            session.AdvanceTo(step);
             std::optional<Camera> close;
-            Result<FilmStrip::Picture> picture = Picture(*session, verdict, close);
-            if (!picture)
-            {
-                return picture.GetError();
-            }
-            const Result<void> asked =
-                m_against.empty() ? Result<void>()
-                                  : AskTheOther(SceneSlug(selection.scene->name), close, *picture);
-            if (!asked)
-            {
-                return asked.GetError();
-            }
-            strip.pictures.push_back(*std::move(picture));
+            ASSIGN_OR_RETURN(FilmStrip::Picture picture, Picture(session, verdict, close));
+            RETURN_IF_ERROR(m_against.empty()
+                                ? Result<void>()
+                                : AskTheOther(SceneSlug(selection.scene->name), close, picture));
+            strip.pictures.push_back(std::move(picture));
         }
         return strip;
     }
@@ -191,13 +165,10 @@ private:
         {
             return {};
         }
-        Result<Renderer> renderer =
-            Renderer::Create({.width = kWidth, .height = kHeight, .backend = m_backend});
-        if (!renderer)
-        {
-            return renderer.GetError();
-        }
-        m_renderer = *std::move(renderer);
+        ASSIGN_OR_RETURN(
+            Renderer renderer,
+            Renderer::Create({.width = kWidth, .height = kHeight, .backend = m_backend}));
+        m_renderer = std::move(renderer);
         return {};
     }
 
@@ -224,12 +195,8 @@ private:
         session.Fill(content);
         FilmStrip::Picture picture;
         picture.step = session.Step();
-        Result<std::string> whole = Drawn(*m_renderer, content.list, content.camera);
-        if (!whole)
-        {
-            return whole.GetError();
-        }
-        picture.actual = *std::move(whole);
+        ASSIGN_OR_RETURN(std::string whole, Drawn(*m_renderer, content.list, content.camera));
+        picture.actual = std::move(whole);
         const Rect bounds = verdict.firstBodies.empty()
                                 ? Rect{}
                                 : BoundsOf(content.list, verdict.firstBodies.front());
@@ -239,12 +206,8 @@ private:
         }
         picture.mark = MarkOf(bounds, content.camera);
         close = CloseUp(bounds);
-        Result<std::string> part = Drawn(*m_renderer, content.list, *close);
-        if (!part)
-        {
-            return part.GetError();
-        }
-        picture.closeUp = *std::move(part);
+        ASSIGN_OR_RETURN(std::string part, Drawn(*m_renderer, content.list, *close));
+        picture.closeUp = std::move(part);
         return picture;
     }
 
@@ -322,12 +285,8 @@ Result<std::map<std::string, FilmStrip>> MakeStrips(const std::vector<ReportedMo
             strips[verdict.name].earlier = name;
             continue;
         }
-        Result<FilmStrip> strip = maker.Make(*selection, verdict, *verdict.lastStep);
-        if (!strip)
-        {
-            return strip.GetError();
-        }
-        strips[verdict.name] = *std::move(strip);
+        ASSIGN_OR_RETURN(FilmStrip strip, maker.Make(*selection, verdict, *verdict.lastStep));
+        strips[verdict.name] = std::move(strip);
     }
     return strips;
 }

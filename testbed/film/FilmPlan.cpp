@@ -3,6 +3,7 @@
 #include "FilmPapers.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 
 namespace boxreel
 {
@@ -73,22 +74,18 @@ std::string WhyPapersStay(const std::filesystem::path& film, const RecordOptions
 
 Result<FilmPlan> PlanFilm(const RecordOptions& options)
 {
-    const Result<std::int64_t> frameCount = FrameCount(options);
-    if (!frameCount)
-    {
-        return frameCount.GetError();
-    }
+    ASSIGN_OR_RETURN(const std::int64_t frameCount, FrameCount(options));
     FilmPlan plan{.film = options.film,
-                  .frameCount = *frameCount,
-                  .frames = FrameRange(FrameRun{0, *frameCount - 1, 1})};
+                  .frameCount = frameCount,
+                  .frames = FrameRange(FrameRun{0, frameCount - 1, 1})};
     if (options.length.range)
     {
-        plan.frames = options.length.range->Below(*frameCount);
+        plan.frames = options.length.range->Below(frameCount);
         if (plan.frames.Count() == 0)
         {
             return Error{ErrorKind::Unusable, "--frame-range " + options.length.range->Text() +
                                                   ": the film has the frames 0 to " +
-                                                  std::to_string(*frameCount - 1) +
+                                                  std::to_string(frameCount - 1) +
                                                   "; give some of these, or a longer film."};
         }
     }
@@ -107,17 +104,13 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
         return false;
     }
     const std::string remedy = "make that part anew with --force, or choose another place";
-    const Result<FilmPapers> there = ReadPapers(options.output, remedy);
-    if (!there)
+    ASSIGN_OR_RETURN(const FilmPapers there, ReadPapers(options.output, remedy));
+    std::string difference = DifferenceFromAsked(there, options, plan);
+    if (difference.empty() && there.end != plan.frames.Last() + 1)
     {
-        return there.GetError();
+        difference = FramesOf(there);
     }
-    std::string difference = DifferenceFromAsked(*there, options, plan);
-    if (difference.empty() && there->end != plan.frames.Last() + 1)
-    {
-        difference = FramesOf(*there);
-    }
-    if (difference.empty() && ChecksumOfFilm(options.output) != there->checksum)
+    if (difference.empty() && ChecksumOfFilm(options.output) != there.checksum)
     {
         difference = "it is cut off or was altered";
     }

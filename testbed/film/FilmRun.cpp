@@ -2,6 +2,7 @@
 #include "FilmRun.h"
 #include "StopSignals.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <golden/StateHash.h>
 #include <recorder/Recording.h>
@@ -124,55 +125,36 @@ Result<void> FilmRun::OpenPapers()
         return Error{ErrorKind::Failed, "Cannot go on with " + Part().string() +
                                             ": another program is writing it; wait for it."};
     }
-    Result<FilmPapers> left = ReadPapers(Part(), "begin anew with --force");
-    if (!left)
-    {
-        return left.GetError();
-    }
-    const std::string difference = DifferenceOf(*left, m_papers);
-    if (!difference.empty() || left->first != m_papers.first)
+    ASSIGN_OR_RETURN(FilmPapers left, ReadPapers(Part(), "begin anew with --force"));
+    const std::string difference = DifferenceOf(left, m_papers);
+    if (!difference.empty() || left.first != m_papers.first)
     {
         return Error{ErrorKind::Unusable,
                      Part().string() + " is left of another film (" +
                          (difference.empty() ? "it begins with another frame" : difference) +
                          "); give the same command, or begin anew with --force."};
     }
-    m_left = std::move(*left);
+    m_left = std::move(left);
     m_papers.states = m_left.states; // merge asks for the first one
     return {};
 }
 
 Result<void> FilmRun::Open(SceneSource source)
 {
-    if (Result<void> opened = OpenPapers(); !opened)
-    {
-        return opened;
-    }
-    Result<Renderer> renderer = Renderer::Create({.width = m_options.look.width,
-                                                  .height = m_options.look.height,
-                                                  .theme = m_options.look.theme,
-                                                  .backend = m_options.backend});
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
-    m_renderer.emplace(std::move(*renderer));
-    Result<SceneSession> session = OpenSession(std::move(source), m_options.look);
-    if (!session)
-    {
-        return session.GetError();
-    }
-    m_session.emplace(std::move(*session));
+    RETURN_IF_ERROR(OpenPapers());
+    ASSIGN_OR_RETURN(Renderer renderer, Renderer::Create({.width = m_options.look.width,
+                                                          .height = m_options.look.height,
+                                                          .theme = m_options.look.theme,
+                                                          .backend = m_options.backend}));
+    m_renderer.emplace(std::move(renderer));
+    ASSIGN_OR_RETURN(SceneSession session, OpenSession(std::move(source), m_options.look));
+    m_session.emplace(std::move(session));
     // The last, for a writer that goes on with what was left takes that with it when it is given
     // up.
     m_plan.film.stages = Stages();
-    Result<VideoWriter> writer = VideoWriter::Open(m_options.output, m_plan.film);
-    if (!writer)
-    {
-        return writer.GetError();
-    }
-    m_resumed = m_filmed = writer->ResumedFrames();
-    m_writer.emplace(std::move(*writer));
+    ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(m_options.output, m_plan.film));
+    m_resumed = m_filmed = writer.ResumedFrames();
+    m_writer.emplace(std::move(writer));
     m_clock = {m_plan.film.framesPerSecond, m_session->StepsPerSecond(), m_options.pace.speed};
     for (const Condition& condition : m_options.length.until)
     {
@@ -221,10 +203,7 @@ Result<void> FilmRun::Fill(std::int64_t frame, FrameContent& content)
         content.stops = true;
         return {};
     }
-    if (Result<void> noted = NoteState(number); !noted)
-    {
-        return noted;
-    }
+    RETURN_IF_ERROR(NoteState(number));
     Collect(content);
     for (const Condition& condition : m_options.length.until)
     {
@@ -278,10 +257,7 @@ Result<RecordingEnd> FilmRun::Film()
         {.framesDone = m_resumed, .framesTotal = m_plan.frames.Count(), .framesKept = m_resumed});
     if (ThumbnailIsThere())
     {
-        if (Result<void> drawn = DrawThumbnail(); !drawn)
-        {
-            return drawn.GetError();
-        }
+        RETURN_IF_ERROR(DrawThumbnail());
     }
     if (m_resumed == m_plan.frames.Count()) // it was stopped after its last frame
     {
@@ -330,10 +306,7 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
     }
     else if (m_options.output != "-")
     {
-        if (Result<void> suspended = m_writer->Suspend(); !suspended)
-        {
-            return suspended.GetError();
-        }
+        RETURN_IF_ERROR(m_writer->Suspend());
         const bool isSequence = m_hasPapers && !std::filesystem::exists(Part());
         stopped += " after " + std::to_string(m_resumed + framesDone) + " frames; " +
                    (isSequence ? "they" : Part().string()) + " can be looked at" +
@@ -361,10 +334,7 @@ Result<void> FilmRun::FinishPapers()
         Show(m_papers.end);
         m_papers.states[m_papers.end] = StateHashText(m_session->World());
         m_papers.checksum = ChecksumOfFilm(m_options.output);
-        if (Result<void> written = WritePapers(m_options.output, m_papers); !written)
-        {
-            return written;
-        }
+        RETURN_IF_ERROR(WritePapers(m_options.output, m_papers));
     }
     return {};
 }
@@ -377,10 +347,7 @@ Result<void> FilmRun::WriteThumbnail()
     }
     if (m_thumbnail.rgba.empty()) // the film ended earlier: its last frame
     {
-        if (Result<void> read = m_renderer->Read(m_thumbnail); !read)
-        {
-            return read;
-        }
+        RETURN_IF_ERROR(m_renderer->Read(m_thumbnail));
     }
     return WritePng(m_options.thumbnail.file, m_thumbnail, {.overwrite = m_plan.film.overwrite});
 }
@@ -394,14 +361,8 @@ std::string FilmRun::StageText() const
 
 Result<int> FilmRun::Finished()
 {
-    if (Result<void> finished = FinishPapers(); !finished)
-    {
-        return finished.GetError();
-    }
-    if (Result<void> written = WriteThumbnail(); !written)
-    {
-        return written.GetError();
-    }
+    RETURN_IF_ERROR(FinishPapers());
+    RETURN_IF_ERROR(WriteThumbnail());
     m_progress.Finish(ReportOf(m_options, m_filmed, m_progress.Seconds()));
     if (!m_options.length.until.empty() && !m_hasEndedByItself)
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "MotionChoice.h"
 
+#include <base/ErrorMacros.h>
+
 #include <cmath>
 
 namespace boxreel
@@ -73,16 +75,12 @@ Result<std::vector<Value>> ParseGrowing(const std::string& option, const std::st
         {
             return Refusal(option, text, "one is missing beside a comma");
         }
-        const Result<Value> value = parse(part);
-        if (!value)
-        {
-            return value.GetError();
-        }
-        if (!values.empty() && !(values.back() < *value))
+        ASSIGN_OR_RETURN(const Value value, parse(part));
+        if (!values.empty() && !(values.back() < value))
         {
             return Refusal(option, text, "several must grow; give the earliest first");
         }
-        values.push_back(*value);
+        values.push_back(value);
     }
     if (values.size() > kMostMoments)
     {

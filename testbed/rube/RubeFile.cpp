@@ -7,6 +7,7 @@
 #include "RubeText.h"
 #include "RubeTraps.h"
 
+#include <base/ErrorMacros.h>
 #include <base/ReadWhole.h>
 
 #include <algorithm>
@@ -140,12 +141,8 @@ Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
 Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::string& source,
                                            std::vector<std::string>& leftOut)
 {
-    Result<RubeScene> content = ParseRubeScene(text, source);
-    if (!content)
-    {
-        return content.GetError();
-    }
-    auto scene = std::make_unique<RubeFileScene>(std::move(*content), leftOut);
+    ASSIGN_OR_RETURN(RubeScene content, ParseRubeScene(text, source));
+    auto scene = std::make_unique<RubeFileScene>(std::move(content), leftOut);
     if (IsTooCrowded(scene->World()))
     {
         return Error{ErrorKind::Unusable,

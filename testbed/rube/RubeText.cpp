@@ -3,6 +3,8 @@
 
 #include "RubeJson.h"
 
+#include <base/ErrorMacros.h>
+
 #include <cstdint>
 
 namespace boxreel
@@ -395,12 +397,8 @@ bool IsReadableMass(const b2MassData& data)
 
 Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& source)
 {
-    const Result<JsonDocument> document = JsonDocument::Parse(text, source);
-    if (!document)
-    {
-        return document.GetError();
-    }
-    const JsonValue root = document->Root();
+    ASSIGN_OR_RETURN(const JsonDocument document, JsonDocument::Parse(text, source));
+    const JsonValue root = document.Root();
     RubeScene scene;
     ReadWorld(root, scene);
     // Any JSON object would do as an empty scene; a foreign file is better told so.
@@ -420,9 +418,9 @@ Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& sourc
         scene.images.push_back(ReadImage(images.Item(i), scene.bodies.size()));
     }
     scene.properties = root.Member("customProperties").Raw();
-    if (document->Complaint())
+    if (document.Complaint())
     {
-        return *document->Complaint();
+        return *document.Complaint();
     }
     return scene;
 }

@@ -4,6 +4,8 @@
 #include "RubeJson.h"
 #include "RubeNames.h"
 
+#include <base/ErrorMacros.h>
+
 namespace boxreel
 {
 
@@ -138,25 +140,21 @@ private:
 
 Result<std::vector<std::string>> RubeTraps(std::string_view text, const std::string& source)
 {
-    const Result<JsonDocument> document = JsonDocument::Parse(text, source);
-    if (!document)
-    {
-        return document.GetError();
-    }
+    ASSIGN_OR_RETURN(const JsonDocument document, JsonDocument::Parse(text, source));
     Finder finder;
-    const JsonValue bodies = document->Root().Member("body");
+    const JsonValue bodies = document.Root().Member("body");
     for (std::size_t i = 0; i < bodies.Count(); ++i)
     {
         finder.LookAtBody(i, bodies.Item(i));
     }
-    const JsonValue joints = document->Root().Member("joint");
+    const JsonValue joints = document.Root().Member("joint");
     for (std::size_t i = 0; i < joints.Count(); ++i)
     {
         finder.LookAtJoint(i, joints.Item(i));
     }
-    if (document->Complaint())
+    if (document.Complaint())
     {
-        return *document->Complaint();
+        return *document.Complaint();
     }
     return finder.Finish();
 }

@@ -3,6 +3,7 @@
 #include "ScriptSettings.h"
 #include "ScriptWords.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 #include <base/Quoting.h>
 #include <base/ReadWhole.h>
@@ -191,12 +192,8 @@ Result<void> Parser::TakeMouse(const std::string& verb, ScriptAction action, Wor
                                     : Kind::Drop;
     if (action.kind != Kind::Drop)
     {
-        const Result<b2Vec2> point = TakePair(words, verb, "3.5,4");
-        if (!point)
-        {
-            return point.GetError();
-        }
-        action.point = *point;
+        ASSIGN_OR_RETURN(const b2Vec2 point, TakePair(words, verb, "3.5,4"));
+        action.point = point;
     }
     m_script.actions.push_back(action);
     return CheckEnd(words, verb);
@@ -207,11 +204,7 @@ Result<void> Parser::TakeBomb(ScriptAction action, Words& words)
     action.kind = ScriptAction::Kind::Bomb;
     if (!words.IsEmpty())
     {
-        const Result<b2Vec2> place = TakePair(words, "bomb", "0,30 5,-40");
-        if (!place)
-        {
-            return place.GetError();
-        }
+        ASSIGN_OR_RETURN(const b2Vec2 place, TakePair(words, "bomb", "0,30 5,-40"));
         const Result<b2Vec2> velocity = TakePair(words, "bomb", "0,30 5,-40");
         if (!velocity)
         {
@@ -219,7 +212,7 @@ Result<void> Parser::TakeBomb(ScriptAction action, Words& words)
                             "neither.");
         }
         action.kind = ScriptAction::Kind::Sling;
-        action.point = *place;
+        action.point = place;
         action.velocity = *velocity;
     }
     m_script.actions.push_back(action);
@@ -230,12 +223,9 @@ Result<void> Parser::TakeSetting(ScriptAction action, Words& words)
 {
     action.kind = ScriptAction::Kind::Set;
     action.name = words.IsEmpty() ? "" : words.Take();
-    const Result<int> value = ParseSetting(action.name, words.IsEmpty() ? "" : words.Take());
-    if (!value)
-    {
-        return value.GetError();
-    }
-    action.value = *value;
+    ASSIGN_OR_RETURN(const int value,
+                     ParseSetting(action.name, words.IsEmpty() ? "" : words.Take()));
+    action.value = value;
     m_script.actions.push_back(action);
     return CheckEnd(words, "set");
 }
@@ -333,24 +323,16 @@ Result<void> Parser::TakeProduct(const std::string& verb, std::optional<ScriptMo
 /// "at TIME VERB …", "at TIME to TIME drag X,Y".
 Result<void> Parser::TakeAt(Words& words)
 {
-    const Result<ScriptMoment> at = TakeMoment(words, "at");
-    if (!at)
-    {
-        return at.GetError();
-    }
+    ASSIGN_OR_RETURN(const ScriptMoment at, TakeMoment(words, "at"));
     ScriptAction action;
     action.line = m_line;
-    action.at = *at;
+    action.at = at;
     const bool hasEnd = words.NextIs("to");
     if (hasEnd)
     {
         words.Take();
-        const Result<ScriptMoment> until = TakeMoment(words, "to");
-        if (!until)
-        {
-            return until.GetError();
-        }
-        action.until = *until;
+        ASSIGN_OR_RETURN(const ScriptMoment until, TakeMoment(words, "to"));
+        action.until = until;
     }
     static const std::vector<std::string> kVerbs{
         "press",  "release", "tap",   "grab", "move", "drag", "drop",   "bomb",  "shift",
@@ -377,7 +359,7 @@ Result<void> Parser::TakeAt(Words& words)
     }
     if (verb == "press" || verb == "release" || verb == "tap")
     {
-        return TakeKey(verb, *at, words);
+        return TakeKey(verb, at, words);
     }
     if (verb == "bomb")
     {
@@ -393,13 +375,13 @@ Result<void> Parser::TakeAt(Words& words)
     }
     if (verb == "camera")
     {
-        return TakeCamera(*at, words);
+        return TakeCamera(at, words);
     }
     if (verb == "expect")
     {
-        return TakeExpectation(*at, words);
+        return TakeExpectation(at, words);
     }
-    return verb == "shot" || verb == "golden" ? TakeProduct(verb, *at, words)
+    return verb == "shot" || verb == "golden" ? TakeProduct(verb, at, words)
                                               : TakeMouse(verb, action, words);
 }
 

@@ -3,6 +3,8 @@
 
 #include "ScriptSettings.h"
 
+#include <base/ErrorMacros.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -126,21 +128,12 @@ Result<ScriptInput> ScriptInput::Create(const Script& script, const Rational& st
     ScriptInput input;
     for (const ScriptAction& action : script.actions)
     {
-        if (const Result<void> known = CheckKey(script, action, scene); !known)
-        {
-            return known.GetError();
-        }
-        if (const Result<void> added = input.Add(script, action, stepsPerSecond); !added)
-        {
-            return added.GetError();
-        }
+        RETURN_IF_ERROR(CheckKey(script, action, scene));
+        RETURN_IF_ERROR(input.Add(script, action, stepsPerSecond));
     }
     std::stable_sort(input.m_events.begin(), input.m_events.end(),
                      [](const Event& a, const Event& b) { return a.step < b.step; });
-    if (const Result<void> followed = input.FollowMouse(script); !followed)
-    {
-        return followed.GetError();
-    }
+    RETURN_IF_ERROR(input.FollowMouse(script));
     return input;
 }
 

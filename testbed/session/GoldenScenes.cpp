@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "GoldenScenes.h"
 
+#include <base/ErrorMacros.h>
 #include <golden/StateHash.h>
 #include <options/Values.h>
 
@@ -58,18 +59,10 @@ Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& sessi
     candidate.state = ReadWorldState(session.World());
     candidate.trace = std::move(trace);
     candidate.renderer = renderer.Description();
-    const Result<std::string> fingerprint = renderer.Fingerprint();
-    if (!fingerprint)
-    {
-        return fingerprint.GetError();
-    }
-    candidate.fingerprint = *fingerprint;
+    ASSIGN_OR_RETURN(const std::string fingerprint, renderer.Fingerprint());
+    candidate.fingerprint = fingerprint;
     candidate.camera = content.camera;
-    const Result<void> drawn = renderer.Draw(content.list, content.camera, candidate.frame);
-    if (!drawn)
-    {
-        return drawn.GetError();
-    }
+    RETURN_IF_ERROR(renderer.Draw(content.list, content.camera, candidate.frame));
     candidate.list = std::move(content.list);
     return candidate;
 }
@@ -78,18 +71,10 @@ Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& sessi
 Result<void> VisitFilm(const GoldenFilm& film, const Renderer& renderer,
                        const std::function<Result<void>(const GoldenCandidate&)>& visit)
 {
-    Result<ContactSheet> sheet = ContactSheetOf(film.path, film.sheet);
-    if (!sheet)
-    {
-        return sheet.GetError();
-    }
-    const Result<std::string> fingerprint = renderer.Fingerprint();
-    if (!fingerprint)
-    {
-        return fingerprint.GetError();
-    }
-    GoldenCandidate candidate = CandidateOf(*std::move(sheet), film.name);
-    candidate.fingerprint = *fingerprint;
+    ASSIGN_OR_RETURN(ContactSheet sheet, ContactSheetOf(film.path, film.sheet));
+    ASSIGN_OR_RETURN(const std::string fingerprint, renderer.Fingerprint());
+    GoldenCandidate candidate = CandidateOf(std::move(sheet), film.name);
+    candidate.fingerprint = fingerprint;
     return visit(candidate);
 }
 
@@ -120,12 +105,8 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
         return GoldenSelection{.scene = *scene};
     }
     const std::size_t slash = name.rfind('/');
-    const Result<const SceneEntry*> scene = FindScene(name.substr(0, slash));
-    if (!scene)
-    {
-        return scene.GetError();
-    }
-    GoldenSelection selection{.scene = *scene, .moment = name.substr(slash + 1)};
+    ASSIGN_OR_RETURN(const SceneEntry* const scene, FindScene(name.substr(0, slash)));
+    GoldenSelection selection{.scene = scene, .moment = name.substr(slash + 1)};
     std::string moments;
     for (const Moment& moment : kMoments)
     {
@@ -147,26 +128,18 @@ Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& rend
     {
         return VisitFilm(*selection.film, renderer, visit);
     }
-    Result<SceneSession> session = OpenGolden(selection);
-    if (!session)
-    {
-        return session.GetError();
-    }
+    ASSIGN_OR_RETURN(SceneSession session, OpenGolden(selection));
     for (const Moment& moment : kMoments)
     {
-        StateTrace trace = Advance(*session, StepAt(moment.time, session->StepsPerSecond()));
+        StateTrace trace = Advance(session, StepAt(moment.time, session.StepsPerSecond()));
         if (!selection.moment.empty() && selection.moment != moment.name)
         {
             continue;
         }
-        const Result<GoldenCandidate> candidate =
-            CandidateAt(SceneSlug(selection.scene->name) + "/" + moment.name, *session,
-                        std::move(trace), renderer);
-        if (!candidate)
-        {
-            return candidate.GetError();
-        }
-        Result<void> visited = visit(*candidate);
+        ASSIGN_OR_RETURN(const GoldenCandidate candidate,
+                         CandidateAt(SceneSlug(selection.scene->name) + "/" + moment.name, session,
+                                     std::move(trace), renderer));
+        Result<void> visited = visit(candidate);
         if (!visited)
         {
             return visited;
@@ -181,19 +154,11 @@ Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection
 {
     std::vector<GoldenVerdict> verdicts;
     const auto verify = [&](const GoldenCandidate& candidate) -> Result<void> {
-        Result<GoldenVerdict> verdict = store.Verify(candidate, settings);
-        if (!verdict)
-        {
-            return verdict.GetError();
-        }
-        verdicts.push_back(std::move(*verdict));
+        ASSIGN_OR_RETURN(GoldenVerdict verdict, store.Verify(candidate, settings));
+        verdicts.push_back(std::move(verdict));
         return {};
     };
-    const Result<void> visited = VisitGoldenMoments(selection, renderer, verify);
-    if (!visited)
-    {
-        return visited.GetError();
-    }
+    RETURN_IF_ERROR(VisitGoldenMoments(selection, renderer, verify));
     return verdicts;
 }
 
@@ -203,60 +168,44 @@ Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection
 {
     std::vector<GoldenVerdict> accepted;
     const auto accept = [&](const GoldenCandidate& candidate) -> Result<void> {
-        Result<GoldenVerdict> verdict = store.Judge(candidate);
-        if (!verdict)
-        {
-            return verdict.GetError();
-        }
-        if (acceptance.forThisRenderer && verdict->status == GoldenStatus::Same &&
+        ASSIGN_OR_RETURN(GoldenVerdict verdict, store.Judge(candidate));
+        if (acceptance.forThisRenderer && verdict.status == GoldenStatus::Same &&
             !store.HasOwnPicture(candidate.name, candidate.renderer))
         {
-            verdict->status = GoldenStatus::Missing;
-            verdict->message = candidate.name + ": this renderer had no picture of its own.";
+            verdict.status = GoldenStatus::Missing;
+            verdict.message = candidate.name + ": this renderer had no picture of its own.";
         }
-        const bool isMissing = verdict->status == GoldenStatus::Missing;
-        const bool isSame = verdict->status == GoldenStatus::Same;
+        const bool isMissing = verdict.status == GoldenStatus::Missing;
+        const bool isSame = verdict.status == GoldenStatus::Same;
         const GoldenFilter only = acceptance.only;
         if ((only == GoldenFilter::Missing && !isMissing) ||
             (only == GoldenFilter::Changed && (isMissing || isSame)))
         {
             return {};
         }
-        accepted.push_back(*std::move(verdict));
+        accepted.push_back(std::move(verdict));
         return store.Accept(candidate, acceptance.forThisRenderer ? AcceptAs::ForThisRenderer
                                                                   : AcceptAs::TheOneCompared);
     };
-    const Result<void> visited = VisitGoldenMoments(selection, renderer, accept);
-    if (!visited)
-    {
-        return visited.GetError();
-    }
+    RETURN_IF_ERROR(VisitGoldenMoments(selection, renderer, accept));
     return accepted;
 }
 
 Result<std::int64_t> LastStepOf(const GoldenSelection& selection)
 {
-    const Result<SceneSession> session = OpenGolden(selection);
-    if (!session)
-    {
-        return session.GetError();
-    }
-    return LastStep(selection, session->StepsPerSecond());
+    ASSIGN_OR_RETURN(const SceneSession session, OpenGolden(selection));
+    return LastStep(selection, session.StepsPerSecond());
 }
 
 Result<GoldenRun> SimulateGolden(const GoldenSelection& selection,
                                  std::optional<std::int64_t> lastStep)
 {
-    Result<SceneSession> session = OpenGolden(selection);
-    if (!session)
-    {
-        return session.GetError();
-    }
+    ASSIGN_OR_RETURN(SceneSession session, OpenGolden(selection));
     GoldenRun run;
     run.trace =
-        Advance(*session, lastStep ? *lastStep : LastStep(selection, session->StepsPerSecond()));
-    run.stateHash = StateHashText(session->World());
-    run.state = ReadWorldState(session->World());
+        Advance(session, lastStep ? *lastStep : LastStep(selection, session.StepsPerSecond()));
+    run.stateHash = StateHashText(session.World());
+    run.state = ReadWorldState(session.World());
     return run;
 }
 

@@ -2,6 +2,7 @@
 #include "SceneMotion.h"
 #include "SceneLabels.h"
 
+#include <base/ErrorMacros.h>
 #include <debugdraw/Axes.h>
 #include <debugdraw/Dimension.h>
 #include <debugdraw/DrawCollector.h>
@@ -81,10 +82,7 @@ Result<void> CheckAllBodies(const MotionLook& look, int made)
         {"--dimension", MeasuredBodies(look)}};
     for (const auto& [option, numbers] : named)
     {
-        if (const Result<void> found = CheckBodies(option, made, numbers); !found)
-        {
-            return found;
-        }
+        RETURN_IF_ERROR(CheckBodies(option, made, numbers));
     }
     return {};
 }
@@ -121,10 +119,7 @@ Result<MotionLook> WithNumbers(MotionLook look, const BodyNames& names)
         {"--dimension", measured}};
     for (const auto& [option, bodies] : named)
     {
-        if (const Result<void> found = FindNames(option, bodies, names); !found)
-        {
-            return found.GetError();
-        }
+        RETURN_IF_ERROR(FindNames(option, bodies, names));
     }
     return look;
 }
@@ -134,12 +129,8 @@ Result<MotionLook> WithNumbers(MotionLook look, const BodyNames& names)
 Result<SceneMotion> SceneMotion::Create(const MotionLook& asked, SceneSession& session,
                                         const std::vector<std::int64_t>& moments)
 {
-    const Result<MotionLook> numbered = WithNumbers(asked, session.Names());
-    if (!numbered)
-    {
-        return numbered.GetError();
-    }
-    const MotionLook& look = *numbered;
+    ASSIGN_OR_RETURN(const MotionLook numbered, WithNumbers(asked, session.Names()));
+    const MotionLook& look = numbered;
     const int made = CountMade(session.World());
     if (const Result<void> found = CheckAllBodies(look, made);
         !found && !session.MakesBodiesLater())
@@ -360,10 +351,7 @@ DrawList SceneMotion::Picture(SceneSession& session, const DrawList& scene) cons
 
 Result<void> SceneMotion::CheckBodiesCame() const
 {
-    if (const Result<void> came = CheckAllBodies(m_look, m_made); !came)
-    {
-        return came;
-    }
+    RETURN_IF_ERROR(CheckAllBodies(m_look, m_made));
     for (const int body : MeasuredBodies(m_look))
     {
         if (!m_measured.contains(body))

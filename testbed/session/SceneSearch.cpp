@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SceneSearch.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 #include <rube/RubeFile.h>
 
@@ -58,12 +59,8 @@ const SceneEntry* SceneOfKey(const std::string& key)
 Result<SceneSource> OpenFile(const std::filesystem::path& file)
 {
     SceneSource source;
-    Result<std::unique_ptr<Scene>> scene = LoadRubeScene(file, source.leftOut);
-    if (!scene)
-    {
-        return scene.GetError();
-    }
-    source.scene = std::move(*scene);
+    ASSIGN_OR_RETURN(std::unique_ptr<Scene> scene, LoadRubeScene(file, source.leftOut));
+    source.scene = std::move(scene);
     source.asked = file.string();
     source.title = file.stem().string();
     return source;

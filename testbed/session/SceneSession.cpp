@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SceneSession.h"
 
+#include <base/ErrorMacros.h>
 #include <debugdraw/DrawCollector.h>
 #include <debugdraw/Faded.h>
 
@@ -121,38 +122,24 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
     {
         view = PreferredView(*source.scene, double(WidthBesidePanels(look)) / look.height);
     }
-    if (const Result<void> found = FindNames("--camera", BodiesOf(view), source.scene->Names());
-        !found)
-    {
-        return found.GetError();
-    }
-    const Result<SceneCamera> camera =
-        SceneCamera::Create(view, source.scene->World(), WidthBesidePanels(look), look.height,
-                            MakesBodies(*source.scene, look), source.scene->Framed());
-    if (!camera)
-    {
-        return camera.GetError();
-    }
-    SceneSession session(std::move(source), look, *camera);
+    RETURN_IF_ERROR(FindNames("--camera", BodiesOf(view), source.scene->Names()));
+    ASSIGN_OR_RETURN(const SceneCamera camera,
+                     SceneCamera::Create(view, source.scene->World(), WidthBesidePanels(look),
+                                         look.height, MakesBodies(*source.scene, look),
+                                         source.scene->Framed()));
+    SceneSession session(std::move(source), look, camera);
     if (look.script != nullptr)
     {
-        const Result<ScriptInput> input =
-            ScriptInput::Create(*look.script, session.m_stepsPerSecond, *session.m_scene);
-        if (!input)
-        {
-            return input.GetError();
-        }
-        session.m_input = *input;
+        ASSIGN_OR_RETURN(
+            const ScriptInput input,
+            ScriptInput::Create(*look.script, session.m_stepsPerSecond, *session.m_scene));
+        session.m_input = input;
     }
     if (look.hud)
     {
         const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
-        Result<Hud> hud = Hud::Create(size.width, size.height, look.scale);
-        if (!hud)
-        {
-            return hud.GetError();
-        }
-        session.m_hud.emplace(std::move(*hud));
+        ASSIGN_OR_RETURN(Hud hud, Hud::Create(size.width, size.height, look.scale));
+        session.m_hud.emplace(std::move(hud));
     }
     return session;
 }
@@ -284,17 +271,13 @@ Result<void> SceneSession::Replace(SceneSource source, const SceneLook& look)
 {
     SceneLook begun = look;
     begun.script = nullptr; // whose actions were understood for the first scene
-    Result<SceneSession> other = Open(std::move(source), begun);
-    if (!other)
-    {
-        return other.GetError();
-    }
-    other->m_look.script = look.script;
-    other->m_input = std::move(m_input);
-    other->m_step = m_step;
-    other->m_isPaused = m_isPaused;
-    other->m_companion = std::move(m_companion);
-    *this = std::move(*other);
+    ASSIGN_OR_RETURN(SceneSession other, Open(std::move(source), begun));
+    other.m_look.script = look.script;
+    other.m_input = std::move(m_input);
+    other.m_step = m_step;
+    other.m_isPaused = m_isPaused;
+    other.m_companion = std::move(m_companion);
+    *this = std::move(other);
     return {};
 }
 

@@ -2,6 +2,7 @@
 // Panels without a window: what a script does with them, step by step.
 #include "SessionPanels.h"
 
+#include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 
 #include <algorithm>
@@ -297,12 +298,8 @@ Result<std::shared_ptr<SessionCompanion>> CreateScriptedPanels(const SceneLook& 
                                                                const SceneSession& session)
 {
     const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
-    Result<Panels> panels = Panels::Create(size.width, size.height, look.scale);
-    if (!panels)
-    {
-        return panels.GetError();
-    }
-    auto companion = std::make_shared<ScriptedPanels>(std::move(*panels), look);
+    ASSIGN_OR_RETURN(Panels panels, Panels::Create(size.width, size.height, look.scale));
+    auto companion = std::make_shared<ScriptedPanels>(std::move(panels), look);
     companion->Begin(session);
     return std::shared_ptr<SessionCompanion>(std::move(companion));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "SessionPanels.h"
 
+#include <base/ErrorMacros.h>
+
 #include <cmath>
 #include <utility>
 
@@ -112,12 +114,9 @@ Result<SceneSession> OpenSession(SceneSource source, SceneLook look)
     {
         return session;
     }
-    Result<std::shared_ptr<SessionCompanion>> panels = CreateScriptedPanels(look, *session);
-    if (!panels)
-    {
-        return panels.GetError();
-    }
-    session->SetCompanion(std::move(*panels));
+    ASSIGN_OR_RETURN(std::shared_ptr<SessionCompanion> panels,
+                     CreateScriptedPanels(look, *session));
+    session->SetCompanion(std::move(panels));
     return session;
 }
 

@@ -3,6 +3,7 @@
 
 #include <base/AtomicFile.h>
 #include <base/Bytes.h>
+#include <base/ErrorMacros.h>
 #include <base/ReadWhole.h>
 #include <base/Terminal.h>
 
@@ -221,22 +222,15 @@ void SnapshotFolder::Begin(SceneSession& session, std::int64_t latest)
 
 Result<void> SnapshotFolder::Write(SceneSession& session) const
 {
-    Result<AtomicFile> file =
-        AtomicFile::Create(PathOf(session.Step()), {.overwrite = true, .mark = OwnMark()});
-    if (!file)
-    {
-        return file.GetError();
-    }
+    ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(PathOf(session.Step()),
+                                                         {.overwrite = true, .mark = OwnMark()}));
     const std::vector<std::uint8_t> state = session.SaveState();
     const std::string heading = Heading(session.Step()) + SumLine(state);
     for (const std::span<const std::uint8_t> bytes : {BytesOf(heading), std::span(state)})
     {
-        if (Result<void> written = file->Write(bytes); !written)
-        {
-            return written;
-        }
+        RETURN_IF_ERROR(file.Write(bytes));
     }
-    return file->Commit();
+    return file.Commit();
 }
 
 void SnapshotFolder::Offer(SceneSession& session)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Workbench.h"
 
+#include <base/ErrorMacros.h>
 #include <golden/StateHash.h>
 #include <script/ScriptSettings.h>
 
@@ -38,19 +39,11 @@ Result<Workbench> Workbench::Open(SceneSource source, const WorkbenchSettings& s
     {
         first.stepsPerSecond = Rational{settings.choices.solver.hertz, 1};
     }
-    Result<SceneSession> session = SceneSession::Open(std::move(source), first);
-    if (!session)
-    {
-        return session.GetError();
-    }
+    ASSIGN_OR_RETURN(SceneSession session, SceneSession::Open(std::move(source), first));
     const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
-    Result<Panels> panels = Panels::Create(size.width, size.height, look.scale);
-    if (!panels)
-    {
-        return panels.GetError();
-    }
-    bench.m_session.emplace(std::move(*session));
-    bench.m_panels.emplace(std::move(*panels));
+    ASSIGN_OR_RETURN(Panels panels, Panels::Create(size.width, size.height, look.scale));
+    bench.m_session.emplace(std::move(session));
+    bench.m_panels.emplace(std::move(panels));
     if (!keeps)
     {
         bench.m_choices.solver = SolverOf(*bench.m_session);
