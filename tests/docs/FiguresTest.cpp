@@ -66,14 +66,6 @@ TEST(Figures, HaveNoStaleOnesAmongThem)
     }
 }
 
-TEST(Figures, AreSmallEnoughForARepository)
-{
-    for (const std::string& name : DrawnNames(kFigures))
-    {
-        EXPECT_LT(std::filesystem::file_size(kFigures / name), 40'000u) << name;
-    }
-}
-
 TEST(Figures, AreDrawnAloneWhenTheyAreNamed)
 {
     const TemporaryFolder drawn;
