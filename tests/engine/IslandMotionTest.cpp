@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "JointScene.h"
 
-#include <Dynamics/IslandMotion.h>
-#include <Dynamics/SolverArrays.h>
-#include <Dynamics/World.h>
+#include <Dynamics/Energy/IslandMotion.h>
+#include <Dynamics/Solver/SolverMemory.h>
+#include <Dynamics/State/World.h>
 
 /// What an island loses: first what moves within it, then the motion of the whole.
 namespace

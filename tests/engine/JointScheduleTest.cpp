@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
 
+#include <Common/WideInstructions.h>
 #include <Dynamics/Joints/JointSchedule.h>
 #include <Dynamics/Solver/ContactBlocks.h>
 #include <Dynamics/State/Access.h>

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+/// @file
+/// Numbers with their nouns.
 namespace boxreel
 {
 

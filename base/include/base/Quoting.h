@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+/// @file
 /// Text made safe for the place it is put into.
 namespace boxreel
 {

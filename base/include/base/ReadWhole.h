@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+/// @file
+/// Files, read at once.
 namespace boxreel
 {
 

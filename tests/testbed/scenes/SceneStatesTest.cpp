@@ -4,6 +4,7 @@
 #include <golden/StateHash.h>
 #include <scenes/Scene.h>
 
+#include <Common/WideInstructions.h>
 #include <Dynamics/Solver/ContactBlocks.h>
 
 #include <gtest/gtest.h>
