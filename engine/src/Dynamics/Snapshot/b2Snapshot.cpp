@@ -63,12 +63,13 @@ void VisitWorld(Archive& archive, World& world)
     // The program's own: owner, filters, listeners, drawing, profile and threads. Counts follow
     // from the lists, pairs from the contacts; the rest is scratch.
     auto& [owner, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
-           oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads, bodyList, jointList, contactList, bodyCount,
-           jointCount, gearCount, inactiveCount, contactCount, bodyNumber, jointNumber, gravity,
-           defaultFilter, filter, listener, destructionListener, debugDraw, subStepCount,
-           lastSubSteps, inverseStep, stepNumber, profile, contactManager, profiling, allowSleep,
-           warmStarting, continuousPhysics, subStepping, stepComplete, autoClearForces, locked,
-           forcesApplied, hasBullets, filtersChanged, sweepsTurned] = world;
+           oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads, bodyList,
+           jointList, contactList, bodyCount, jointCount, gearCount, inactiveCount, contactCount,
+           bodyNumber, jointNumber, gravity, defaultFilter, filter, listener, destructionListener,
+           debugDraw, subStepCount, lastSubSteps, inverseStep, stepNumber, profile, contactManager,
+           profiling, allowSleep, warmStarting, continuousPhysics, subStepping, stepComplete,
+           autoClearForces, locked, forcesApplied, hasBullets, filtersChanged, sweepsTurned] =
+        world;
     archive(bodyNumber, jointNumber, inactiveCount, gravity);
     archive.Within(subStepCount, 1, kMostSubSteps);
     archive.Within(lastSubSteps, 1, kMostSubSteps);
