@@ -68,25 +68,19 @@ bool IsToBeAccepted(const GoldenVerdict& verdict, GoldenAccept accept)
            (status == GoldenStatus::Missing) == (accept == GoldenAccept::Missing);
 }
 
-/// The verdict speaks of the program; a test has another way to be accepted.
-std::string MessageOfTest(const GoldenVerdict& verdict)
+/// A test has another way to accept than the program.
+std::string RemedyOfTest(const GoldenVerdict& verdict)
 {
-    if (verdict.status == GoldenStatus::NotCompared && verdict.accept.empty())
-    {
-        return verdict.message;
-    }
     const bool isMissing = verdict.status == GoldenStatus::Missing;
-    const std::string remedy = std::string("run this test once with BOXREEL_GOLDEN_ACCEPT=") +
-                               (isMissing ? "missing" : "changed") + " in the environment.";
-    return verdict.accept.empty() ? verdict.message + " If the change is right, " + remedy
-                                  : WithRemedy(verdict, remedy);
+    return std::string("run this test once with BOXREEL_GOLDEN_ACCEPT=") +
+           (isMissing ? "missing" : "changed") + " in the environment";
 }
 
 /// A person who accepts still looks before it is committed.
 std::string WhatWasAccepted(const GoldenVerdict& verdict)
 {
     return verdict.status == GoldenStatus::Missing ? verdict.name + ": there was no reference."
-                                                   : verdict.message;
+                                                   : verdict.Text();
 }
 
 /// Names a folder, so nothing else may be in it.
@@ -183,7 +177,7 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
     }
     if (verdict->status == GoldenStatus::Same)
     {
-        return {true, verdict->message, ""};
+        return {true, verdict->Text(), ""};
     }
     const bool isWanted = IsToBeAccepted(*verdict, settings.accept);
     if (isWanted && accepted.insert(candidate.name).second)
@@ -202,12 +196,12 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
         {
             return {false, noted.GetError().Text(), ""};
         }
-        return {true, verdict->message, "accepted  " + WhatWasAccepted(*verdict) + "\n"};
+        return {true, verdict->Text(), "accepted  " + WhatWasAccepted(*verdict) + "\n"};
     }
-    const std::string message =
-        isWanted ? verdict->message + " A candidate of this name was accepted in the same run; "
-                                      "give each check a name of its own."
-                 : MessageOfTest(*verdict);
+    const std::string message = isWanted
+                                    ? verdict->Text("give each check a name of its own: one of "
+                                                    "this name was accepted in the same run")
+                                    : verdict->Text(RemedyOfTest(*verdict));
     return {false, message, settings.attach ? Attachments(settings.output, candidate.name) : ""};
 }
 

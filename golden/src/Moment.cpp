@@ -48,7 +48,7 @@ struct Kept
 
 Error Damaged(const Kept& kept, const std::string& what)
 {
-    return Error{ErrorKind::Unusable, kept.path + what + "; restore it."};
+    return Error{ErrorKind::Unusable, kept.path, what, "restore it"};
 }
 
 Result<Kept> Read(const fs::path& root, const fs::path& relative)
@@ -62,7 +62,7 @@ Result<Kept> Read(const fs::path& root, const fs::path& relative)
     // A checkout may convert them, and then every line would differ without looking different.
     if (kept.text && kept.text->find("\r\n") != std::string::npos)
     {
-        return Damaged(kept, " has lines that end in CR LF (give its folder the attribute -text in "
+        return Damaged(kept, "has lines that end in CR LF (give its folder the attribute -text in "
                              ".gitattributes)");
     }
     return kept;
@@ -81,12 +81,12 @@ Result<void> ReadState(const fs::path& root, const std::string& name, Moment& mo
     if (text.size() < 17 || text[16] != '\n' ||
         !std::all_of(text.begin(), text.begin() + 16, isDigit))
     {
-        return Damaged(*kept, " does not begin with a state of 16 hex digits");
+        return Damaged(*kept, "does not begin with a state of 16 hex digits");
     }
     Result<WorldState> bodies = ParseWorldState(std::string_view(text).substr(17));
     if (!bodies)
     {
-        return Damaged(*kept, ": " + bodies.GetError().Text());
+        return Damaged(*kept, bodies.GetError().Text());
     }
     moment.state = text.substr(0, 16);
     moment.bodies = *std::move(bodies);
@@ -103,11 +103,11 @@ Result<void> ReadTrace(const fs::path& root, const std::string& name, Moment& mo
     Result<StateTrace> trace = ParseStateTrace(*kept->text);
     if (!trace)
     {
-        return Damaged(*kept, ": " + trace.GetError().Text());
+        return Damaged(*kept, trace.GetError().Text());
     }
     if (trace->steps.empty())
     {
-        return Damaged(*kept, " has no step");
+        return Damaged(*kept, "has no step");
     }
     moment.trace = *std::move(trace);
     return {};

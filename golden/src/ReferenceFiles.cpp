@@ -34,7 +34,7 @@ bool IsInside(const fs::path& root, const fs::path& path)
 
 Error CannotRead(const fs::path& path, const std::string& why)
 {
-    return Error{ErrorKind::Unusable, "Cannot read " + path.string() + ": " + why + "."};
+    return Error{ErrorKind::Unusable, path.string(), "cannot be read: " + why};
 }
 
 fs::path Packed(fs::path pathTxt)
@@ -85,9 +85,9 @@ Result<fs::path> PathInside(const fs::path& root, const fs::path& relative)
         const fs::path target = code ? fs::path() : fs::canonical(here, code);
         if (code || !IsInside(realRoot, target))
         {
-            return Error{ErrorKind::Unusable, "The link " + here.string() +
-                                                  " does not lead to a place in " + root.string() +
-                                                  "; remove it."};
+            return Error{ErrorKind::Unusable, here.string(),
+                         "is a link that does not lead to a place in " + root.string(),
+                         "remove it"};
         }
     }
     return here;

@@ -9,6 +9,7 @@
 #include "Moment.h"
 #include "ReferenceFiles.h"
 #include "TextDifference.h"
+#include "VerdictText.h"
 
 #include <optional>
 #include <sstream>
@@ -141,46 +142,57 @@ std::string ExplainState(const Moment& expected, const Moment& actual,
     return text + (now.empty() ? ")" : "; now " + now + ")");
 }
 
-// What differs first, then what became of the depths below it.
-std::string Explain(const Moment& expected, const Moment& actual, const Differences& differences,
-                    const Comparison& pixels)
+/// What differs first, then the depths below it.
+std::vector<std::string> Explain(const Moment& expected, const Moment& actual,
+                                 const Differences& differences, const Comparison& pixels)
 {
     const std::string list = differences.list
                                  ? "the draw list differs (" + Describe(*differences.list) + ")"
                                  : "the draw list is the same";
     const std::string picture = "pixels " + pixels.verdict;
-    std::string text;
+    std::vector<std::string> findings;
     switch (StatusOf(differences))
     {
     case GoldenStatus::State:
-        text = ExplainState(expected, actual, differences);
-        text += actual.list ? "; " + list : "";
+        findings.push_back(ExplainState(expected, actual, differences));
+        if (actual.list)
+        {
+            findings.push_back(list);
+        }
         break;
     case GoldenStatus::DrawList:
-        text = (actual.state ? "same world, other geometry: " : "other geometry: ") + list;
+        findings.push_back((actual.state ? "same world, other geometry: " : "other geometry: ") +
+                           list);
         break;
     case GoldenStatus::Pixels:
         if (differences.moments)
         {
-            return "other moments of a film: " + FirstLine(*actual.sheet) + " instead of " +
-                   FirstLine(*expected.sheet) + "; " + picture;
+            findings.push_back("other moments of a film: " + FirstLine(*actual.sheet) +
+                               " instead of " + FirstLine(*expected.sheet));
+            break;
         }
-        return (actual.list ? "same geometry, other pixels: " : "other pixels: ") +
-               differences.layout +
-               (differences.since ? "from step " + std::to_string(*differences.since) + " on: "
-                                  : "") +
-               picture;
+        return {
+            (actual.list ? "same geometry, other pixels: " : "other pixels: ") +
+            differences.layout +
+            (differences.since ? "from step " + std::to_string(*differences.since) + " on: " : "") +
+            picture};
     default:
-        return std::string("same") + (actual.state ? ", state" : "") +
-               (actual.list ? ", draw list" : "") + (actual.frame ? ", " + picture : "");
+        return {std::string("same") + (actual.state ? ", state" : "") +
+                (actual.list ? ", draw list" : "") + (actual.frame ? ", " + picture : "")};
     }
-    return text + (actual.frame ? "; " + picture : "");
+    if (actual.frame)
+    {
+        findings.push_back(picture);
+    }
+    return findings;
 }
 
 // The failure stays known even when its files cannot be written.
 Error With(const GoldenVerdict& verdict, const Error& error)
 {
-    return Error{error.kind, verdict.message + " " + error.Text()};
+    return Error{error.kind, verdict.name,
+                 JoinedFindings(verdict.findings) + "; " + error.culprit + ": " + error.problem,
+                 error.remedy};
 }
 
 bool IsNothingKept(const Moment& expected)
@@ -222,10 +234,9 @@ void SayMissing(GoldenVerdict& verdict, const Moment& expected,
 {
     const std::string files = " (" + Join(missing) + " missing in " + references.string() + ")";
     verdict.status = GoldenStatus::Missing;
-    verdict.message =
-        verdict.name + (IsNothingKept(expected) ? ": there is no reference" + files + "."
-                                                : ": a part of the reference is not there" + files +
-                                                      ", and the rest is the same.");
+    verdict.findings = {IsNothingKept(expected) ? "there is no reference" + files
+                                                : "a part of the reference is not there" + files +
+                                                      ", and the rest is the same"};
 }
 
 /// With which the command makes this sheet of a film.
@@ -261,17 +272,14 @@ Result<GoldenVerdict> ReportAlone(GoldenVerdict verdict, const FailureFiles& fil
     {
         return With(verdict, written.GetError());
     }
-    const bool isSeen = actual.frame && !actual.frame->rgba.empty();
-    if (isSeen || actual.list)
+    if (actual.frame && !actual.frame->rgba.empty())
     {
-        verdict.message += " Look at " + (isSeen ? files.ActualPicture() : files.ActualList()) +
-                           "; if it is right,";
+        verdict.look = {files.ActualPicture()};
     }
-    else
+    else if (actual.list)
     {
-        verdict.message += " If it is right,";
+        verdict.look = {files.ActualList()};
     }
-    verdict.message += " run `" + verdict.accept + "`.";
     return verdict;
 }
 
@@ -285,14 +293,12 @@ Result<GoldenVerdict> ReportDifferent(GoldenVerdict verdict, const FailureFiles&
     }
     if (actual.frame)
     {
-        verdict.message += " Look at " + files.SideBySidePicture() +
-                           " (expected, actual, difference; each lies beside it" +
-                           (actual.list ? ", as do the draw lists)." : ").");
+        verdict.look.push_back(files.SideBySidePicture());
     }
-    else if (actual.list)
+    if (actual.list)
     {
-        verdict.message +=
-            " The draw lists are " + files.ExpectedList() + " and " + files.ActualList() + ".";
+        verdict.look.push_back(files.ExpectedList());
+        verdict.look.push_back(files.ActualList());
     }
     return verdict;
 }
@@ -382,7 +388,7 @@ Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::pat
     judged.expected = Moment{};
     judged.actual = Take(candidate, judged.expected);
     judged.verdict.status = GoldenStatus::NotCompared;
-    judged.verdict.message = candidate.name + ": its reference is damaged: " + why;
+    judged.verdict.findings = {"its reference is damaged: " + why};
     judged.verdict.accept = CommandToAccept(candidate, references);
     return judged;
 }
@@ -450,7 +456,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     if (const std::string why = WhyNotWhole(judged.expected, actual); !why.empty())
     {
         return SayDamaged(std::move(judged), candidate, references,
-                          "in " + references.string() + " " + why + "; restore it.");
+                          "in " + references.string() + " " + why + "; restore it");
     }
     const std::optional<SheetLayout> sheet =
         actual.sheet ? LayoutOf(*judged.expected.sheet) : std::nullopt;
@@ -458,7 +464,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     {
         return SayDamaged(std::move(judged), candidate, references,
                           "in " + references.string() +
-                              " its sheet's text is not that of its picture; restore it.");
+                              " its sheet's text is not that of its picture; restore it");
     }
     Moment less[2]; // the files of a failure have the bodies that are left out
     const Moment* before = &judged.expected;
@@ -472,7 +478,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
             !why.empty())
         {
             verdict.status = GoldenStatus::NotCompared;
-            verdict.message = candidate.name + ": bodies cannot be left out, for " + why + ".";
+            verdict.findings = {"bodies cannot be left out: " + why};
             return judged;
         }
         before = &less[0];
@@ -496,9 +502,11 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
         judged.firstBodies = differences.onTheWay->bodies;
     }
     verdict.status = StatusOf(differences);
-    verdict.message =
-        candidate.name + ": " + Explain(*before, *now, differences, verdict.pixels) +
-        (missing.empty() ? "" : "; " + Join(missing) + " missing in " + references.string()) + ".";
+    verdict.findings = Explain(*before, *now, differences, verdict.pixels);
+    if (!missing.empty())
+    {
+        verdict.findings.push_back(Join(missing) + " missing in " + references.string());
+    }
     if (verdict.status == GoldenStatus::Same && !missing.empty())
     {
         SayMissing(verdict, judged.expected, missing, references);
@@ -506,7 +514,8 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     }
     if (verdict.status == GoldenStatus::Pixels && verdict.limits == LimitsChoice::OtherRenderer)
     {
-        verdict.message += " These limits hold because another renderer drew the reference.";
+        verdict.findings.emplace_back(
+            "these limits hold because another renderer drew the reference");
     }
     return judged;
 }
@@ -528,14 +537,6 @@ GoldenCandidate CandidateOf(ContactSheet sheet, std::string name)
     candidate.frame = std::move(sheet.frame);
     candidate.sheet = sheet.layout;
     return candidate;
-}
-
-std::string WithRemedy(const GoldenVerdict& verdict, const std::string& remedy)
-{
-    const std::size_t ours = verdict.message.rfind("run `" + verdict.accept + "`");
-    return verdict.accept.empty() || ours == std::string::npos
-               ? verdict.message
-               : verdict.message.substr(0, ours) + remedy;
 }
 
 ReferenceStore::ReferenceStore(std::filesystem::path references, std::filesystem::path output)
@@ -562,8 +563,7 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     ASSIGN_OR_RETURN(Judged judged, JudgeMoment(m_references, candidate, settings));
     GoldenVerdict& verdict = judged.verdict;
     const Result<void> written = files.WriteVerdict(
-        {name, StatusWord(verdict.status), verdict.message, verdict.accept, &candidate,
-         &judged.limits, &verdict.pixels, judged.firstStep, judged.firstBodies, verdict.limits});
+        {verdict, candidate, judged.limits, judged.firstStep, judged.firstBodies});
     if (verdict.status == GoldenStatus::Same)
     {
         // What passes also passes where nothing can be written, such as in a folder that is read

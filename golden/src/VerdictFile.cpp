@@ -1,215 +1,123 @@
 // SPDX-License-Identifier: MIT
 #include "VerdictFile.h"
+#include "VerdictText.h"
 
-#include <array>
-#include <charconv>
+#include <nlohmann/json.hpp>
 
 namespace boxreel
 {
-
 namespace
 {
 
-constexpr std::string_view kBegin = "{\n";
+using nlohmann::ordered_json;
 
-template <class Number>
-std::string Text(Number number)
+/// A draw list may hold any bytes: what is not UTF-8 becomes U+FFFD.
+std::string Dumped(const ordered_json& object)
 {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return std::string(digits.data(), end);
+    return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// RFC 8259, section 7. What is no UTF-8 stays as it is: a reader shows it as well as it can.
-std::string Quoted(std::string_view text)
+ordered_json Regions(const std::vector<PixelBounds>& regions)
 {
-    constexpr const char* kDigits = "0123456789abcdef";
-    std::string quoted = "\"";
-    for (const char c : text)
-    {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-        {
-            quoted += {'\\', c};
-        }
-        else if (byte < 32)
-        {
-            quoted += {'\\', 'u', '0', '0', kDigits[byte >> 4], kDigits[byte & 15]};
-        }
-        else
-        {
-            quoted += c;
-        }
-    }
-    return quoted + '"';
-}
-
-class Object
-{
-public:
-    void Add(const char* name, const std::string& json)
-    {
-        m_text += (m_text.empty() ? "  \"" : ",\n  \"") + std::string(name) + "\": " + json;
-    }
-    std::string Whole() const { return std::string(kBegin) + m_text + "\n}\n"; }
-
-private:
-    std::string m_text;
-};
-
-std::string List(const std::vector<int>& numbers)
-{
-    std::string text;
-    for (const int number : numbers)
-    {
-        text += (text.empty() ? "" : ", ") + Text(number);
-    }
-    return "[" + text + "]";
-}
-
-std::string Regions(const std::vector<PixelBounds>& regions)
-{
-    std::string text;
+    ordered_json list = ordered_json::array();
     for (const PixelBounds& region : regions)
     {
-        text += (text.empty() ? "" : ", ") +
-                List({region.x0, region.y0, region.x1 - region.x0, region.y1 - region.y0});
+        list.push_back({region.x0, region.y0, region.x1 - region.x0, region.y1 - region.y0});
     }
-    return "[" + text + "]";
+    return list;
 }
 
-void AddLimits(Object& object, const CompareSettings& limits)
+void AddLimits(ordered_json& object, const CompareSettings& limits)
 {
-    object.Add("limits", Quoted(DescribeLimits(limits)));
-    object.Add("preset", Quoted(limits.preset));
-    object.Add("tolerance", Text(limits.tolerance));
-    object.Add("edgeShift", Text(limits.edgeShift));
-    object.Add("maxPixels",
-               limits.maxPixels == kAnyNumberOfPixels ? "null" : Text(limits.maxPixels));
-    object.Add("maxRatio", Text(limits.maxRatio));
-    object.Add("maxInWindow", Text(limits.maxInWindow));
-    object.Add("window", Text(limits.densityWindow));
-    object.Add("ignored", Regions(limits.ignored));
-    object.Add("ignoredBodies", List(limits.ignoredBodies));
+    object["limits"] = DescribeLimits(limits);
+    object["preset"] = limits.preset;
+    object["tolerance"] = limits.tolerance;
+    object["edgeShift"] = limits.edgeShift;
+    object["maxPixels"] = limits.maxPixels == kAnyNumberOfPixels ? ordered_json(nullptr)
+                                                                 : ordered_json(limits.maxPixels);
+    object["maxRatio"] = limits.maxRatio;
+    object["maxInWindow"] = limits.maxInWindow;
+    object["window"] = limits.densityWindow;
+    object["ignored"] = Regions(limits.ignored);
+    object["ignoredBodies"] = limits.ignoredBodies;
 }
 
-void AddPixels(Object& object, const Comparison& pixels)
+void AddPixels(ordered_json& object, const Comparison& pixels)
 {
-    object.Add("pixels", Quoted(pixels.verdict));
-    object.Add("compared", Text(pixels.compared));
-    object.Add("different", Text(pixels.differentPixels));
-    object.Add("overTolerance", Text(pixels.overTolerance));
-    object.Add("excusedAtEdges", Text(pixels.excusedAtEdges));
-    object.Add("worstWindow", Text(pixels.worstWindow));
-    object.Add("largestDistance", Text(pixels.largestDistance));
+    object["pixels"] = pixels.verdict;
+    object["compared"] = pixels.compared;
+    object["different"] = pixels.differentPixels;
+    object["overTolerance"] = pixels.overTolerance;
+    object["excusedAtEdges"] = pixels.excusedAtEdges;
+    object["worstWindow"] = pixels.worstWindow;
+    object["largestDistance"] = pixels.largestDistance;
 }
 
-void AddView(Object& object, const Camera& camera)
+void AddSteps(ordered_json& object, const VerdictRecord& record)
 {
-    std::string numbers = Text(camera.width) + ", " + Text(camera.height);
-    for (const double number : {camera.centerX, camera.centerY, camera.pixelsPerMeter})
+    const std::vector<TraceStep>& steps = record.candidate.trace.steps;
+    if (!steps.empty())
     {
-        numbers += ", " + Text(number);
+        object["since"] = steps.front().step; // the first that was compared
+        object["step"] = steps.back().step;
     }
-    object.Add("view", "[" + numbers + "]");
+    if (!record.firstStep)
+    {
+        return;
+    }
+    object["firstStep"] = *record.firstStep;
+    object["firstBodies"] = record.firstBodies;
+    for (const TraceStep& step : steps)
+    {
+        if (*record.firstStep == step.step)
+        {
+            // By which a program that goes the steps again sees that it does the same.
+            object["firstHash"] = step.world;
+        }
+    }
 }
 
 } // namespace
 
-const char* StatusWord(GoldenStatus status)
-{
-    switch (status)
-    {
-    case GoldenStatus::Same:
-        return "same";
-    case GoldenStatus::Missing:
-        return "missing";
-    case GoldenStatus::State:
-        return "state";
-    case GoldenStatus::DrawList:
-        return "drawlist";
-    case GoldenStatus::Pixels:
-        return "pixels";
-    case GoldenStatus::NotCompared:
-        break;
-    }
-    return "error";
-}
-
-const char* LimitsWord(LimitsChoice choice)
-{
-    switch (choice)
-    {
-    case LimitsChoice::AsGiven:
-        return "as given";
-    case LimitsChoice::SameRenderer:
-        return "same renderer";
-    case LimitsChoice::OtherRenderer:
-        break;
-    }
-    return "other renderer";
-}
-
 std::string ToJson(const VerdictRecord& record)
 {
-    Object object;
-    object.Add("verdict", "1"); // the format's version
-    object.Add("name", Quoted(record.name));
-    object.Add("status", Quoted(record.status));
-    object.Add("message", Quoted(record.message));
-    if (!record.accept.empty())
+    const GoldenVerdict& verdict = record.verdict;
+    const GoldenCandidate& candidate = record.candidate;
+    ordered_json object{{"verdict", 2}, // the format's version
+                        {"name", verdict.name},
+                        {"status", StatusWord(verdict.status)},
+                        {"findings", verdict.findings}};
+    if (!verdict.accept.empty())
     {
-        object.Add("accept", Quoted(record.accept));
+        object["accept"] = verdict.accept;
     }
-    if (record.limits != nullptr)
+    AddLimits(object, record.limits);
+    object["limitsChoice"] = LimitsWord(verdict.limits);
+    if (!verdict.pixels.verdict.empty())
     {
-        AddLimits(object, *record.limits);
-        object.Add("limitsChoice", Quoted(LimitsWord(record.limitsChoice)));
+        AddPixels(object, verdict.pixels);
     }
-    if (record.pixels != nullptr && !record.pixels->verdict.empty())
+    object["renderer"] = candidate.renderer;
+    object["fingerprint"] = candidate.fingerprint;
+    if (candidate.camera && CanBeDrawn(*candidate.camera))
     {
-        AddPixels(object, *record.pixels);
+        const Camera& camera = *candidate.camera;
+        object["view"] = {camera.width, camera.height, camera.centerX, camera.centerY,
+                          camera.pixelsPerMeter};
     }
-    if (record.candidate != nullptr)
-    {
-        const GoldenCandidate& candidate = *record.candidate;
-        object.Add("renderer", Quoted(candidate.renderer));
-        object.Add("fingerprint", Quoted(candidate.fingerprint));
-        if (candidate.camera && CanBeDrawn(*candidate.camera))
-        {
-            AddView(object, *candidate.camera);
-        }
-        const std::vector<TraceStep>& steps = candidate.trace.steps;
-        if (!steps.empty())
-        {
-            object.Add("since", Text(steps.front().step)); // the first that was compared
-            object.Add("step", Text(steps.back().step));
-        }
-        for (const TraceStep& step : steps)
-        {
-            if (record.firstStep == step.step)
-            {
-                // By which a program that goes the steps again sees that it does the same.
-                object.Add("firstHash", Quoted(step.world));
-            }
-        }
-    }
-    if (record.firstStep)
-    {
-        object.Add("firstStep", Text(*record.firstStep));
-        object.Add("firstBodies", List(record.firstBodies));
-    }
-    return object.Whole();
+    AddSteps(object, record);
+    return Dumped(object);
 }
 
 std::optional<std::string> Accepted(std::string_view json)
 {
-    if (!json.starts_with(kBegin))
+    ordered_json object = ordered_json::parse(json, nullptr, false);
+    if (!object.is_object())
     {
         return std::nullopt;
     }
-    return std::string(kBegin) + "  \"accepted\": true,\n" +
-           std::string(json.substr(kBegin.size()));
+    object["accepted"] = true;
+    return Dumped(object);
 }
 
 } // namespace boxreel

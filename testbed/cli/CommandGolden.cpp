@@ -149,7 +149,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
             ofOthers += verdict.limits == LimitsChoice::OtherRenderer ? 1 : 0;
             RETURN_IF_ERROR(WriteOutput(isSame
                                             ? "same  " + verdict.name + "\n"
-                                            : Red("FAIL", stdout) + "  " + verdict.message + "\n"));
+                                            : Red("FAIL", stdout) + "  " + verdict.Text() + "\n"));
         }
     }
     if (!warning.empty())
@@ -195,7 +195,7 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
             const bool isSame = verdict.status == GoldenStatus::Same;
             same += isSame ? 1 : 0;
             RETURN_IF_ERROR(WriteOutput(isSame ? "same  " + verdict.name + "\n"
-                                               : "accepted  " + verdict.message + "\n"));
+                                               : "accepted  " + verdict.Text() + "\n"));
         }
     }
     RETURN_IF_ERROR(WriteOutput(

@@ -425,7 +425,7 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
                 return play.script.At(golden.line, verdict.GetError());
             }
             failures += isSame ? 0 : 1;
-            const std::string why = WithRemedy(*verdict, "play it again with --accept.");
+            const std::string why = verdict->Text("play it again with --accept");
             line = isSame ? "same  " + golden.name
                           : Red("FAIL", stdout) + "  " + play.script.file.string() + ":" +
                                 std::to_string(golden.line) + ": " + why;

@@ -173,7 +173,7 @@ Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection
             !store.HasOwnPicture(candidate.name, candidate.renderer))
         {
             verdict.status = GoldenStatus::Missing;
-            verdict.message = candidate.name + ": this renderer had no picture of its own.";
+            verdict.findings = {"this renderer had no picture of its own"};
         }
         const bool isMissing = verdict.status == GoldenStatus::Missing;
         const bool isSame = verdict.status == GoldenStatus::Same;

@@ -130,7 +130,7 @@ TEST(ContactSheet, IsAGoldenTestThatSaysWhenAFilmChanged)
     const std::string film = Film(folder, "film.mkv", 30, 4.0).string();
     EXPECT_NONFATAL_FAILURE(
         EXPECT_GOLDEN_FILM(film, "film/grays"),
-        "if it is right, run this test once with BOXREEL_GOLDEN_ACCEPT=missing");
+        "If it is right, run this test once with BOXREEL_GOLDEN_ACCEPT=missing");
     environment.accept.Set("missing");
     EXPECT_GOLDEN_FILM(film, "film/grays");
     environment.accept.Set(nullptr);

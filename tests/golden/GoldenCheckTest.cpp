@@ -52,7 +52,7 @@ TEST_F(GoldenCheck, SaysHowToAcceptAMissingReference)
     const GoldenOutcome outcome = Check(candidate);
     EXPECT_FALSE(outcome.passed);
     EXPECT_THAT(outcome.message, HasSubstr("start: there is no reference"));
-    EXPECT_THAT(outcome.message, HasSubstr("if it is right, run this test once with "
+    EXPECT_THAT(outcome.message, HasSubstr("If it is right, run this test once with "
                                            "BOXREEL_GOLDEN_ACCEPT=missing in the environment."));
     EXPECT_THAT(outcome.message, testing::Not(HasSubstr("boxreel golden accept")))
         << "the program knows nothing of this test";
@@ -124,7 +124,7 @@ TEST_F(GoldenCheck, AcceptsAnewWhatIsDamaged)
     std::ofstream(settings.references / "frames" / "start.png") << "damaged";
     const GoldenOutcome damaged = Check(candidate);
     EXPECT_FALSE(damaged.passed);
-    EXPECT_THAT(damaged.message, testing::EndsWith("if it is right, run this test once with "
+    EXPECT_THAT(damaged.message, testing::EndsWith("If it is right, run this test once with "
                                                    "BOXREEL_GOLDEN_ACCEPT=changed in the "
                                                    "environment."));
     settings.accept = GoldenAccept::Changed;

@@ -72,7 +72,7 @@ struct IgnoredBodies : testing::Test
         const Result<GoldenVerdict> verdict = store.Verify(candidate, settings);
         EXPECT_EQ(verdict->status, GoldenStatus::NotCompared);
         EXPECT_EQ(verdict->accept, "") << "it would not help";
-        return verdict->message;
+        return verdict->Text();
     }
 
     TemporaryFolder folder;
@@ -86,7 +86,7 @@ TEST_F(IgnoredBodies, MayBeElsewhereAtEveryDepth)
     EXPECT_EQ(Verify(moved, {}).status, GoldenStatus::State);
     EXPECT_EQ(Verify(moved, {1}).status, GoldenStatus::State);
     const GoldenVerdict verdict = Verify(moved, {2});
-    EXPECT_EQ(verdict.status, GoldenStatus::Same) << verdict.message;
+    EXPECT_EQ(verdict.status, GoldenStatus::Same) << verdict.Text();
     EXPECT_GT(verdict.pixels.ignored, 2 * 42 * 42) << "where it was and where it is";
     EXPECT_LT(verdict.pixels.ignored, 2 * 52 * 52);
     EXPECT_EQ(Verify(moved, {1, 2}).status, GoldenStatus::Same);
@@ -97,9 +97,9 @@ TEST_F(IgnoredBodies, HideNothingOfTheOthers)
     ASSERT_TRUE(store.Accept(Seen(TwoBodies())));
     const GoldenVerdict verdict = Verify(Seen(TwoBodies(3.5f, -2.01f)), {2});
     EXPECT_EQ(verdict.status, GoldenStatus::State);
-    EXPECT_THAT(verdict.message, HasSubstr("from step 1 on, body 1 first"));
-    EXPECT_THAT(verdict.message, HasSubstr("1 of 2 bodies differs, body 1: 0.01 m further"));
-    EXPECT_THAT(verdict.message, HasSubstr("line 2 is"));
+    EXPECT_THAT(verdict.Text(), HasSubstr("from step 1 on, body 1 first"));
+    EXPECT_THAT(verdict.Text(), HasSubstr("1 of 2 bodies differs, body 1: 0.01 m further"));
+    EXPECT_THAT(verdict.Text(), HasSubstr("line 2 is"));
     EXPECT_FALSE(verdict.pixels.equal);
 
     GoldenCandidate speck = Seen(TwoBodies(3.5f));

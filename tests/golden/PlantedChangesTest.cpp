@@ -70,8 +70,8 @@ TEST_P(PlantedChange, BodyMovedByOneCentimetreIsFoundInTheDrawListThoughNoPixelS
     const GoldenVerdict verdict = Verify(moved, m_style);
     EXPECT_TRUE(verdict.pixels.equal) << "a seventh of a pixel";
     EXPECT_EQ(verdict.status, GoldenStatus::DrawList);
-    EXPECT_THAT(verdict.message, HasSubstr("line 4 is"));
-    EXPECT_THAT(verdict.message, HasSubstr("4.01"));
+    EXPECT_THAT(verdict.Text(), HasSubstr("line 4 is"));
+    EXPECT_THAT(verdict.Text(), HasSubstr("4.01"));
 }
 
 TEST_P(PlantedChange, MissingJointLineIsFoundInThePixelsToo)
@@ -89,7 +89,7 @@ TEST_P(PlantedChange, FillOffByFourIsFound)
         style.fillShift = shift;
         const GoldenVerdict verdict = Verify(SmallScene(), style);
         EXPECT_EQ(verdict.status, GoldenStatus::Pixels);
-        EXPECT_THAT(verdict.message, HasSubstr("same geometry, other pixels"));
+        EXPECT_THAT(verdict.Text(), HasSubstr("same geometry, other pixels"));
     }
 }
 
@@ -101,7 +101,7 @@ TEST_P(PlantedChange, MisspeltLabelIsFoundInThePixelsToo)
         changed.texts[changed.items[kLabel].text] = wrong;
         const GoldenVerdict verdict = Verify(changed, m_style);
         EXPECT_EQ(verdict.status, GoldenStatus::DrawList);
-        EXPECT_THAT(verdict.message, AllOf(HasSubstr(wrong), HasSubstr("crank")));
+        EXPECT_THAT(verdict.Text(), AllOf(HasSubstr(wrong), HasSubstr("crank")));
         EXPECT_FALSE(Pixels(changed, m_style).equal);
     }
 }

@@ -34,7 +34,7 @@ protected:
     Error VerifyError(const GoldenCandidate& candidate)
     {
         const Result<GoldenVerdict> verdict = m_store.Verify(candidate);
-        EXPECT_FALSE(verdict) << "verified " << candidate.name << ": " << verdict->message;
+        EXPECT_FALSE(verdict) << "verified " << candidate.name << ": " << verdict->Text();
         return verdict ? Error{} : verdict.GetError();
     }
 
@@ -44,9 +44,9 @@ protected:
         const Result<GoldenVerdict> verdict = m_store.Verify(candidate);
         EXPECT_TRUE(verdict) << verdict.GetError().Text();
         EXPECT_EQ(verdict ? verdict->status : GoldenStatus::Same, GoldenStatus::NotCompared);
-        const std::string message = verdict ? verdict->message : "";
+        const std::string message = verdict ? verdict->Text() : "";
         EXPECT_THAT(message, AllOf(HasSubstr(candidate.name + ": its reference is damaged: "),
-                                   HasSubstr("if it is right, run `boxreel golden accept " +
+                                   HasSubstr("If it is right, run `boxreel golden accept " +
                                              candidate.name)));
         return message;
     }
@@ -254,7 +254,7 @@ TEST_F(ReferenceFiles, ADrawListCutAtItsEndIsADifference)
     const Result<GoldenVerdict> verdict = m_store.Verify(Candidate("scene"));
     ASSERT_TRUE(verdict);
     EXPECT_EQ(verdict->status, GoldenStatus::DrawList);
-    EXPECT_THAT(verdict->message, HasSubstr("only the newline at the end differs"));
+    EXPECT_THAT(verdict->Text(), HasSubstr("only the newline at the end differs"));
 }
 
 // A folder in a file's place stops everyone, root included.

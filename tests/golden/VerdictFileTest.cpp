@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 using namespace boxreel;
@@ -32,7 +33,8 @@ protected:
         std::ifstream in(output / (shown.name + ".verdict.json"));
         std::ostringstream text;
         text << in.rdbuf();
-        return text.str();
+        // Without the line breaks in lists.
+        return std::regex_replace(text.str(), std::regex("([\\[,])\\n +|\\n +(?=\\])"), "$1");
     }
 
     TemporaryFolder folder;
@@ -52,14 +54,13 @@ TEST_F(VerdictFile, SaysWhatPassedByWhichLimits)
     settings.maxInWindow = 9;
     const std::string json = Verified(candidate, settings);
     EXPECT_THAT(json,
-                AllOf(HasSubstr("\n  \"name\": \"pyramid/3s\",\n"),
-                      HasSubstr("\n  \"status\": \"same\",\n"),
+                AllOf(HasSubstr("\"name\": \"pyramid/3s\""), HasSubstr("\"status\": \"same\""),
                       HasSubstr("\"preset\": \"cross-machine\""), HasSubstr("\"tolerance\": 0.01"),
                       HasSubstr("\"maxPixels\": null"), HasSubstr("\"maxInWindow\": 9"),
                       HasSubstr("\"limits\": \"cross-machine, with another maxInWindow, allows "),
-                      HasSubstr("\"ignored\": [[10, 20, 30, 40]]")));
-    EXPECT_THAT(json, AllOf(HasSubstr("\"renderer\": \"some \\\"GL\\\"\\u000a\""),
-                            HasSubstr("\"view\": [320, 180, 1.5, 2, 16]"),
+                      HasSubstr("\"ignored\": [[10,20,30,40]]")));
+    EXPECT_THAT(json, AllOf(HasSubstr("\"renderer\": \"some \\\"GL\\\"\\n\""),
+                            HasSubstr("\"view\": [320,180,1.5,2.0,16.0]"),
                             HasSubstr("\"overTolerance\": 0")));
 }
 

@@ -78,16 +78,18 @@ struct GoldenVerdict
 {
     std::string name;                            ///< of the reference
     GoldenStatus status = GoldenStatus::Missing; ///< how it ended
-    std::string message;     ///< a sentence or two: what differs first, and where the pictures lie
+    std::vector<std::string> findings = {};      ///< what differs, or was compared, the worst first
+    std::vector<std::string> look = {};          ///< the files of a failure to look at first
     std::string accept = {}; ///< what a person runs where there is nothing to compare with; empty:
                              ///< there is, or accepting would not help
     Comparison pixels;       ///< what comparing the pictures has found
     LimitsChoice limits = LimitsChoice::AsGiven; ///< why those of the pictures hold
     std::string warning = {}; ///< of what passed: why no file says so; empty when one does
-};
 
-/// The verdict's message, with another way to accept where it says one.
-std::string WithRemedy(const GoldenVerdict& verdict, const std::string& remedy);
+    /// For a person: name, findings, files, and what to do if the change is right. `remedy`
+    /// replaces the command to accept; lower case, no full stop.
+    std::string Text(const std::string& remedy = "") const;
+};
 
 /// A folder of what was approved.
 class ReferenceStore

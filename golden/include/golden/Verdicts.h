@@ -20,9 +20,9 @@ namespace boxreel
 struct ReportedVerdict
 {
     std::string name;
-    std::string status;  ///< "same", "missing", "state", "drawlist", "pixels", "error", "accepted"
-    std::string message; ///< what differs
-    std::string accept;  ///< the command that makes it the reference; empty: look first
+    std::string status; ///< "same", "missing", "state", "drawlist", "pixels", "error", "accepted"
+    std::vector<std::string> findings; ///< what differs
+    std::string accept; ///< the command that makes it the reference; empty: look first
     std::string renderer;
     std::string limits;                    ///< in words; empty: nothing was compared
     std::optional<std::int64_t> firstStep; ///< at which the worlds, or a film, part

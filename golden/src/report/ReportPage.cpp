@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../VerdictText.h"
 #include "PageTexts.h"
 #include <base/Counting.h>
 #include <base/ErrorMacros.h>
@@ -20,38 +21,16 @@ namespace
 
 namespace fs = std::filesystem;
 
-struct StatusLook
-{
-    const char* status;
-    const char* label;
-    const char* meaning;
-};
-
-constexpr StatusLook kLooks[] = {
-    {"error", "not compared", "the reference is damaged, or a body to leave out is not there"},
-    {"state", "state", "the worlds differ: some body is elsewhere or moves otherwise"},
-    {"drawlist", "geometry", "the same world draws something else"},
-    {"pixels", "pixels", "the same geometry, other pixels"},
-    {"missing", "missing", "never approved"},
-    {"accepted", "accepted", "became the reference in this run; look at it before you commit it"},
-    {"same", "as approved", "within the limits"},
-};
-
 std::string LabelOf(const std::string& status)
 {
-    for (const StatusLook& look : kLooks)
-    {
-        if (status == look.status)
-        {
-            return look.label;
-        }
-    }
-    return status;
+    const StatusWords* const words = FindStatus(status);
+    return words ? words->label : status;
 }
 
 bool IsFailure(const ReportedMoment& moment)
 {
-    return moment.shown.status != "same" && moment.shown.status != "accepted";
+    const StatusWords* const words = FindStatus(moment.shown.status);
+    return words == nullptr || !words->passes;
 }
 
 constexpr std::uintmax_t kLargestFile = 256u << 20; // a picture or a draw list [bytes]
@@ -125,39 +104,12 @@ Result<std::string> DataOf(const ReportedMoment& moment, const FilmStrip* strip)
     return text + (strip != nullptr ? ",\"strip\":" + StripJson(*strip) : "") + "}";
 }
 
-/// A verdict's clauses, which "; " parts outside of parentheses and quotes, without the name before
-/// them.
-std::vector<std::string> ClausesOf(const ReportedVerdict& verdict)
-{
-    std::string_view rest = verdict.message;
-    if (rest.starts_with(verdict.name + ": "))
-    {
-        rest.remove_prefix(verdict.name.size() + 2);
-    }
-    std::vector<std::string> clauses(1);
-    int depth = 0;
-    bool isQuoted = false;
-    for (std::size_t i = 0; i < rest.size(); ++i)
-    {
-        isQuoted = isQuoted != (rest[i] == '"');
-        depth += isQuoted ? 0 : rest[i] == '(' ? 1 : rest[i] == ')' ? -1 : 0;
-        if (depth == 0 && !isQuoted && rest.substr(i).starts_with("; "))
-        {
-            clauses.emplace_back();
-            ++i;
-            continue;
-        }
-        clauses.back() += rest[i];
-    }
-    return clauses;
-}
-
 std::string Message(const ReportedVerdict& verdict)
 {
     std::string text = "<ul class=\"message\">\n";
-    for (const std::string& clause : ClausesOf(verdict))
+    for (const std::string& finding : verdict.findings)
     {
-        text += "<li>" + MarkupEscaped(clause) + "</li>\n";
+        text += "<li>" + MarkupEscaped(finding) + "</li>\n";
     }
     return text + "</ul>\n";
 }
@@ -183,7 +135,7 @@ Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
     {
         text += "<p class=\"other\">This is of " + MarkupEscaped(shown.folder) + "; " +
                 MarkupEscaped(other.folder) + " says <b>" + MarkupEscaped(LabelOf(other.status)) +
-                "</b>: " + MarkupEscaped(other.message) + "</p>\n";
+                "</b>: " + MarkupEscaped(JoinedFindings(other.findings)) + "</p>\n";
     }
     return text + "<div class=\"views\"></div>\n<script type=\"application/json\">" + data +
            "</script>\n</article>\n";
@@ -192,17 +144,17 @@ Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
 std::string Buttons(const std::vector<ReportedMoment>& moments)
 {
     std::string text;
-    for (const StatusLook& look : kLooks)
+    for (const StatusWords& look : AllStatusWords())
     {
         std::size_t number = 0;
         for (const ReportedMoment& moment : moments)
         {
-            number += moment.shown.status == look.status ? 1 : 0;
+            number += moment.shown.status == look.word ? 1 : 0;
         }
         if (number > 0)
         {
-            text += std::string("<button type=\"button\" class=\"badge ") + look.status +
-                    "\" data-status=\"" + look.status + "\" aria-pressed=\"true\" title=\"" +
+            text += std::string("<button type=\"button\" class=\"badge ") + look.word +
+                    "\" data-status=\"" + look.word + "\" aria-pressed=\"true\" title=\"" +
                     look.meaning + "\">" + std::to_string(number) + " " + look.label +
                     "</button>\n";
         }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../VerdictText.h"
+
 #include <golden/Verdicts.h>
 
 #include <base/ErrorMacros.h>
@@ -23,13 +25,10 @@ using nlohmann::json;
 constexpr const char* kEnd = ".verdict.json";
 constexpr std::uintmax_t kLargest = 1024 * 1024; // a message quotes a line or two of a draw list
 
-// The worst first: what is shown when shards disagree.
-constexpr const char* kSeverity[] = {"error",   "state",    "drawlist", "pixels",
-                                     "missing", "accepted", "same"};
-
+/// The worst is shown when shards disagree.
 std::ptrdiff_t RankOf(const std::string& status)
 {
-    return std::find(std::begin(kSeverity), std::end(kSeverity), status) - std::begin(kSeverity);
+    return FindStatus(status) - AllStatusWords().data();
 }
 
 /// What is no UTF-8 becomes U+FFFD; a line of a draw list may hold any bytes.
@@ -58,17 +57,17 @@ std::string LimitsOf(const json& file)
 ReportedVerdict FromJson(const json& file)
 {
     ReportedVerdict verdict;
-    if (file.at("verdict") != 1)
+    if (file.at("verdict") != 2)
     {
         throw std::runtime_error("it has another version");
     }
     verdict.name = file.at("name");
     verdict.status = file.at("status");
-    verdict.message = file.at("message");
+    verdict.findings = file.at("findings").get<std::vector<std::string>>();
     verdict.accept = file.value("accept", "");
     verdict.renderer = file.value("renderer", "");
     verdict.limits = LimitsOf(file);
-    if (RankOf(verdict.status) == std::ssize(kSeverity))
+    if (FindStatus(verdict.status) == nullptr)
     {
         throw std::runtime_error("its status is none that there is");
     }
@@ -117,7 +116,7 @@ ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const E
     std::string name = path.lexically_relative(folder).generic_string();
     name.resize(name.size() - std::string_view(kEnd).size());
     return FromJson(
-        {{"verdict", 1}, {"name", name}, {"status", "error"}, {"message", error.Text()}});
+        {{"verdict", 2}, {"name", name}, {"status", "error"}, {"findings", {error.Text()}}});
 }
 
 /// The files of a folder, sorted, so that the same folders make the same page.
@@ -170,7 +169,7 @@ void Merge(ReportedMoment& moment, ReportedVerdict verdict)
     {
         std::swap(moment.shown, verdict);
     }
-    if (verdict.status != moment.shown.status || verdict.message != moment.shown.message)
+    if (verdict.status != moment.shown.status || verdict.findings != moment.shown.findings)
     {
         moment.others.push_back(std::move(verdict));
     }

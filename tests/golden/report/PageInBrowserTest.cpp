@@ -154,8 +154,9 @@ TEST_F(PageInBrowser, ShowsHostileTextsAsTexts)
     const std::string hostile = R"(</script><b class=planted onclick=planted()>\"' x)";
     fs::create_directories(output);
     std::ofstream(output / "a.verdict.json")
-        << R"({"verdict": 1, "status": "drawlist", "name": )" << JsonText(hostile)
-        << R"(, "renderer": )" << JsonText(hostile) << R"(, "message": )" << JsonText(hostile)
+        << R"({"verdict": 2, "status": "drawlist", "name": )" << JsonText(hostile)
+        << R"(, "renderer": )" << JsonText(hostile) << R"(, "findings": [)" << JsonText(hostile)
+        << "]"
         << "}";
     std::ofstream(output / "a.expected.txt")
         << "world labels text #80cccc (1, 2) \"" << hostile << "\"\n";

@@ -28,7 +28,7 @@ protected:
         ReportedMoment moment;
         moment.shown.name = name;
         moment.shown.status = status;
-        moment.shown.message = message;
+        moment.shown.findings = {message};
         moment.shown.json = "{\"name\":" + JsonText(name) + "}";
         moment.shown.base = folder / "base";
         moment.shown.renderer = "some GL";
@@ -111,12 +111,12 @@ TEST_F(Page, TellsWhatTheOtherShardsSay)
                           "&lt;same&gt;"));
 }
 
-TEST_F(Page, PartsAMessageIntoItsClauses)
+TEST_F(Page, ListsFindingsOnePerLine)
 {
-    EXPECT_THAT(
-        Of({Moment("a/b", "state", "a/b: worlds differ (x; y); line 1 is \"(; \"; pixels same.")}),
-        HasSubstr("<li>worlds differ (x; y)</li>\n<li>line 1 is &quot;(; &quot;</li>\n<li>pixels "
-                  "same.</li>"));
+    ReportedMoment moment = Moment("a/b", "state");
+    moment.shown.findings = {"worlds differ (x; y)", "line 1 is \"(; \""};
+    EXPECT_THAT(Of({moment}),
+                HasSubstr("<li>worlds differ (x; y)</li>\n<li>line 1 is &quot;(; &quot;</li>\n"));
 }
 
 TEST_F(Page, RefusesAPictureThatCannotBeRead)

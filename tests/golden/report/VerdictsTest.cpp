@@ -32,8 +32,8 @@ protected:
                const std::string& more = "") const
     {
         Write(where + "/" + name + ".verdict.json",
-              R"({"verdict": 1, "name": ")" + name + R"(", "status": ")" + status +
-                  R"(", "message": "it is )" + status + R"(")" + more + "}");
+              R"({"verdict": 2, "name": ")" + name + R"(", "status": ")" + status +
+                  R"(", "findings": ["it is )" + status + R"("])" + more + "}");
     }
     std::vector<ReportedMoment> Collect(const std::vector<std::string>& names) const
     {
@@ -113,13 +113,13 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
 
 TEST_F(Verdicts, MayHoldAnyBytes)
 {
-    Write("out/a.verdict.json", "{\"verdict\": 1, \"name\": \"</script>\", \"status\": \"same\", "
-                                "\"message\": \"\xff\xfe\"}");
+    Write("out/a.verdict.json", "{\"verdict\": 2, \"name\": \"</script>\", \"status\": \"same\", "
+                                "\"findings\": [\"\xff\xfe\"]}");
     const std::vector<ReportedMoment> moments = Collect({"out"});
     ASSERT_THAT(moments, SizeIs(1));
     EXPECT_EQ(moments[0].shown.name, "</script>");
     EXPECT_THAT(moments[0].shown.json, AllOf(HasSubstr("\\u003c/script>"), Not(HasSubstr("<"))));
-    EXPECT_EQ(moments[0].shown.message, "\uFFFD\uFFFD");
+    EXPECT_THAT(moments[0].shown.findings, testing::ElementsAre("\uFFFD\uFFFD"));
     EXPECT_EQ(JsonText("a<b\"\n\xff"), "\"a\\u003cb\\\"\\n\uFFFD\"");
 }
 
@@ -136,13 +136,13 @@ TEST_F(Verdicts, ThatCannotBeReadAreToldBesideTheOthers)
         "",
         "{",
         "[]",
-        R"({"verdict": 1})",
-        R"({"verdict": 2, "name": "a", "status": "same", "message": ""})",
-        R"({"verdict": 1, "name": "a", "status": "good", "message": ""})",
-        R"({"verdict": 1, "name": 5, "status": "same", "message": ""})",
-        R"({"verdict": 1, "name": "a", "status": "state", "message": "", "firstStep": "x"})",
+        R"({"verdict": 2})",
+        R"({"verdict": 3, "name": "a", "status": "same", "findings": []})",
+        R"({"verdict": 2, "name": "a", "status": "good", "findings": []})",
+        R"({"verdict": 2, "name": 5, "status": "same", "findings": []})",
+        R"({"verdict": 2, "name": "a", "status": "state", "findings": [], "firstStep": "x"})",
         std::string(2'000'000, ' ') +
-            R"({"verdict": 1, "name": "a", "status": "same", "message": ""})"};
+            R"({"verdict": 2, "name": "a", "status": "same", "findings": []})"};
     for (const std::string& text : damaged)
     {
         Write("out/x.verdict.json", text);
@@ -152,7 +152,8 @@ TEST_F(Verdicts, ThatCannotBeReadAreToldBesideTheOthers)
         const ReportedVerdict& shown = moments->front().shown;
         EXPECT_EQ(shown.status, "error") << text.substr(0, 80);
         EXPECT_EQ(shown.name, "x");
-        EXPECT_THAT(shown.message, HasSubstr("x.verdict.json")) << text.substr(0, 80);
+        EXPECT_THAT(shown.findings, testing::ElementsAre(HasSubstr("x.verdict.json")))
+            << text.substr(0, 80);
     }
 }
 

@@ -252,7 +252,7 @@ TEST_F(GoldenCommand, LeavesOutBodies)
         RunIn({"verify", "bridge/0.5s", "pyramid/0.5s", "--ignore-body", "3,17,99"});
     EXPECT_EQ(beyond.code, 2);
     EXPECT_THAT(beyond.output,
-                AllOf(HasSubstr("FAIL  bridge/0.5s: bodies cannot be left out, for there is no "
+                AllOf(HasSubstr("FAIL  bridge/0.5s: bodies cannot be left out: there is no "
                                 "body 99, the last is 38."),
                       HasSubstr("same  pyramid/0.5s")));
 }

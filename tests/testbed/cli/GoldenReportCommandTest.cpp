@@ -139,7 +139,7 @@ TEST_F(GoldenReport, IsWrittenWholeOrNotAtAll)
     fs::create_directories(folder / "o");
     ExpectRefusal({"report", "o"}, "'o' holds no verdict");
     std::ofstream(folder / "o/a.verdict.json")
-        << R"({"verdict": 1, "name": "a", "status": "same", "message": ""})";
+        << R"({"verdict": 2, "name": "a", "status": "same", "findings": []})";
     std::ofstream(folder / "mine.html") << "mine";
     ExpectRefusal({"report", "o", "-o", "mine.html"}, "or remove this one");
     ExpectRefusal({"report", "o", "-o", "o"}, "name a file in it");
@@ -153,7 +153,7 @@ TEST_F(GoldenReport, TellsAVerdictThatCannotBeReadBesideTheOthers)
 {
     fs::create_directories(folder / "o/c");
     std::ofstream(folder / "o/a.verdict.json")
-        << R"({"verdict": 1, "name": "a", "status": "same", "message": ""})";
+        << R"({"verdict": 2, "name": "a", "status": "same", "findings": []})";
     std::ofstream(folder / "o/c/b.verdict.json") << "damaged";
     const Outcome outcome = Run({"report", "o"});
     EXPECT_EQ(outcome.code, 0);

@@ -27,7 +27,7 @@ TEST_P(GoldenScenes, LookAndMoveAsApproved)
     EXPECT_EQ(verdicts->size(), 3u);
     for (const GoldenVerdict& verdict : *verdicts)
     {
-        EXPECT_EQ(verdict.status, GoldenStatus::Same) << verdict.name << ": " << verdict.message;
+        EXPECT_EQ(verdict.status, GoldenStatus::Same) << verdict.name << ": " << verdict.Text();
     }
 }
 
