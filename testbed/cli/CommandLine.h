@@ -1,32 +1,58 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Check.h"
 #include "CommandTree.h"
-#include "Commands.h"
+#include "Completion.h"
+#include "Diff.h"
+#include "Doctor.h"
+#include "Export.h"
+#include "Golden.h"
+#include "GoldenReport.h"
+#include "GoldenState.h"
+#include "List.h"
+#include "Man.h"
+#include "Merge.h"
+#include "Play.h"
+#include "Record.h"
+#include "Shot.h"
+#include "Ui.h"
 
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
-/// What the user typed, understood and checked as far as that goes without opening anything. Only
-/// CommandLine*.cpp know the library that parses.
+/// The commands of the program, and the arguments that the user typed turned into one of them.
 namespace boxreel
 {
 
-/// `--help`, `--version`, `man`: text to print instead of doing anything.
+/// Every command by its options, in the order of the help: the only list of them. A command below
+/// another (`golden report`) stands after it.
+using Commands =
+    std::tuple<ListOptions, RecordOptions, MergeOptions, ShotOptions, DiffOptions, GoldenOptions,
+               GoldenReportOptions, GoldenStateOptions, PlayOptions, UiOptions, CheckOptions,
+               DoctorOptions, ExportOptions, CompletionOptions, ManOptions>;
+
+/// `--help`, `--version`: text to print instead of doing anything.
 struct TextRequest
 {
     std::string text;
 };
 
-using Request = std::variant<TextRequest, ListOptions, RecordOptions, MergeOptions, ShotOptions,
-                             DiffOptions, GoldenOptions, GoldenReportOptions, GoldenStateOptions,
-                             PlayOptions, CheckOptions, ExportOptions, DoctorOptions, UiOptions>;
+template <class List>
+struct RequestFor;
+template <class... Options>
+struct RequestFor<std::tuple<Options...>>
+{
+    using Type = std::variant<TextRequest, Options...>;
+};
+using Request = RequestFor<Commands>::Type;
 
-/// `arguments`: without the program's name. An Error (Unusable) is one sentence with the remedy.
+/// `arguments`: without the program's name. Opens nothing.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);
 
-/// What ParseCommandLine understands.
+/// The commands and options that ParseCommandLine understands.
 CommandText DescribeProgram();
 
 } // namespace boxreel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "CompareChoice.h"
+#include "Declare.h"
 
 #include <string>
 
@@ -42,6 +43,118 @@ CompareSettings Effective(const CompareChoice& choice)
     }
     settings.preset += options + (options.empty() ? "" : ",");
     return settings;
+}
+
+namespace
+{
+
+// Far more pixels than any picture has, and a side that no picture exceeds.
+constexpr std::int64_t kMostPixels = 1'000'000'000;
+constexpr int kLargestSide = 65535;
+
+/// "0.1%" or "0.001", as a number from 0 to 1.
+Result<double> ParseShare(const std::string& option, const std::string& text)
+{
+    const bool isPercent = text.ends_with('%');
+    const std::string digits = isPercent ? text.substr(0, text.size() - 1) : text;
+    const Result<double> number = ParseNumber(option, digits);
+    const double share = number ? (isPercent ? *number / 100.0 : *number) : -1.0;
+    if (share < 0.0 || share > 1.0)
+    {
+        return BadValue(option, text, "must be a share from 0 to 100%, such as 0.1% or 0.001");
+    }
+    return share;
+}
+
+/// "10,20,300x40": left, top, width and height.
+Result<PixelBounds> ParseRectangle(const std::string& option, const std::string& text)
+{
+    const Error refusal = BadValue(option, text,
+                                   "must be X,Y,WxH in pixels from the top left corner, each up to "
+                                   "65535, such as 10,20,300x40");
+    const std::vector<std::string> parts = SplitAt(',', text);
+    const std::vector<std::string> sides =
+        parts.size() == 3 ? SplitAt('x', parts[2]) : std::vector<std::string>();
+    if (sides.size() != 2)
+    {
+        return refusal;
+    }
+    const Result<std::int64_t> x = ParseWhole(option, parts[0], 0, kLargestSide);
+    const Result<std::int64_t> y = ParseWhole(option, parts[1], 0, kLargestSide);
+    const Result<std::int64_t> width = ParseWhole(option, sides[0], 1, kLargestSide);
+    const Result<std::int64_t> height = ParseWhole(option, sides[1], 1, kLargestSide);
+    if (!x || !y || !width || !height)
+    {
+        return refusal;
+    }
+    return PixelBounds{int(*x), int(*y), int(*x + *width), int(*y + *height)};
+}
+
+/// "3,17": numbers of bodies.
+std::vector<int> ReadBodies(const std::string& option, const std::string& text)
+{
+    constexpr int kMostBodies = 1'000'000;
+    std::vector<int> bodies;
+    for (const std::string& part : SplitAt(',', text))
+    {
+        const Result<std::int64_t> body = ParseWhole(option, part, 0, kMostBodies);
+        if (!body)
+        {
+            throw Refusal(BadValue(option, text, "must be numbers of bodies, such as 3,17",
+                                   "--labels shows them"));
+        }
+        bodies.push_back(int(*body));
+    }
+    return bodies;
+}
+
+} // namespace
+
+void AddIgnoredBodies(CLI::App& command, CompareChoice& choice)
+{
+    const auto read = [&choice](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+        {
+            const std::vector<int> bodies = ReadBodies("--ignore-body", text);
+            choice.ignoredBodies.insert(choice.ignoredBodies.end(), bodies.begin(), bodies.end());
+        }
+    };
+    AddTexts(command, "--ignore-body", read,
+             "Leave these bodies out of state, draw list and picture,\nby number, such as 3,17")
+        ->type_name("N,...")
+        ->allow_extra_args(false);
+}
+
+void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& usualPreset)
+{
+    CLI::Option* preset =
+        AddValue(command, "--preset", "NAME", choice.preset, CompareSettings::Preset,
+                 "exact, same-machine, cross-machine\n(" + usualPreset + ")");
+    Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
+    AddValue(command, "--tolerance", "DISTANCE", choice.tolerance,
+             NumberBetween(0.0, 1.0, "must be an OKLab distance from 0 to 1, such as 0.01"),
+             "By which one pixel may differ: 0 any bit counts,\n1 black from white (the preset's)");
+    AddValue(command, "--edge-shift", "PX", choice.edgeShift,
+             NumberBetween(0.0, 0.45, "must be a number of pixels from 0 to 0.45, such as 0.2"),
+             "How far an edge may lie from where it was\n(the preset's)");
+    AddValue(command, "--max-pixels", "N", choice.maxPixels, WholeBetween(0, kMostPixels),
+             "How many pixels may differ by more (the preset's)");
+    AddValue(command, "--max-ratio", "SHARE", choice.maxRatio, ParseShare,
+             "And which share of all, such as 0.1% (the preset's)");
+    AddValue(command, "--max-in-window", "N", choice.maxInWindow, WholeBetween(0, kMostPixels),
+             "And how many in any window (the preset's)");
+    AddValue(command, "--window", "PX", choice.window, WholeBetween(1, kLargestSide),
+             "Side of that window (16)");
+    const auto readRectangles = [&choice](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+        {
+            choice.ignored.push_back(OrRefuse(ParseRectangle("--ignore", text)));
+        }
+    };
+    AddTexts(command, "--ignore", readRectangles,
+             "Leave this rectangle out, of width W and height H;\nmay be given several times")
+        ->type_name("X,Y,WxH")
+        ->allow_extra_args(false);
 }
 
 } // namespace boxreel

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Command.h"
+
 #include <golden/Compare.h>
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// How pictures are to be compared, as options say it: a preset, and single limits that replace the
@@ -28,5 +31,11 @@ struct CompareChoice
 /// The limits that hold. Their name says which of them came from options: "same-machine, with
 /// --tolerance".
 CompareSettings Effective(const CompareChoice& choice);
+
+/// Options of diff and golden verify. `defaultPreset`: as the help says it.
+void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& defaultPreset);
+
+/// The option of golden verify that leaves bodies out.
+void AddIgnoredBodies(CLI::App& command, CompareChoice& choice);
 
 } // namespace boxreel

@@ -3,7 +3,7 @@
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
-#include <base/Nearest.h>
+#include <recorder/VideoWriter.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,41 +15,20 @@ namespace boxreel
 namespace
 {
 
-/// What a kind of file's name may end in.
-struct Formats
+Result<void> CheckExtension(const std::filesystem::path& path, const std::vector<std::string>& ends)
 {
-    std::vector<std::string> ends;
-    const char* what;
-};
-
-Formats PictureFormats()
-{
-    return {{".png"}, "the one format pictures are written in"};
-}
-
-Formats FigureFormats()
-{
-    return {FigureEnds(), "the formats pictures are written in"};
-}
-
-Result<void> CheckEnd(const std::filesystem::path& path, const Formats& formats)
-{
-    const std::vector<std::string>& ends = formats.ends;
     const std::string end = path.extension().string();
     if (std::find(ends.begin(), ends.end(), end) != ends.end())
     {
         return {};
     }
-    std::string message = "'";
-    message.append(path.string()).append("' does not end in ");
+    std::string all;
     for (const std::string& known : ends)
     {
-        message.append(&known == &ends.front() ? "" : &known == &ends.back() ? " or " : ", ");
-        message.append(known);
+        all.append(all.empty() ? "" : &known == &ends.back() ? " or " : ", ").append(known);
     }
-    const std::string question = DidYouMean(end, ends);
-    message.append(", ").append(formats.what).append(question.empty() ? "." : "; " + question);
-    return Error{ErrorKind::Unusable, message};
+    return Error{ErrorKind::Unusable, path.string(),
+                 end.empty() ? "has no extension" : "unsupported extension " + end, "use " + all};
 }
 
 std::filesystem::path WholePath(const std::filesystem::path& path)
@@ -61,20 +40,21 @@ std::filesystem::path WholePath(const std::filesystem::path& path)
     return failure ? path : whole;
 }
 
-Result<void> CheckPath(const std::filesystem::path& path, bool force, const Formats& formats)
+Result<void> CheckPath(const std::filesystem::path& path, bool force,
+                       const std::vector<std::string>& ends)
 {
-    const std::string name = std::string("'").append(path.string()).append("'");
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored) || !path.has_filename())
     {
-        return Error{ErrorKind::Unusable,
-                     name + " is a folder; name a file in it, such as picture.png."};
+        return Error{ErrorKind::Unusable, path.string(), "is a folder",
+                     "name a file in it, such as picture.png"};
     }
-    RETURN_IF_ERROR(CheckEnd(path, formats));
+    RETURN_IF_ERROR(CheckExtension(path, ends));
     RETURN_IF_ERROR(CheckFolderOf(path));
     if (!force && std::filesystem::exists(path, ignored))
     {
-        return Error{ErrorKind::Unusable, name + " exists; --force overwrites it."};
+        return Error{ErrorKind::Unusable, path.string(), "already exists",
+                     "use --force to overwrite it"};
     }
     // Permissions are not all: /proc has them and takes no file, as a full disk. What is made here
     // goes with its owner.
@@ -84,7 +64,7 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force, const Form
 
 } // namespace
 
-std::vector<std::string> FigureEnds()
+std::vector<std::string> FigureExtensions()
 {
     return {".png", ".svg", ".pdf"};
 }
@@ -121,26 +101,33 @@ bool IsSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
     return WholePath(a) == WholePath(b) || IsFrameOf(a, b) || IsFrameOf(b, a);
 }
 
+std::vector<std::string> FilmExtensions()
+{
+    std::vector<std::string> all = VideoEnds();
+    all.emplace_back(".png");
+    return all;
+}
+
 Result<void> CheckFolderOf(const std::filesystem::path& path)
 {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored))
     {
-        return Error{ErrorKind::Unusable,
-                     "There is no folder '" + folder.string() + "'; create it first."};
+        return Error{ErrorKind::Unusable, folder.string(), "no such folder", "create it first"};
     }
     if (access(folder.c_str(), W_OK | X_OK) != 0)
     {
-        return Error{ErrorKind::Failed, "Cannot write to the folder '" + folder.string() +
-                                            "': " + std::strerror(errno) + "; choose another."};
+        return Error{ErrorKind::Failed, folder.string(),
+                     std::string("cannot write to this folder: ") + std::strerror(errno),
+                     "choose another"};
     }
     return {};
 }
 
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
 {
-    return CheckPath(path, force, PictureFormats());
+    return CheckPath(path, force, {".png"});
 }
 
 std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path)
@@ -154,7 +141,16 @@ std::optional<PictureFormat> PictureFormatOf(const std::filesystem::path& path)
 
 Result<void> CheckFigurePath(const std::filesystem::path& path, bool force)
 {
-    return CheckPath(path, force, FigureFormats());
+    return CheckPath(path, force, FigureExtensions());
+}
+
+/// Unfinished films end in .part.EXT, so a finished one cannot.
+Result<void> CheckFilmName(const std::filesystem::path& film)
+{
+    return film.stem().extension() == ".part"
+               ? Error{ErrorKind::Unusable, "-o " + film.string(), "the name of an unfinished film",
+                       "choose a name without .part"}
+               : Result<void>();
 }
 
 } // namespace boxreel

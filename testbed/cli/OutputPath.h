@@ -12,8 +12,12 @@
 namespace boxreel
 {
 
-/// What the names of pictures of scenes may end in.
-std::vector<std::string> FigureEnds();
+/// The extensions of pictures of scenes, and of films.
+std::vector<std::string> FigureExtensions();
+std::vector<std::string> FilmExtensions();
+
+/// Refuses the names of unfinished films.
+Result<void> CheckFilmName(const std::filesystem::path& film);
 
 /// Whether a picture can be written there: the name ends in .png, its folder exists and takes
 /// a file, and no file is in the way unless `force`. Leaves everything as it was.

@@ -11,35 +11,13 @@ namespace boxreel
 namespace
 {
 
-struct Runner
+Result<int> Run(const TextRequest& request)
 {
-    Result<int> operator()(const TextRequest& request) const
-    {
-        RETURN_IF_ERROR(WriteOutput(request.text));
-        return 0;
-    }
-    Result<int> operator()(const ListOptions& options) const { return RunList(options); }
-    Result<int> operator()(const RecordOptions& options) const { return RunRecord(options); }
-    Result<int> operator()(const MergeOptions& options) const { return RunMerge(options); }
-    Result<int> operator()(const ShotOptions& options) const { return RunShot(options); }
-    Result<int> operator()(const DiffOptions& options) const { return RunDiff(options); }
-    Result<int> operator()(const GoldenOptions& options) const { return RunGolden(options); }
-    Result<int> operator()(const GoldenReportOptions& options) const
-    {
-        return RunGoldenReport(options);
-    }
-    Result<int> operator()(const GoldenStateOptions& options) const
-    {
-        return RunGoldenState(options);
-    }
-    Result<int> operator()(const DoctorOptions& options) const { return RunDoctor(options); }
-    Result<int> operator()(const CheckOptions& options) const { return RunCheck(options); }
-    Result<int> operator()(const ExportOptions& options) const { return RunExport(options); }
-    Result<int> operator()(const PlayOptions& options) const { return RunPlay(options); }
-    Result<int> operator()(const UiOptions& options) const { return RunUi(options); }
-};
+    RETURN_IF_ERROR(WriteOutput(request.text));
+    return 0;
+}
 
-/// Whether an agent of a farm reads along; it does so too when the arguments are not understood.
+/// Whether a render farm reads the output, even if the arguments are wrong.
 bool AsksForOpenJd(const std::vector<std::string>& arguments)
 {
     for (auto word = arguments.begin(); word != arguments.end(); ++word)
@@ -59,7 +37,7 @@ int Report(const Error& error, const std::vector<std::string>& arguments)
     WriteMessage(Red("boxreel:", stderr) + " " + error.Text());
     if (AsksForOpenJd(arguments))
     {
-        // Who cannot be told this cannot be told that, either.
+        // If this cannot be written, there is no other way to report it.
         (void)WriteOutput(FailOpenJdText(error.Text()) + "\n");
     }
     return static_cast<int>(error.kind);
@@ -74,7 +52,7 @@ int RunProgram(const std::vector<std::string>& arguments)
     {
         return Report(request.GetError(), arguments);
     }
-    const Result<int> code = std::visit(Runner(), *request);
+    const Result<int> code = std::visit([](const auto& options) { return Run(options); }, *request);
     return code ? *code : Report(code.GetError(), arguments);
 }
 

@@ -107,9 +107,9 @@ Result<std::string> PictureBy(const fs::path& program, const std::string& scene,
     Result<std::string> bytes = ReadWhole(picture, kLargestPicture);
     if (!said || !bytes || bytes->empty())
     {
-        return Error{ErrorKind::Unusable, "--against " + program.string() +
-                                              ": it made no picture of '" + scene +
-                                              "'; give another build of boxreel that knows it."};
+        return Error{ErrorKind::Unusable, "--against " + program.string(),
+                     "made no picture of '" + scene + "'",
+                     "give another build of boxreel that knows the scene"};
     }
     return bytes;
 }

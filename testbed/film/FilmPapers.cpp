@@ -133,8 +133,8 @@ Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::stri
     std::ifstream file(path);
     if (!file)
     {
-        return Error{ErrorKind::Unusable, path.string() + ", which says how " + film.string() +
-                                              " was made, cannot be read; " + remedy + "."};
+        return Error{ErrorKind::Unusable, path.string(),
+                     "the manifest of " + film.string() + " cannot be read", remedy};
     }
     try
     {
@@ -148,9 +148,8 @@ Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::stri
     {
         // Said below, as what has other faults.
     }
-    return Error{ErrorKind::Unusable, path.string() +
-                                          " is damaged, or of another version of this program; " +
-                                          remedy + "."};
+    return Error{ErrorKind::Unusable, path.string(), "is damaged or of another version of boxreel",
+                 remedy};
 }
 
 std::string WriterOfPapers(const std::filesystem::path& film)

@@ -21,9 +21,10 @@ Result<std::int64_t> FrameCount(const RecordOptions& options)
         FramesIn(options.length.seconds.value_or(length), options.film.framesPerSecond));
     if (frames > kMostFrames)
     {
-        return Error{ErrorKind::Unusable, "The film would have " + std::to_string(frames) +
-                                              " frames; make it shorter or lower --fps, " +
-                                              std::to_string(kMostFrames) + " is the most."};
+        return Error{ErrorKind::Unusable, "film",
+                     "would have " + std::to_string(frames) + " frames; the limit is " +
+                         std::to_string(kMostFrames),
+                     "make it shorter or lower --fps"};
     }
     return frames;
 }
@@ -45,29 +46,32 @@ std::string DifferenceFromAsked(const FilmPapers& there, const RecordOptions& op
     return there.first != plan.frames.First() ? FramesOf(there) : DifferenceOf(there, asked);
 }
 
-/// Why the papers of `film` may not be replaced, with the remedy; empty: they may.
-std::string WhyPapersStay(const std::filesystem::path& film, const RecordOptions& options,
-                          const FilmPlan& plan)
+/// Why the manifest of `film` may not be replaced; an empty problem: it may.
+Error WhyManifestStays(const std::filesystem::path& film, const RecordOptions& options,
+                       const FilmPlan& plan)
 {
+    const auto because = [&film](const std::string& problem, const std::string& remedy) {
+        return Error{ErrorKind::Unusable, PapersPath(film).string(), problem, remedy};
+    };
+    const std::string remedy = "delete it, choose another name, or start again with --force";
     const std::string writer = WriterOfPapers(film);
-    const std::string remedy = "; delete it, choose another name, or begin anew with --force.";
     if (writer.empty())
     {
-        return "what is known of the film goes there, and this file is something else; move it, "
-               "choose another name, or allow overwriting (--force).";
+        return because("a file other than a manifest is in the way",
+                       "move it, choose another name, or use --force to overwrite it");
     }
     if (writer != BOXREEL_VERSION)
     {
-        return "version " + writer + " of this program left it there, and this is version " +
-               BOXREEL_VERSION + remedy;
+        return because("was written by version " + writer + "; this is " + BOXREEL_VERSION, remedy);
     }
     const Result<FilmPapers> papers = ReadPapers(film, "");
     if (!papers)
     {
-        return "another build of this program left it there, and this one cannot read it" + remedy;
+        return because("was written by another build and cannot be read", remedy);
     }
     const std::string difference = DifferenceFromAsked(*papers, options, plan);
-    return difference.empty() ? "" : "it is left of another film (" + difference + ")" + remedy;
+    return difference.empty() ? because("", "")
+                              : because("belongs to another film (" + difference + ")", remedy);
 }
 
 } // namespace
@@ -83,10 +87,8 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options)
         plan.frames = options.length.range->Below(frameCount);
         if (plan.frames.Count() == 0)
         {
-            return Error{ErrorKind::Unusable, "--frame-range " + options.length.range->Text() +
-                                                  ": the film has the frames 0 to " +
-                                                  std::to_string(frameCount - 1) +
-                                                  "; give some of these, or a longer film."};
+            return Error{ErrorKind::Unusable, "--frame-range " + options.length.range->Text(),
+                         "the film has the frames 0 to " + std::to_string(frameCount - 1)};
         }
     }
     plan.film.width = options.look.width;
@@ -103,7 +105,7 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     {
         return false;
     }
-    const std::string remedy = "make that part anew with --force, or choose another place";
+    const std::string remedy = "make that part again with --force, or choose another name";
     ASSIGN_OR_RETURN(const FilmPapers there, ReadPapers(options.output, remedy));
     std::string difference = DifferenceFromAsked(there, options, plan);
     if (difference.empty() && there.end != plan.frames.Last() + 1)
@@ -116,9 +118,8 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     }
     if (!difference.empty())
     {
-        return Error{ErrorKind::Unusable, options.output.string() +
-                                              " is there, but is not what is asked for (" +
-                                              difference + "); " + remedy + "."};
+        return Error{ErrorKind::Unusable, options.output.string(),
+                     "exists but does not match the command (" + difference + ")", remedy};
     }
     return true;
 }
@@ -140,10 +141,10 @@ Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan
         const std::filesystem::path papers = PapersPath(film);
         const bool isThere =
             std::filesystem::exists(std::filesystem::symlink_status(papers, ignored));
-        const std::string why = isThere ? WhyPapersStay(film, options, plan) : "";
-        if (!why.empty())
+        Error why = isThere ? WhyManifestStays(film, options, plan) : Error{};
+        if (!why.problem.empty())
         {
-            return Error{ErrorKind::Unusable, papers.string() + " is in the way: " + why};
+            return why;
         }
     }
     return {};

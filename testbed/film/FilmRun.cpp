@@ -122,17 +122,17 @@ Result<void> FilmRun::OpenPapers()
     }
     if (IsBeingWritten(Part()))
     {
-        return Error{ErrorKind::Failed, "Cannot go on with " + Part().string() +
-                                            ": another program is writing it; wait for it."};
+        return Error{ErrorKind::Failed, Part().string(), "another program is writing it",
+                     "wait for it"};
     }
-    ASSIGN_OR_RETURN(FilmPapers left, ReadPapers(Part(), "begin anew with --force"));
+    ASSIGN_OR_RETURN(FilmPapers left, ReadPapers(Part(), "start again with --force"));
     const std::string difference = DifferenceOf(left, m_papers);
     if (!difference.empty() || left.first != m_papers.first)
     {
-        return Error{ErrorKind::Unusable,
-                     Part().string() + " is left of another film (" +
-                         (difference.empty() ? "it begins with another frame" : difference) +
-                         "); give the same command, or begin anew with --force."};
+        return Error{ErrorKind::Unusable, Part().string(),
+                     "belongs to another film (" +
+                         (difference.empty() ? "it begins with another frame" : difference) + ")",
+                     "give the same command, or start again with --force"};
     }
     m_left = std::move(left);
     m_papers.states = m_left.states; // merge asks for the first one
@@ -179,10 +179,10 @@ Result<void> FilmRun::NoteState(std::int64_t number)
     const auto left = m_left.states.find(number);
     if (left != m_left.states.end() && left->second != state)
     {
-        return Error{ErrorKind::Unusable,
-                     "Frame " + std::to_string(number) + " shows another state than when " +
-                         Part().string() +
-                         " was made, by another build of this program; begin anew with --force."};
+        return Error{ErrorKind::Unusable, Part().string(),
+                     "was made by another build of boxreel: frame " + std::to_string(number) +
+                         " differs",
+                     "start again with --force"};
     }
     m_papers.states[number] = state;
     return WritePapers(Part(), m_papers);

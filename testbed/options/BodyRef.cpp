@@ -23,10 +23,10 @@ Error NoSuchBody(const std::string& option, const std::string& name,
     }
     const int nearest = NearestWord(name, known);
     const std::string hint =
-        known.empty()  ? "the scene names none, give a number, which `--labels` shows."
+        known.empty()  ? "give a number; --labels shows them"
         : nearest >= 0 ? "did you mean '" + known[static_cast<std::size_t>(nearest)] + "'?"
-                       : "`--draw shapes,names` shows which there are.";
-    return Error{ErrorKind::Unusable, option + ": no body is called '" + name + "'; " + hint};
+                       : "--draw shapes,names shows the names";
+    return BadValue(option, name, "no body has this name", hint);
 }
 
 } // namespace
@@ -107,8 +107,8 @@ Result<void> FindNames(const std::string& option, const std::vector<BodyRef*>& b
             {
                 all += (all.empty() ? "" : ", ") + std::to_string(number);
             }
-            return Error{ErrorKind::Unusable, option + ": '" + body->name + "' is what bodies " +
-                                                  all + " are called; give the number of one."};
+            return BadValue(option, body->name, "bodies " + all + " have this name",
+                            "give the number of one");
         }
         if (!numbers.empty())
         {

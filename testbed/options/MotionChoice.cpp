@@ -15,11 +15,6 @@ constexpr std::int64_t kMostPoses = 100; // of an onion skin: more could not be 
 constexpr std::size_t kMostMoments = 64; // smaller pictures would show nothing
 constexpr double kFarthest = 1e6;        // [m], where single precision has steps of 6 cm
 
-Error Refusal(const std::string& option, const std::string& text, const std::string& remedy)
-{
-    return Error{ErrorKind::Unusable, option + " '" + text + "': " + remedy + "."};
-}
-
 std::optional<BodyChoice> ReadBodies(std::string_view text)
 {
     if (text == "moving")
@@ -73,18 +68,18 @@ Result<std::vector<Value>> ParseGrowing(const std::string& option, const std::st
     {
         if (part.empty() && !text.empty())
         {
-            return Refusal(option, text, "one is missing beside a comma");
+            return BadValue(option, text, "a value is missing beside a comma");
         }
         ASSIGN_OR_RETURN(const Value value, parse(part));
         if (!values.empty() && !(values.back() < value))
         {
-            return Refusal(option, text, "several must grow; give the earliest first");
+            return BadValue(option, text, "values must increase", "put the earliest first");
         }
         values.push_back(value);
     }
     if (values.size() > kMostMoments)
     {
-        return Refusal(option, text, "64 moments are the most; give fewer");
+        return BadValue(option, text, "at most 64 moments are possible");
     }
     return values;
 }
@@ -94,10 +89,9 @@ Result<std::vector<Value>> ParseGrowing(const std::string& option, const std::st
 Result<BodyChoice> ParseBodyChoice(const std::string& option, const std::string& text)
 {
     const std::optional<BodyChoice> bodies = ReadBodies(text);
-    return bodies
-               ? Result<BodyChoice>(*bodies)
-               : Refusal(option, text,
-                         "give the numbers or names of bodies, such as 3,17, or the word moving");
+    return bodies ? Result<BodyChoice>(*bodies)
+                  : BadValue(option, text,
+                             "must be numbers or names of bodies, such as 3,17, or moving");
 }
 
 Result<StrobeChoice> ParseStrobe(const std::string& option, const std::string& text)
@@ -107,9 +101,9 @@ Result<StrobeChoice> ParseStrobe(const std::string& option, const std::string& t
     const std::optional<BodyChoice> bodies = ReadBodies(parts.size() > 1 ? parts[1] : "moving");
     if (!every || !bodies || parts.size() > 2)
     {
-        return Refusal(option, text,
-                       "give a time or steps, and bodies if you like, such as 250ms, 15steps or "
-                       "250ms:3,17");
+        return BadValue(option, text,
+                        "must be a time or steps, then optional bodies, such as 250ms, 15steps or "
+                        "250ms:3,17");
     }
     return StrobeChoice{*every, *bodies};
 }
@@ -124,9 +118,9 @@ Result<OnionChoice> ParseOnion(const std::string& option, const std::string& tex
     const std::optional<BodyChoice> bodies = ReadBodies(parts.size() > 2 ? parts[2] : "moving");
     if (!count || !every || !bodies || parts.size() > 3)
     {
-        return Refusal(option, text,
-                       "give a number of poses from 1 to 100, and the time or steps between them "
-                       "and bodies if you like, such as 5, 5:100ms or 5:6steps:3,17");
+        return BadValue(option, text,
+                        "must be 1 to 100 poses, then optional interval and bodies, such as 5, "
+                        "5:100ms or 5:6steps:3,17");
     }
     return OnionChoice{*count, *every, *bodies};
 }
@@ -136,9 +130,8 @@ Result<DimensionChoice> ParseDimension(const std::string& option, const std::str
     std::vector<std::string> ends = SplitOutsideQuotes(" to ", text);
     if (ends.size() > 2)
     {
-        return Refusal(option, text,
-                       "give two ends; a name with the word to in it stands in quotes of its own, "
-                       "such as '\"b to c\" to 3'");
+        return BadValue(option, text, "has more than two ends",
+                        "quote a name that contains \" to \", such as '\"b to c\" to 3'");
     }
     if (ends.size() == 1)
     {
@@ -150,9 +143,9 @@ Result<DimensionChoice> ParseDimension(const std::string& option, const std::str
     {
         return DimensionChoice{*from, *end};
     }
-    return Refusal(option, text,
-                   "give two bodies, such as 3,17, or two ends, each a body or a point X,Y in "
-                   "metres, such as \"0,0 to 4.5,2\" or \"3 to 4.5,2\"");
+    return BadValue(option, text,
+                    "must be two bodies, such as 3,17, or two ends, each a body or a point X,Y in "
+                    "metres, such as \"0,0 to 4.5,2\" or \"3 to 4.5,2\"");
 }
 
 Result<std::vector<Duration>> ParseMoments(const std::string& option, const std::string& text)

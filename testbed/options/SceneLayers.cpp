@@ -32,14 +32,14 @@ uint32 EngineFlags(const SceneLayers& layers)
 
 Error UnknownLayer(const std::string& option, const std::string& layer)
 {
-    std::string remedy = "give any of ";
+    std::string all;
     for (const std::string& name : LayerNames())
     {
-        remedy.append(name).append(",");
+        all.append(all.empty() ? "" : ",").append(name);
     }
-    remedy.append(" with commas between them.");
-    return Error{ErrorKind::Unusable,
-                 option + " '" + layer + "': " + Suggesting(layer, LayerNames(), remedy)};
+    const std::string question = DidYouMean(layer, LayerNames());
+    return BadValue(option, layer, "unknown layer",
+                    question.empty() ? "use any of " + all : question);
 }
 
 bool HasContacts(const ContactLook& look)

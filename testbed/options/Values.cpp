@@ -20,13 +20,6 @@ constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 constexpr std::int64_t kLongestSeconds = 1'000'000; // eleven days, far beyond any film
 constexpr int kLargestSide = 8192;                  // what the renderer draws in one piece
 
-Error Refusal(std::string_view option, std::string_view text, std::string_view remedy)
-{
-    std::string message(option);
-    message.append(" ").append(text.empty() ? "''" : text).append(": ").append(remedy).append(".");
-    return Error{ErrorKind::Unusable, message};
-}
-
 bool IsDigits(std::string_view text)
 {
     return !text.empty() &&
@@ -75,6 +68,16 @@ bool ReadNanoseconds(std::string_view text, std::int64_t unit, std::int64_t& nan
 
 } // namespace
 
+Error BadValue(std::string_view option, std::string_view text, std::string problem,
+               std::string remedy)
+{
+    const bool needsQuotes = text.empty() || text.find(' ') != std::string_view::npos;
+    std::string culprit(option);
+    culprit.append(option.empty() ? "" : " ");
+    culprit.append(needsQuotes ? "'" : "").append(text).append(needsQuotes ? "'" : "");
+    return {ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
+}
+
 std::vector<std::string> SplitAt(char separator, std::string_view text)
 {
     std::vector<std::string> parts(1);
@@ -98,9 +101,9 @@ Result<std::int64_t> ParseWhole(std::string_view option, std::string_view text, 
     std::int64_t value = 0;
     if (!ReadAll(text, value) || value < lowest || value > highest)
     {
-        return Refusal(option, text,
-                       "give a whole number from " + std::to_string(lowest) + " to " +
-                           std::to_string(highest));
+        return BadValue(option, text,
+                        "must be a whole number from " + std::to_string(lowest) + " to " +
+                            std::to_string(highest));
     }
     return value;
 }
@@ -124,11 +127,11 @@ Result<Duration> ParseDuration(std::string_view option, std::string_view text)
         double value = 0.0;
         if (number.find_first_of("eE") != std::string_view::npos && ReadAll(number, value))
         {
-            return Refusal(option, text,
-                           "give a time from 0 to 1000000 s and write it out, without an exponent, "
-                           "such as 1000000 or 2.5");
+            return BadValue(option, text,
+                            "must be a time from 0 to 1000000 s without an exponent, such as 2.5");
         }
-        return Refusal(option, text, "give a time from 0 to 1000000 s, such as 3s, 2.5 or 500ms");
+        return BadValue(option, text,
+                        "must be a time from 0 to 1000000 s, such as 3s, 2.5 or 500ms");
     }
     return duration;
 }
@@ -144,9 +147,9 @@ Result<PixelSize> ParseSize(std::string_view option, std::string_view text)
     if (!read || std::min(size.width, size.height) < 1 ||
         std::max(size.width, size.height) > kLargestSide)
     {
-        return Refusal(option, text,
-                       "give width x height in pixels, each from 1 to " +
-                           std::to_string(kLargestSide) + ", such as 1280x720");
+        return BadValue(option, text,
+                        "must be WIDTHxHEIGHT in pixels, each from 1 to " +
+                            std::to_string(kLargestSide) + ", such as 1280x720");
     }
     return size;
 }
@@ -155,17 +158,13 @@ Result<Rational> ParseRatio(std::string_view option, std::string_view text, doub
                             double highest)
 {
     const Result<Rational> ratio = Rational::Parse(text);
-    if (!ratio)
+    if (!ratio || ratio->ToDouble() < lowest || ratio->ToDouble() > highest)
     {
-        return Error{ErrorKind::Unusable, std::string(option) + ": " + ratio.GetError().Text()};
-    }
-    if (ratio->ToDouble() < lowest || ratio->ToDouble() > highest)
-    {
-        char range[80];
+        char range[120];
         std::snprintf(range, sizeof range,
-                      "give a number from %g to %g, such as 60%s or 30000/1001", lowest, highest,
+                      "must be a number from %g to %g, such as 60%s or 30000/1001", lowest, highest,
                       lowest <= 0.25 ? ", 0.25" : "");
-        return Refusal(option, text, range);
+        return BadValue(option, text, range);
     }
     return *ratio;
 }
@@ -175,7 +174,7 @@ Result<double> ParseNumber(std::string_view option, std::string_view text)
     double value = 0.0;
     if (!ReadAll(text, value) || !std::isfinite(value))
     {
-        return Refusal(option, text, "give a number such as 2.5");
+        return BadValue(option, text, "must be a number, such as 2.5");
     }
     return value;
 }

@@ -33,6 +33,11 @@ struct PixelSize
 /// What stands before, between and after the separators; as many parts as those and one.
 std::vector<std::string> SplitAt(char separator, std::string_view text);
 
+/// Why the value of an option, or of a word in a script, is refused (Unusable). The culprit is both
+/// as typed: "--fps 0". `option` may be empty.
+Error BadValue(std::string_view option, std::string_view text, std::string problem,
+               std::string remedy = {});
+
 /// A whole number from `lowest` to `highest`, decimal.
 Result<std::int64_t> ParseWhole(std::string_view option, std::string_view text, std::int64_t lowest,
                                 std::int64_t highest);

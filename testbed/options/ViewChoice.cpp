@@ -52,8 +52,7 @@ std::string WhyOutside(const char* what, std::string_view text, double lowest, d
         .append(" ")
         .append(text)
         .append(" is not from ")
-        .append(lowest < 0.0 ? "-1000000 to 1000000 m; give one in between."
-                             : "0.001 to 1000000 m; give one in between.");
+        .append(lowest < 0.0 ? "-1000000 to 1000000 m" : "0.001 to 1000000 m");
 }
 
 std::string WhyOutsideHeights(std::string_view text)
@@ -115,7 +114,7 @@ std::optional<CameraKey> ReadKey(std::string_view text)
     return CameraKey{double(time->nanoseconds) / 1e9, view->centerX, view->centerY, view->height};
 }
 
-Result<ViewChoice> ParsePath(std::string_view keys, const std::string& named)
+Result<ViewChoice> ParsePath(const std::string& option, std::string_view keys)
 {
     PathView path;
     for (const std::string& part : SplitAt(';', keys))
@@ -124,16 +123,14 @@ Result<ViewChoice> ParsePath(std::string_view keys, const std::string& named)
         if (!key)
         {
             const std::string why = WhyNotFixed(SplitAt('=', part).back());
-            return Error{ErrorKind::Unusable,
-                         named + "'" + part + "' is no key" +
-                             (why.empty() ? "; give TIME=X,Y,HEIGHT, such as 3s=10,5,12, with "
-                                            "semicolons between them."
-                                          : ": " + why)};
+            return BadValue(option + " path:", part,
+                            why.empty() ? "must be TIME=X,Y,HEIGHT, such as 3s=10,5,12" : why);
         }
         path.keys.push_back(*key);
     }
     const std::string why = WhyNotPath(path.keys);
-    return why.empty() ? Result<ViewChoice>(path) : Error{ErrorKind::Unusable, named + why + "."};
+    return why.empty() ? Result<ViewChoice>(path)
+                       : BadValue(option, "path:" + std::string(keys), why);
 }
 
 /// Each the shortest that is read as the same number.
@@ -226,7 +223,6 @@ std::vector<BodyRef*> BodiesOf(ViewChoice& view)
 
 Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
 {
-    const std::string named = option + " '" + text + "': ";
     const std::size_t colon = text.find(':');
     const std::string kind = text.substr(0, colon);
     const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
@@ -240,15 +236,15 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
     }
     if (kind == "path")
     {
-        return ParsePath(rest, named);
+        return ParsePath(option, rest);
     }
     if (kind == "fit")
     {
         const std::optional<std::vector<BodyRef>> bodies = ReadBodyRefs(rest);
         return bodies ? Result<ViewChoice>(FitBodiesView{*bodies})
-                      : Error{ErrorKind::Unusable,
-                              named + "give fit:world, or the numbers or names of bodies, such "
-                                      "as fit:3,17."};
+                      : BadValue(option, text,
+                                 "must be fit:world, or numbers or names of bodies, such as "
+                                 "fit:3,17");
     }
     if (kind == "follow")
     {
@@ -257,26 +253,23 @@ Result<ViewChoice> ParseView(const std::string& option, const std::string& text)
         const std::string why = parts.size() == 2 ? WhyOutsideHeights(parts.back()) : "";
         if (!why.empty())
         {
-            return Error{ErrorKind::Unusable, named + why};
+            return BadValue(option, text, why);
         }
-        return follow
-                   ? Result<ViewChoice>(*follow)
-                   : Error{ErrorKind::Unusable,
-                           named +
-                               "give the numbers or names of bodies, and the height of the view in "
-                               "metres if you like, such as follow:3,17:12."};
+        return follow ? Result<ViewChoice>(*follow)
+                      : BadValue(option, text,
+                                 "must be numbers or names of bodies, then an optional height of "
+                                 "the view in metres, such as follow:3,17:12");
     }
     const std::optional<FixedView> fixed = ReadFixed(text);
     if (const std::string why = WhyNotFixed(text); !why.empty())
     {
-        return Error{ErrorKind::Unusable, named + why};
+        return BadValue(option, text, why);
     }
     return fixed ? Result<ViewChoice>(*fixed)
-                 : Error{ErrorKind::Unusable,
-                         named + Suggesting(kind, {"scene", "fit", "follow", "path"},
-                                            "give the middle and the height of the view in metres, "
-                                            "such as 0,20,50, or one of scene, fit, fit:world, "
-                                            "fit:3,17, follow:17, path:0s=0,20,50;3s=10,5,12.")};
+                 : BadValue(option, text,
+                            "must be scene, fit, fit:world, fit:3,17, follow:17, a centre and a "
+                            "height in metres such as 0,20,50, or path:0s=0,20,50;3s=10,5,12",
+                            DidYouMean(kind, {"scene", "fit", "follow", "path"}));
 }
 
 } // namespace boxreel

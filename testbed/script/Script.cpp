@@ -22,9 +22,9 @@ namespace
 constexpr std::int64_t kMostSteps = 1'000'000'000;
 constexpr std::uintmax_t kMostBytes = 16'000'000; // of a script: many more than a person would do
 
-Error Unusable(std::string message)
+Error Unusable(std::string culprit, std::string problem, std::string remedy = {})
 {
-    return Error{ErrorKind::Unusable, std::move(message)};
+    return Error{ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
 }
 
 /// "1.5s", exactly.
@@ -60,14 +60,14 @@ Result<ScriptMoment> TakeMoment(Words& words, const std::string& after)
 {
     if (words.IsEmpty())
     {
-        return Unusable("'" + after + "' needs a time, such as 1.5s, or step 90.");
+        return Unusable(Quoted(after), "requires a time", "such as 1.5s or step 90");
     }
     if (words.NextIs("step"))
     {
         words.Take();
         if (words.IsEmpty())
         {
-            return Unusable("'step' needs a number, such as step 90.");
+            return Unusable(Quoted("step"), "requires a number", "such as step 90");
         }
         const Result<std::int64_t> step = ParseWhole("step", words.Take(), 0, kMostSteps);
         return step ? Result<ScriptMoment>(ScriptMoment{*step}) : step.GetError();
@@ -79,10 +79,7 @@ Result<ScriptMoment> TakeMoment(Words& words, const std::string& after)
 /// "3.5,-4": a point [m] or a velocity [m/s].
 Result<b2Vec2> TakePair(Words& words, const std::string& verb, const char* example)
 {
-    const Error wrong = Unusable("'" + verb +
-                                 "' needs two numbers with a comma between them, such "
-                                 "as " +
-                                 verb + " " + example + ".");
+    const Error wrong = Unusable(Quoted(verb), "requires X,Y", "such as " + verb + " " + example);
     if (words.IsEmpty())
     {
         return wrong;
@@ -136,21 +133,22 @@ private:
 Result<void> Parser::CheckEnd(const Words& words, const std::string& verb)
 {
     Words rest = words;
-    return rest.IsEmpty() ? Result<void>()
-                          : Unusable(Quoted(rest.Take()) + " is one word too many after '" + verb +
-                                     "'; leave it out.");
+    return rest.IsEmpty()
+               ? Result<void>()
+               : Unusable(Quoted(rest.Take()), "too many arguments after " + Quoted(verb));
 }
 
 Result<void> Parser::TakeScene(Words& words)
 {
     if (!m_script.scene.empty())
     {
-        return Unusable("there is a scene already, in line " + std::to_string(m_script.sceneLine) +
-                        "; a script plays one.");
+        return Unusable(Quoted("scene"),
+                        "the scene is already in line " + std::to_string(m_script.sceneLine),
+                        "a script plays one");
     }
     if (words.IsEmpty())
     {
-        return Unusable("'scene' needs a name or a file, such as scene dominos.");
+        return Unusable(Quoted("scene"), "requires a name or a file", "such as scene dominos");
     }
     m_script.scene = words.Take();
     m_script.sceneLine = m_line;
@@ -163,7 +161,7 @@ Result<void> Parser::TakeKey(const std::string& verb, ScriptMoment at, Words& wo
     const std::string key = words.IsEmpty() ? "" : words.Take();
     if (key.size() != 1)
     {
-        return Unusable("'" + verb + "' needs a key, such as " + verb + " d.");
+        return Unusable(Quoted(verb), "requires a key", "such as " + verb + " d");
     }
     ScriptAction action;
     action.line = m_line;
@@ -208,8 +206,8 @@ Result<void> Parser::TakeBomb(ScriptAction action, Words& words)
         const Result<b2Vec2> velocity = TakePair(words, "bomb", "0,30 5,-40");
         if (!velocity)
         {
-            return Unusable("'bomb' needs a place and a velocity, such as bomb 0,30 5,-40, or "
-                            "neither.");
+            return Unusable(Quoted("bomb"), "requires a place and a velocity, or neither",
+                            "such as bomb 0,30 5,-40");
         }
         action.kind = ScriptAction::Kind::Sling;
         action.point = place;
@@ -237,10 +235,11 @@ Result<void> Parser::TakePanels(const std::string& verb, ScriptAction action, Wo
     action.kind = verb == "click" ? Kind::Click : verb == "type" ? Kind::Type : Kind::Hit;
     if (words.IsEmpty())
     {
-        return Unusable(action.kind == Kind::Click
-                            ? "'click' needs a control, such as click Solver/Sleep."
-                        : action.kind == Kind::Type ? "'type' needs letters, such as type dominos."
-                                                    : "'hit' needs a key, such as hit ctrl+o.");
+        return action.kind == Kind::Click
+                   ? Unusable(Quoted("click"), "requires a control", "such as click Solver/Sleep")
+               : action.kind == Kind::Type
+                   ? Unusable(Quoted("type"), "requires letters", "such as type dominos")
+                   : Unusable(Quoted("hit"), "requires a key", "such as hit ctrl+o");
     }
     action.name = words.Take();
     m_script.actions.push_back(action);
@@ -258,7 +257,7 @@ Result<void> Parser::TakeExpectation(ScriptMoment at, Words& words)
     }
     if (product.name.empty())
     {
-        return Unusable("'expect' needs a condition, such as expect ball.y < 2.");
+        return Unusable(Quoted("expect"), "requires a condition", "such as expect ball.y < 2");
     }
     m_script.products.push_back(std::move(product));
     return {};
@@ -270,20 +269,20 @@ Result<void> Parser::TakeCamera(const ScriptMoment& at, Words& words)
     const auto* time = std::get_if<Duration>(&at.when);
     if (time == nullptr)
     {
-        return Unusable("the camera moves by time, not by steps; say such as at 1.5s camera "
-                        "0,5,20.");
+        return Unusable(Quoted("camera"), "requires a time, not a step",
+                        "such as at 1.5s camera 0,5,20");
     }
     if (!m_script.camera.empty() && *time <= m_lastCamera)
     {
-        return Unusable("the camera is elsewhere at " + TextOf(m_lastCamera) +
-                        " or later; put its lines in the order of their times.");
+        return Unusable(Quoted("camera"), "comes after a camera at " + TextOf(m_lastCamera),
+                        "sort camera lines by time");
     }
     const std::string view = words.IsEmpty() ? "" : words.Take();
     const Result<ViewChoice> parsed = ParseView("camera", view);
     if (!parsed || !std::holds_alternative<FixedView>(*parsed))
     {
-        return Unusable("'camera' needs the middle and the height of the view in metres, such as "
-                        "camera 0,5,20.");
+        return Unusable(Quoted("camera"), "requires a centre and a height in metres",
+                        "such as camera 0,5,20");
     }
     m_lastCamera = *time;
     m_script.camera.push_back({TextOf(*time), view});
@@ -299,16 +298,18 @@ Result<void> Parser::TakeProduct(const std::string& verb, std::optional<ScriptMo
     product.kind = verb == "shot" ? Kind::Shot : verb == "golden" ? Kind::Golden : Kind::Record;
     if (words.IsEmpty() || words.NextIs("-o") || words.NextIs("--output"))
     {
-        return Unusable(product.kind == Kind::Golden
-                            ? "'golden' needs the name of a reference, such as golden ramp/2s."
-                            : "'" + verb + "' needs a file, such as " + verb +
-                                  (verb == "shot" ? " ramp.png." : " ramp.mp4."));
+        return product.kind == Kind::Golden
+                   ? Unusable(Quoted("golden"), "requires the name of a reference",
+                              "such as golden ramp/2s")
+                   : Unusable(Quoted(verb), "requires a file",
+                              "such as " + verb + (verb == "shot" ? " ramp.png" : " ramp.mp4"));
     }
     product.name = words.Take();
     product.options = words.TakeRest();
     if (product.kind == Kind::Golden && !at)
     {
-        return Unusable("'golden' needs a moment, such as at 2s golden " + product.name + ".");
+        return Unusable(Quoted("golden"), "requires a moment",
+                        "such as at 2s golden " + product.name);
     }
     if (product.kind == Kind::Shot && at)
     {
@@ -346,16 +347,16 @@ Result<void> Parser::TakeAt(Words& words)
         {
             all += (all.empty() ? "" : ", ") + known;
         }
-        return Unusable((verb.empty() ? "'at' needs something to do"
-                                      : Quoted(verb) + " is nothing that can be done") +
-                        (nearest < 0 ? "; give one of " + all + "."
-                                     : "; did you mean '" + kVerbs[std::size_t(nearest)] + "'?"));
+        return Unusable(Quoted(verb.empty() ? "at" : verb),
+                        verb.empty() ? "requires an action" : "unknown action",
+                        nearest < 0 ? "use one of " + all
+                                    : "did you mean '" + kVerbs[std::size_t(nearest)] + "'?");
     }
     if (hasEnd != (verb == "drag"))
     {
-        return Unusable(hasEnd ? "'" + verb + "' takes one moment; leave 'to' out."
-                               : std::string("'drag' needs the time that it takes, such as at 1s "
-                                             "to 2s drag 3.5,4."));
+        return hasEnd ? Unusable(Quoted(verb), "takes one moment", "leave 'to' out")
+                      : Unusable(Quoted("drag"), "requires a start and an end",
+                                 "such as at 1s to 2s drag 3.5,4");
     }
     if (verb == "press" || verb == "release" || verb == "tap")
     {
@@ -400,7 +401,8 @@ Result<void> Parser::TakeLine(Words& words)
     const std::string verb = words.Take();
     if (verb != "scene" && m_script.scene.empty())
     {
-        return Unusable("a script begins with its scene, such as scene dominos.");
+        return Unusable(Quoted(verb), "comes before the scene",
+                        "begin with a line such as scene dominos");
     }
     if (verb == "scene")
     {
@@ -416,17 +418,17 @@ Result<void> Parser::TakeLine(Words& words)
     }
     static const std::vector<std::string> kVerbs{"scene", "at", "record", "shot"};
     const int nearest = NearestWord(verb, kVerbs);
-    return Unusable(Quoted(verb) + " begins no line" +
-                    (nearest < 0 ? "; a line begins with scene, at, record or shot."
-                                 : "; did you mean '" + kVerbs[std::size_t(nearest)] + "'?"));
+    return Unusable(Quoted(verb), "unknown statement",
+                    nearest < 0 ? "use scene, at, record or shot"
+                                : "did you mean '" + kVerbs[std::size_t(nearest)] + "'?");
 }
 
 Result<Script> Parser::Finish()
 {
     if (m_script.scene.empty())
     {
-        return Unusable(m_script.file.string() +
-                        " names no scene; begin it with a line such as scene dominos.");
+        return Unusable(m_script.file.string(), "has no scene",
+                        "begin with a line such as scene dominos");
     }
     return std::move(m_script);
 }
@@ -449,7 +451,8 @@ std::vector<std::string> ScriptMoment::AsOption() const
 
 Error Script::At(int line, const Error& error) const
 {
-    return Error{error.kind, file.string() + ":" + std::to_string(line) + ": " + error.Text()};
+    return Error{error.kind, file.string() + ":" + std::to_string(line) + ": " + error.culprit,
+                 error.problem, error.remedy};
 }
 
 bool Script::ThrowsBombs() const

@@ -17,9 +17,9 @@ using Kind = ScriptAction::Kind;
 
 constexpr std::int64_t kLongestDrag = 1'000'000; // steps: more than four hours
 
-Error Unusable(std::string message)
+Error Unusable(std::string culprit, std::string problem, std::string remedy = {})
 {
-    return Error{ErrorKind::Unusable, std::move(message)};
+    return Error{ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
 }
 
 /// "d (drives forward), a (brakes)".
@@ -45,10 +45,9 @@ Result<void> CheckKey(const Script& script, const ScriptAction& action, const Sc
     {
         return {};
     }
-    return script.At(action.line,
-                     Unusable("the scene does not answer to '" + std::string(1, action.key) +
-                              (keys.empty() ? "', nor to any other key; use the mouse or bombs."
-                                            : "'; give one of " + KeysOf(scene) + ".")));
+    return script.At(action.line, Unusable("'" + std::string(1, action.key) + "'",
+                                           "the scene does not use this key",
+                                           keys.empty() ? "" : "use one of " + KeysOf(scene)));
 }
 
 } // namespace
@@ -66,10 +65,9 @@ Result<void> ScriptInput::Add(const Script& script, const ScriptAction& action,
     if (last <= first || last - first > kLongestDrag)
     {
         return script.At(action.line,
-                         Unusable(last <= first ? "the drag takes no time; it must end at least a "
-                                                  "step after it begins."
-                                                : "the drag takes more than a million steps; let "
-                                                  "it end earlier."));
+                         Unusable("'drag'", last <= first
+                                                ? "must end at least a step after it begins"
+                                                : "takes more than a million steps"));
     }
     for (std::int64_t step = first; step < last; ++step)
     {
@@ -97,9 +95,10 @@ Result<void> ScriptInput::FollowMouse(const Script& script)
         }
         if (action.kind == Kind::Grab ? holds : (action.kind != Kind::Move && !holds))
         {
-            return script.At(action.line,
-                             Unusable(holds ? "the mouse's button is down already; drop first."
-                                            : "the mouse's button is not down; grab first."));
+            return script.At(
+                action.line,
+                Unusable("mouse", holds ? "the button is already down" : "the button is not down",
+                         holds ? "drop first" : "grab first"));
         }
         holds = action.kind != Kind::Drop && (holds || action.kind == Kind::Grab);
         if (action.kind == Kind::Drag)

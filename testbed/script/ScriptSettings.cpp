@@ -54,11 +54,10 @@ Error UnknownSetting(const std::string& name)
         all += (all.empty() ? "" : ", ") + names.back();
     }
     const int nearest = name.empty() ? -1 : NearestWord(name, names);
-    return Error{
-        ErrorKind::Unusable,
-        (name.empty() ? "'set' needs a setting and its value" : "'" + name + "' is no setting") +
-            (nearest < 0 ? "; give one of " + all + "."
-                         : "; did you mean '" + names[std::size_t(nearest)] + "'?")};
+    return Error{ErrorKind::Unusable, name.empty() ? "'set'" : "'" + name + "'",
+                 name.empty() ? "requires a setting and its value" : "unknown setting",
+                 nearest < 0 ? "use one of " + all
+                             : "did you mean '" + names[std::size_t(nearest)] + "'?"};
 }
 
 } // namespace
@@ -72,9 +71,8 @@ Result<int> ParseSetting(const std::string& name, const std::string& text)
     }
     if (setting->most == 0)
     {
-        return text == "on" || text == "off"
-                   ? Result<int>(text == "on" ? 1 : 0)
-                   : Error{ErrorKind::Unusable, name + " '" + text + "': give on or off."};
+        return text == "on" || text == "off" ? Result<int>(text == "on" ? 1 : 0)
+                                             : BadValue(name, text, "must be on or off");
     }
     const Result<std::int64_t> number = ParseWhole(name, text, 1, setting->most);
     return number ? Result<int>(static_cast<int>(*number)) : number.GetError();

@@ -45,7 +45,7 @@ Result<std::vector<std::string>> WordsOf(std::string_view line)
     }
     if (isQuoted)
     {
-        return Error{ErrorKind::Unusable, "a quote (\") is not closed; close it in the same line."};
+        return Error{ErrorKind::Unusable, "\"", "quote is not closed", "close it on the same line"};
     }
     return words;
 }

@@ -38,17 +38,11 @@ std::string_view Trimmed(std::string_view text)
 }
 
 constexpr const char* kRemedy =
-    "write it like \"17.y < -10\", \"all.speed < 0.01\" or \"awake == 0\".";
-
-/// `why`: with the remedy.
-Error Refused(std::string_view option, std::string_view text, const std::string& why)
-{
-    return Error{ErrorKind::Unusable, std::string(option) + " " + Quoted(text) + ": " + why};
-}
+    "write a condition such as \"17.y < -10\", \"all.speed < 0.01\" or \"awake == 0\"";
 
 Error Malformed(std::string_view option, std::string_view text, const std::string& why)
 {
-    return Refused(option, text, why + "; " + kRemedy);
+    return BadValue(option, text, why, kRemedy);
 }
 
 bool IsNumber(std::string_view text)
@@ -75,7 +69,7 @@ Result<Condition::Quantity> Condition::QuantityOf(std::string_view word, bool is
         {"contacts", Quantity::Contacts, false, true},
     }};
     std::vector<std::string> candidates;
-    std::string why = Quoted(word) + " is none of ";
+    std::string all;
     for (const Word& known : words)
     {
         if (!(isOfWorld ? known.isOfWorld : known.isOfBody))
@@ -86,10 +80,12 @@ Result<Condition::Quantity> Condition::QuantityOf(std::string_view word, bool is
         {
             return known.quantity;
         }
-        why.append(candidates.empty() ? "" : ", ").append(known.text);
+        all.append(candidates.empty() ? "" : ", ").append(known.text);
         candidates.emplace_back(known.text);
     }
-    return Error{ErrorKind::Unusable, why + "; " + Suggesting(word, candidates, kRemedy)};
+    const std::string question = DidYouMean(word, candidates);
+    return Error{ErrorKind::Unusable, Quoted(word), "must be one of " + all,
+                 question.empty() ? kRemedy : question};
 }
 
 Result<Condition> Condition::Parse(std::string_view option, std::string_view text)
@@ -97,7 +93,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const std::size_t at = text.find_first_of("<>=!");
     if (at == std::string_view::npos)
     {
-        return Malformed(option, text, "it compares nothing");
+        return Malformed(option, text, "compares nothing");
     }
     const bool isTwo = at + 1 < text.size() && text[at + 1] == '=';
     const std::string_view sign = text.substr(at, isTwo ? 2 : 1);
@@ -105,7 +101,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     condition.m_text = Trimmed(text);
     if (sign == "=" || sign == "!")
     {
-        return Malformed(option, text, Quoted(sign) + " is none of < <= > >= == !=");
+        return Malformed(option, text, Quoted(sign) + " is not one of < <= > >= == !=");
     }
     condition.m_relation = sign == "<"    ? Relation::Less
                            : sign == "<=" ? Relation::LessEqual
@@ -117,7 +113,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const Result<double> value = ParseNumber(option, right);
     if (!value)
     {
-        return Malformed(option, text, Quoted(right) + " is no number");
+        return Malformed(option, text, Quoted(right) + " is not a number");
     }
     condition.m_value = *value;
     const std::string_view left = Trimmed(text.substr(0, at));
@@ -127,7 +123,9 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const Result<Quantity> quantity = QuantityOf(word, isOfWorld);
     if (!quantity)
     {
-        return Refused(option, text, quantity.GetError().Text());
+        return BadValue(option, text,
+                        quantity.GetError().culprit + " " + quantity.GetError().problem,
+                        quantity.GetError().remedy);
     }
     condition.m_quantity = *quantity;
     if (isOfWorld)
@@ -141,7 +139,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     }
     if (subject.empty())
     {
-        return Malformed(option, text, "it names no body");
+        return Malformed(option, text, "names no body");
     }
     condition.m_of = subject == "any"    ? Of::Any
                      : subject == "all"  ? Of::All

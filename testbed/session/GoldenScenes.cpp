@@ -116,9 +116,7 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
         }
         moments += (moments.empty() ? "" : ", ") + std::string(moment.name);
     }
-    return Error{ErrorKind::Unusable, "There is no moment '" + selection.moment + "' of '" +
-                                          name.substr(0, slash) + "'; give one of " + moments +
-                                          "."};
+    return Error{ErrorKind::Unusable, "'" + name + "'", "unknown moment", "use one of " + moments};
 }
 
 Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,

@@ -46,9 +46,8 @@ Result<void> CheckBodies(const std::string& option, int made, const std::vector<
                                     : made == 1 ? "one body, number 0"
                                                 : std::to_string(made) + " bodies, numbers 0 to " +
                                                       std::to_string(made - 1);
-            return Error{ErrorKind::Unusable, option + ": there is no body " +
-                                                  std::to_string(number) + "; the scene has " +
-                                                  has + ", and `--labels` shows which is which."};
+            return Error{ErrorKind::Unusable, option + " " + std::to_string(number),
+                         "no such body; the scene has " + has, "--labels shows the numbers"};
         }
     }
     return {};

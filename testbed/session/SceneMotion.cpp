@@ -147,10 +147,9 @@ Result<SceneMotion> SceneMotion::Create(const MotionLook& asked, SceneSession& s
         }
         if (motion.m_poses.size() > kMostPoses)
         {
-            return Error{ErrorKind::Unusable,
-                         std::string(look.strobe ? "--strobe" : "--onion") + " makes more than " +
-                             std::to_string(kMostPoses) +
-                             " poses; give more time between them, or fewer moments."};
+            return Error{ErrorKind::Unusable, look.strobe ? "--strobe" : "--onion",
+                         "makes more than " + std::to_string(kMostPoses) + " poses",
+                         "give a longer interval or fewer moments"};
         }
     }
     motion.Observe(session);
@@ -356,9 +355,9 @@ Result<void> SceneMotion::CheckBodiesCame() const
     {
         if (!m_measured.contains(body))
         {
-            return Error{ErrorKind::Unusable, "--dimension: body " + std::to_string(body) +
-                                                  " is there no more; give an earlier moment, or "
-                                                  "another body."};
+            return Error{ErrorKind::Unusable, "--dimension",
+                         "body " + std::to_string(body) + " no longer exists",
+                         "give an earlier moment or another body"};
         }
     }
     return {};

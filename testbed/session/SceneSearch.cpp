@@ -30,18 +30,12 @@ Error UnknownScene(std::string_view name)
     {
         keys.push_back(SceneKey(entry.name));
     }
-    std::string message = "There is no scene '" + std::string(name) + "'";
     const int nearest = NearestWord(SceneKey(name), keys);
-    if (nearest >= 0)
-    {
-        const SceneEntry& entry = AllScenes()[static_cast<std::size_t>(nearest)];
-        message += "; did you mean '" + SceneSlug(entry.name) + "'?";
-    }
-    else
-    {
-        message += ";";
-    }
-    return Error{ErrorKind::Unusable, message + " `boxreel list` shows them all."};
+    const std::string remedy =
+        nearest < 0 ? "`boxreel list` shows all"
+                    : "did you mean '" +
+                          SceneSlug(AllScenes()[static_cast<std::size_t>(nearest)].name) + "'?";
+    return Error{ErrorKind::Unusable, "'" + std::string(name) + "'", "unknown scene", remedy};
 }
 
 const SceneEntry* SceneOfKey(const std::string& key)

@@ -177,8 +177,8 @@ void ScriptedPanels::Fail(const ScriptAction& action, const std::string& message
 {
     if (m_failure)
     {
-        m_failure = Error{ErrorKind::Unusable,
-                          m_scriptFile + ":" + std::to_string(action.line) + ": " + message};
+        m_failure =
+            Error{ErrorKind::Unusable, m_scriptFile + ":" + std::to_string(action.line), message};
     }
 }
 

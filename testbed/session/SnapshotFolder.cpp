@@ -111,23 +111,23 @@ Result<SnapshotFolder> SnapshotFolder::Open(const std::filesystem::path& folder,
                                             std::optional<std::int64_t> every)
 {
     std::error_code error;
-    const std::string culprit = "'" + folder.string() + "' of --snapshots ";
+    const std::string culprit = "--snapshots " + folder.string();
     std::filesystem::create_directory(folder, error);
     if (!std::filesystem::is_directory(folder, error))
     {
         const std::filesystem::path parent = std::filesystem::absolute(folder, error).parent_path();
         const bool isMisnamed =
             std::filesystem::exists(folder, error) || !std::filesystem::is_directory(parent, error);
-        return Error{isMisnamed ? ErrorKind::Unusable : ErrorKind::Failed,
-                     culprit + "is no folder and cannot be made one; choose a new name in a folder "
-                               "that is there."};
+        return Error{isMisnamed ? ErrorKind::Unusable : ErrorKind::Failed, culprit,
+                     "is not a folder and cannot be created",
+                     "choose a new name in an existing folder"};
     }
     const Result<AtomicFile> attempt =
         AtomicFile::Create(folder / "attempt", {.overwrite = true, .mark = OwnMark()});
     if (!attempt)
     {
-        return Error{ErrorKind::Failed, culprit + "takes no files; choose another folder, or see "
-                                                  "to its permissions and its disk."};
+        return Error{ErrorKind::Failed, culprit, "is not writable",
+                     "choose another folder or check permissions and disk"};
     }
     RemoveLeftovers(folder);
     return SnapshotFolder(folder, every);

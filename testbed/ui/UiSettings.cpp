@@ -110,9 +110,8 @@ Result<UiSettings> ReadUiSettings(const std::filesystem::path& file)
     {
         return settings;
     }
-    const Error unreadable{ErrorKind::Failed, file.string() +
-                                                  " holds no settings of this program; it is left "
-                                                  "alone until they are written anew."};
+    const Error unreadable{ErrorKind::Failed, file.string(), "holds no settings of boxreel",
+                           "it stays until settings are written again"};
     const Result<std::string> text = ReadWhole(file, kMostBytes);
     const json object = text ? json::parse(*text, nullptr, false) : json();
     if (!object.is_object())
@@ -132,9 +131,9 @@ Result<void> WriteUiSettings(const std::filesystem::path& file, const UiSettings
     std::filesystem::create_directories(file.parent_path(), error);
     if (error)
     {
-        return Error{ErrorKind::Unusable, "the folder " + file.parent_path().string() +
-                                              " cannot be made (" + error.message() +
-                                              "); set XDG_CONFIG_HOME to one that can."};
+        return Error{ErrorKind::Unusable, file.parent_path().string(),
+                     "this folder cannot be created: " + error.message(),
+                     "set XDG_CONFIG_HOME to another"};
     }
     // Scene files have names of any bytes; what is no UTF-8 would not be JSON.
     return WriteWhole(file, object.dump(1, ' ', false, json::error_handler_t::replace) + "\n",

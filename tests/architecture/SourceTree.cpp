@@ -115,7 +115,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"imgui",
          {"render/src/ImGui", "render/src/FontAtlas", "testbed/ui/", "tests/render/ImGui"}},
         {"stb", {"render/src/FontAtlas"}},
-        {"CLI/", {"testbed/cli/CommandLine"}},
+        {"CLI/", {"testbed/cli/"}},
         {"nlohmann/",
          {"golden/src/VerdictFile.", "golden/src/report/Verdicts.", "testbed/rube/",
           "testbed/film/FilmPapers", "testbed/ui/UiSettings"}},

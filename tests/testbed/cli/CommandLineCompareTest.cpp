@@ -100,24 +100,22 @@ TEST(CommandLineCompare, RefusesWhatIsNoLimit)
 {
     const auto refusal = [](const std::string& options) {
         const Result<Request> request = Parse("diff a.png b.png " + options);
-        return request ? "accepted: " + options : request.GetError().Text();
+        return request ? "accepted: " + options : request.GetError().culprit;
     };
     for (const char* text : {"1,2,3", "1,2,0x4", "1,2,3x0", "-1,2,3x4", "1,2,3x4x5", "1,2,3x4,5",
                              "a,2,3x4", "1,2,65536x4", "x"})
     {
-        EXPECT_THAT(refusal("--ignore " + std::string(text)),
-                    HasSubstr("--ignore '" + std::string(text) +
-                              "': give X,Y,WxH in pixels from the top left corner"));
+        EXPECT_EQ(refusal("--ignore " + std::string(text)), "--ignore " + std::string(text));
     }
     for (const char* text : {"200%", "1.5", "-1%", "%", "some"})
     {
-        EXPECT_THAT(refusal("--max-ratio " + std::string(text)), HasSubstr("from 0 to 100%"));
+        EXPECT_EQ(refusal("--max-ratio " + std::string(text)), "--max-ratio " + std::string(text));
     }
-    EXPECT_THAT(refusal("--tolerance 2"), HasSubstr("from 0 to 1"));
-    EXPECT_THAT(refusal("--tolerance nan"), HasSubstr("--tolerance 'nan'"));
-    EXPECT_THAT(refusal("--edge-shift 0.5"), HasSubstr("from 0 to 0.45"));
+    EXPECT_THAT(refusal("--tolerance 2"), HasSubstr("--tolerance 2"));
+    EXPECT_THAT(refusal("--tolerance nan"), HasSubstr("--tolerance nan"));
+    EXPECT_THAT(refusal("--edge-shift 0.5"), HasSubstr("--edge-shift 0.5"));
     EXPECT_THAT(refusal("--max-pixels -1"), HasSubstr("--max-pixels"));
-    EXPECT_THAT(refusal("--window 0"), HasSubstr("from 1 to"));
+    EXPECT_THAT(refusal("--window 0"), HasSubstr("--window 0"));
     EXPECT_THAT(refusal("--preset cros-machine"), HasSubstr("did you mean 'cross-machine'?"));
 }
 

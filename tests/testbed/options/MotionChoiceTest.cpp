@@ -16,7 +16,7 @@ const BodyChoice kThese{false, {3, 17}};
 template <class Value>
 std::string Refusal(const Result<Value>& result)
 {
-    return result ? "accepted" : result.GetError().Text();
+    return result ? "accepted" : result.GetError().culprit;
 }
 
 TEST(MotionChoice, BodiesAreNumbersOrWhatMoves)
@@ -29,8 +29,7 @@ TEST(MotionChoice, BodiesAreNumbersOrWhatMoves)
               (BodyChoice{false, {BodyRef("3, or: so"), BodyRef("moving")}}));
     for (const char* bad : {"", "3,", "-1", "3;17", "a:b", "1.5", "9999999999", "\"a", " a"})
     {
-        EXPECT_THAT(Refusal(ParseBodyChoice("--trail", bad)),
-                    StartsWith("--trail '" + std::string(bad) + "': give"));
+        EXPECT_THAT(Refusal(ParseBodyChoice("--trail", bad)), StartsWith("--trail "));
     }
 }
 
@@ -42,7 +41,7 @@ TEST(MotionChoice, AStrobeHasTimesOrStepsAndBodies)
     EXPECT_EQ(*ParseStrobe("--strobe", "1step"), (StrobeChoice{{{}, 1}, {}}));
     for (const char* bad : {"", "0", "0steps", "steps", "-1s", "1s:", "1s:3:4", "fast"})
     {
-        EXPECT_THAT(Refusal(ParseStrobe("--strobe", bad)), HasSubstr("15steps")) << bad;
+        EXPECT_THAT(Refusal(ParseStrobe("--strobe", bad)), StartsWith("--strobe ")) << bad;
     }
 }
 
@@ -53,7 +52,7 @@ TEST(MotionChoice, AnOnionHasANumberOfPosesAndTheirDistance)
     EXPECT_EQ(*ParseOnion("--onion", "5:3steps:3,17"), (OnionChoice{5, {{}, 3}, kThese}));
     for (const char* bad : {"", "0", "101", "5:", "5:0", "5:1s:", "5:1s:3:4", "x:1s", "5:0s"})
     {
-        EXPECT_THAT(Refusal(ParseOnion("--onion", bad)), HasSubstr("5:100ms")) << bad;
+        EXPECT_THAT(Refusal(ParseOnion("--onion", bad)), StartsWith("--onion ")) << bad;
     }
 }
 
@@ -72,11 +71,11 @@ TEST(MotionChoice, ADimensionGoesFromABodyOrAPointToAnother)
     EXPECT_EQ(*ParseDimension("--dimension", "0,1 to \"b to c\""),
               (DimensionChoice{Vec2{0, 1}, BodyRef("b to c")}));
     EXPECT_THAT(Refusal(ParseDimension("--dimension", "b to c to 3")),
-                HasSubstr("--dimension 'b to c to 3': give two ends; a name with the word to in"));
+                HasSubstr("--dimension 'b to c to 3'"));
     for (const char* bad : {"", "3", "3,3", "3,17,4", "1,2 to", "1,2 to 1,2", "1,2 to 3,4,5",
                             "0,nan to 1,1", "1e7,0 to 1,1", "1.5,2", " to "})
     {
-        EXPECT_THAT(Refusal(ParseDimension("--dimension", bad)), HasSubstr("0,0 to 4.5,2")) << bad;
+        EXPECT_THAT(Refusal(ParseDimension("--dimension", bad)), StartsWith("--dimension ")) << bad;
     }
 }
 
@@ -86,11 +85,11 @@ TEST(MotionChoice, MomentsGrow)
     EXPECT_EQ(*ParseMoments("--at", "0s,500ms,2"),
               (std::vector<Duration>{{0}, {500'000'000}, {2'000'000'000}}));
     EXPECT_EQ(*ParseSteps("--step", "0,30"), (std::vector<std::int64_t>{0, 30}));
-    EXPECT_THAT(Refusal(ParseMoments("--at", "1s,1s")), HasSubstr("must grow"));
-    EXPECT_THAT(Refusal(ParseSteps("--step", "30,0")), HasSubstr("must grow"));
-    EXPECT_THAT(Refusal(ParseMoments("--at", "1s,")), StartsWith("--at '1s,': one is missing"));
-    EXPECT_THAT(Refusal(ParseSteps("--step", "3,,5")), StartsWith("--step '3,,5': one is missing"));
-    EXPECT_THAT(Refusal(ParseSteps("--step", "1,x")), StartsWith("--step x: "));
+    EXPECT_THAT(Refusal(ParseMoments("--at", "1s,1s")), HasSubstr("--at 1s,1s"));
+    EXPECT_THAT(Refusal(ParseSteps("--step", "30,0")), HasSubstr("--step 30,0"));
+    EXPECT_THAT(Refusal(ParseMoments("--at", "1s,")), StartsWith("--at 1s,"));
+    EXPECT_THAT(Refusal(ParseSteps("--step", "3,,5")), StartsWith("--step 3,,5"));
+    EXPECT_THAT(Refusal(ParseSteps("--step", "1,x")), StartsWith("--step x"));
     std::string many = "0";
     for (int i = 1; i < 65; ++i)
     {

@@ -43,8 +43,9 @@ TEST(SceneLayers, AreThoseThatAreNamedAndNoOthers)
         const Result<SceneLayers> refused = ParseLayers("--draw", text);
         ASSERT_FALSE(refused) << text;
         EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(refused.GetError().Text(), testing::AllOf(testing::StartsWith("--draw '"),
-                                                              testing::HasSubstr(kEverything)));
+        EXPECT_THAT(refused.GetError().culprit, testing::StartsWith("--draw "));
+        EXPECT_THAT(refused.GetError().remedy, testing::AnyOf(testing::HasSubstr(kEverything),
+                                                              testing::HasSubstr("did you mean")));
     }
 }
 

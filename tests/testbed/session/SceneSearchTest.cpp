@@ -54,8 +54,8 @@ TEST(SceneSearch, AnUnknownNameSuggestsTheNearest)
     const Result<const SceneEntry*> found = FindScene("pyrmid");
     ASSERT_FALSE(found);
     EXPECT_EQ(found.GetError().kind, ErrorKind::Unusable);
-    EXPECT_EQ(found.GetError().Text(),
-              "There is no scene 'pyrmid'; did you mean 'pyramid'? `boxreel list` shows them all.");
+    EXPECT_EQ(found.GetError().culprit, "'pyrmid'");
+    EXPECT_THAT(found.GetError().remedy, HasSubstr("pyramid"));
 }
 
 TEST(SceneSearch, ANameLikeNoOtherSuggestsTheListOnly)
@@ -64,7 +64,8 @@ TEST(SceneSearch, ANameLikeNoOtherSuggestsTheListOnly)
     {
         const Result<const SceneEntry*> found = FindScene(name);
         ASSERT_FALSE(found) << name;
-        EXPECT_THAT(found.GetError().Text(), HasSubstr("; `boxreel list` shows them all.")) << name;
+        EXPECT_EQ(found.GetError().culprit, "'" + std::string(name) + "'");
+        EXPECT_THAT(found.GetError().remedy, HasSubstr("boxreel list"));
     }
 }
 
@@ -73,7 +74,7 @@ TEST(SceneSearch, AMissingFileIsSaidToBeMissing)
     const Result<SceneSource> source = OpenScene("no-such-file.json");
     ASSERT_FALSE(source);
     EXPECT_EQ(source.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(source.GetError().Text(), HasSubstr("no-such-file.json"));
+    EXPECT_THAT(source.GetError().culprit, HasSubstr("no-such-file.json"));
 }
 
 TEST(SceneSearch, AnExistingFileOfAnyNameIsReadAsAScene)
@@ -85,7 +86,7 @@ TEST(SceneSearch, AnExistingFileOfAnyNameIsReadAsAScene)
     std::filesystem::remove(file);
     ASSERT_FALSE(source);
     EXPECT_EQ(source.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(source.GetError().Text(), HasSubstr("scene-search-foreign.rube"));
+    EXPECT_THAT(source.GetError().culprit, HasSubstr("scene-search-foreign.rube"));
 }
 
 } // namespace

@@ -236,14 +236,15 @@ TEST(Script, NamesWhatIsWrongWithSettingsAndPanels)
 {
     const auto error = [](const std::string& line) {
         const Result<Script> script = ParseScript("scene car\n" + line + "\n", "a.play");
-        return script ? std::string() : script.GetError().Text();
+        return script ? std::string() : script.GetError().culprit;
     };
     EXPECT_THAT(error("at 1s set slep off"), AllOf(HasSubstr("a.play:2:"), HasSubstr("'sleep'")));
     EXPECT_THAT(error("at 1s set sleep maybe"), HasSubstr("on or off"));
     EXPECT_THAT(error("at 1s set sub-steps 65"), HasSubstr("sub-steps"));
     EXPECT_THAT(error("at 1s set"), HasSubstr("velocity-iterations"));
     EXPECT_THAT(error("at 1s click"), HasSubstr("Solver/Sleep"));
-    EXPECT_THAT(error("at 1s type a b"), HasSubstr("one word too many"));
+    EXPECT_THAT(error("at 1s type a b"),
+                HasSubstr("a.play:2: 'b': too many arguments after 'type'"));
     EXPECT_THAT(error("at 1s hit"), HasSubstr("ctrl+o"));
 }
 

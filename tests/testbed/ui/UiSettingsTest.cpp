@@ -82,7 +82,7 @@ TEST_F(UiSettingsTest, AreRefusedFromWhatIsNoJson)
         Write(text);
         const Result<UiSettings> settings = ReadUiSettings(File());
         ASSERT_FALSE(settings);
-        EXPECT_THAT(settings.GetError().Text(), HasSubstr("ui.json"));
+        EXPECT_THAT(settings.GetError().culprit, HasSubstr("ui.json"));
     }
     EXPECT_FALSE(ReadUiSettings(folder.Path()));
 }
@@ -92,9 +92,7 @@ TEST_F(UiSettingsTest, SayWhenTheyCannotBeKept)
     Write("");
     const Result<void> written = WriteUiSettings(File() / "ui.json", UiSettings());
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.GetError().Text(),
-                testing::AllOf(testing::HasSubstr("cannot be made"),
-                               testing::HasSubstr("set XDG_CONFIG_HOME")));
+    EXPECT_EQ(written.GetError().culprit, File().string());
 }
 
 TEST(UiSettingsPath, IsBelowTheFolderForSettings)

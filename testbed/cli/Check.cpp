@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "Check.h"
+#include "Declare.h"
+
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <rube/RubeFile.h>
+#include <rube/RubeScene.h>
+
+namespace boxreel
+{
+namespace
+{
+
+std::string Count(std::size_t number, const std::string& thing)
+{
+    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
+} // namespace
+
+Result<int> Run(const CheckOptions& options)
+{
+    std::vector<std::string> leftOut;
+    ASSIGN_OR_RETURN(const std::unique_ptr<Scene> scene, LoadRubeScene(options.file, leftOut));
+    ASSIGN_OR_RETURN(const std::vector<std::string> traps, TrapsOfFile(options.file));
+    const RubeScene& content = *ContentOfFile(*scene);
+    std::string text;
+    for (const std::string& sentence : leftOut)
+    {
+        text += "left out: " + sentence + "\n";
+    }
+    for (const std::string& sentence : traps)
+    {
+        text += "note: " + sentence + "\n";
+    }
+    text += options.file.string() + ": " + std::to_string(content.bodies.size()) +
+            (content.bodies.size() == 1 ? " body, " : " bodies, ") +
+            Count(content.joints.size(), "joint") + ", " + Count(content.images.size(), "image") +
+            ", " + Count(traps.size(), "note") + ", " + std::to_string(leftOut.size()) +
+            " left out\n";
+    RETURN_IF_ERROR(WriteOutput(text));
+    return leftOut.empty() ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+Result<void> Check(CheckOptions& options)
+{
+    return options.file.empty() ? Missing("check", "FILE", "boxreel check machine.json")
+                                : Result<void>();
+}
+
+CLI::App* Declare(CLI::App& program, CheckOptions& options)
+{
+    CLI::App* command = program.add_subcommand("check", "Say what of a scene file can be built");
+    AddPath(*command, "FILE", "", options.file, "A R.U.B.E. .json file", {".json"});
+    command->footer("Lists what is left out and why, and notes where the format's defaults are not "
+                    "the engine's.\nExit code 0: all can be built, 2: something is left out, 1: no "
+                    "scene file.\n\n"
+                    "Examples:\n"
+                    "  boxreel check machine.json");
+    return command;
+}
+
+} // namespace boxreel

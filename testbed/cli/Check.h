@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Command.h"
+
+#include <filesystem>
+
+namespace boxreel
+{
+
+/// What a scene file would be as a scene.
+struct CheckOptions
+{
+    std::filesystem::path file;
+};
+
+/// Declares `boxreel check` and its options to the parser, which writes to `options`.
+CLI::App* Declare(CLI::App& program, CheckOptions& options);
+
+/// Whether the options fit together; opens nothing.
+Result<void> Check(CheckOptions& options);
+
+/// Lists what of the scene file cannot be built.
+Result<int> Run(const CheckOptions& options);
+
+} // namespace boxreel

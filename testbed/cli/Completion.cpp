@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "Completion.h"
+#include "CommandLine.h"
+#include "Declare.h"
+
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+
+namespace boxreel
+{
+
+CLI::App* Declare(CLI::App& program, CompletionOptions& options)
+{
+    CLI::App* command =
+        program.add_subcommand("completion", "Print what completes words in a shell");
+    AddValue(*command, "SHELL", "", options.shell,
+             OneOf<Shell>({{"bash", Shell::Bash}, {"zsh", Shell::Zsh}}), "bash or zsh");
+    command->footer(
+        "Commands, options, their values, scenes and files. Scenes are offered by names that need "
+        "no\nquotes, such as newtons-cradle; `boxreel list --names` is asked for them each "
+        "time.\n\n"
+        "Examples:\n"
+        "  source <(boxreel completion bash)   # in ~/.bashrc\n"
+        "  source <(boxreel completion zsh)    # in ~/.zshrc, after compinit\n"
+        "  boxreel completion bash > ~/.local/share/bash-completion/completions/boxreel");
+    return command;
+}
+
+Result<void> Check(CompletionOptions& options)
+{
+    return options.shell
+               ? Result<void>()
+               : Error{ErrorKind::Unusable, "completion", "requires SHELL", "give bash or zsh"};
+}
+
+Result<int> Run(const CompletionOptions& options)
+{
+    const CommandText program = DescribeProgram();
+    RETURN_IF_ERROR(WriteOutput(options.shell == Shell::Bash ? BashCompletion(program)
+                                                             : ZshCompletion(program)));
+    return 0;
+}
+
+} // namespace boxreel

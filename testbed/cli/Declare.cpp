@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "Declare.h"
+
+namespace boxreel
+{
+CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,
+                     const std::string& help)
+{
+    return command.add_flag(names, flag, help);
+}
+
+CLI::Option* AddText(CLI::App& command, const std::string& names,
+                     const std::function<void(const std::string&)>& read, const std::string& help)
+{
+    return command.add_option_function<std::string>(names, read, help);
+}
+
+CLI::Option* AddTexts(CLI::App& command, const std::string& names,
+                      const std::function<void(const std::vector<std::string>&)>& read,
+                      const std::string& help)
+{
+    return command.add_option_function<std::vector<std::string>>(names, read, help);
+}
+
+std::string ListedWords(const std::vector<std::string>& words)
+{
+    std::string list;
+    for (const std::string& word : words)
+    {
+        list.append(list.empty() ? "" : ", ").append(word);
+    }
+    return list;
+}
+
+Error Missing(const std::string& subject, const std::string& argument, const std::string& example)
+{
+    return {ErrorKind::Unusable, subject, "requires " + argument, "such as `" + example + "`"};
+}
+
+Error Conflict(const std::string& option, const std::string& other)
+{
+    return {ErrorKind::Unusable, option, "cannot be used with " + other};
+}
+
+Error Requires(const std::string& option, const std::string& other)
+{
+    return {ErrorKind::Unusable, option, "requires " + other};
+}
+
+CLI::Option* AddScene(CLI::App& command, std::string& scene)
+{
+    CLI::Option* option =
+        command.add_option("SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file");
+    return Completes(option->type_name(""), {Completion::Kind::Scenes, {".json"}});
+}
+
+void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
+             std::filesystem::path& path, const std::string& help,
+             const std::vector<std::string>& ends)
+{
+    const auto read = [&path, names](const std::string& text) {
+        if (text.empty() && names.starts_with("-"))
+        {
+            throw Refusal(
+                {ErrorKind::Unusable, names.substr(0, names.find(',')), "is empty", "give a path"});
+        }
+        path = text;
+    };
+    CLI::Option* option = AddText(command, names, read, help);
+    option->type_name(unit);
+    Completes(option, unit == "DIR" ? Completion{Completion::Kind::Folders, {}}
+                                    : Completion{Completion::Kind::Files, ends});
+}
+
+void AddForce(CLI::App& command, bool& force)
+{
+    AddFlag(command, "--force", force, "Overwrite an existing file");
+}
+
+void AddStats(CLI::App& command, bool& stats)
+{
+    AddFlag(command, "--stats", stats, "Print rendering statistics and a timing breakdown");
+}
+
+CLI::Option* AddBackend(CLI::App& command, Backend& backend)
+{
+    CLI::Option* option =
+        AddValue(command, "--backend", "NAME", backend, ParseBackend,
+                 ListedWords(BackendNames()) + " (auto: $BOXREEL_BACKEND, or what works)");
+    return Completes(option, {Completion::Kind::Words, BackendNames()});
+}
+
+} // namespace boxreel

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "Diff.h"
+#include "Declare.h"
+#include "OutputPath.h"
+
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <render/Png.h>
+
+namespace boxreel
+{
+namespace
+{
+
+Result<void> WriteDifference(const DiffOptions& options, const Comparison& comparison)
+{
+    if (options.output.empty())
+    {
+        return {};
+    }
+    if (!comparison.sameSize)
+    {
+        WriteMessage("boxreel: Pictures of different sizes have no picture of differences; '" +
+                     options.output.string() + "' was not written.");
+        return {};
+    }
+    return WritePng(options.output, comparison.difference, {.overwrite = options.force});
+}
+
+} // namespace
+
+Result<int> Run(const DiffOptions& options)
+{
+    if (!options.output.empty())
+    {
+        RETURN_IF_ERROR(CheckPicturePath(options.output, options.force));
+        for (const std::filesystem::path& picture : {options.expected, options.actual})
+        {
+            std::error_code none; // such as one that is not there yet
+            if (std::filesystem::equivalent(options.output, picture, none))
+            {
+                return Error{ErrorKind::Unusable, "-o " + options.output.string(),
+                             "is one of the compared pictures", "choose another name"};
+            }
+        }
+    }
+    ASSIGN_OR_RETURN(Frame expected, ReadPng(options.expected));
+    ASSIGN_OR_RETURN(Frame actual, ReadPng(options.actual));
+    CompareSettings settings = Effective(options.compare);
+    settings.paintsDifference = !options.output.empty();
+    const Comparison comparison = Compare(expected, actual, settings);
+    RETURN_IF_ERROR(WriteDifference(options, comparison));
+    RETURN_IF_ERROR(WriteOutput(comparison.verdict + "\n"));
+    return comparison.equal ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+CLI::App* Declare(CLI::App& program, DiffOptions& diff)
+{
+    CLI::App* command = program.add_subcommand("diff", "Compare two pictures");
+    AddPath(*command, "A", "", diff.expected, "The picture that is right, .png", {".png"});
+    AddPath(*command, "B", "", diff.actual, "The picture to judge, .png", {".png"});
+    AddPath(*command, "-o,--output", "FILE", diff.output,
+            "Write a picture of the differences, .png", {".png"});
+    AddForce(*command, diff.force);
+    AddCompare(*command, diff.compare, "same-machine");
+    command->footer("Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
+                    "Examples:\n"
+                    "  boxreel diff before.png after.png\n"
+                    "  boxreel diff before.png after.png --preset exact -o diff.png\n"
+                    "  boxreel diff mine.png yours.png --preset cross-machine --ignore 0,0,200x30");
+    return command;
+}
+
+Result<void> Check(DiffOptions& options)
+{
+    if (options.expected.empty() || options.actual.empty())
+    {
+        return Missing("diff", "two pictures", "boxreel diff before.png after.png");
+    }
+    return {};
+}
+
+} // namespace boxreel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Command.h"
+
+#include "CompareChoice.h"
+
+#include <filesystem>
+
+namespace boxreel
+{
+
+struct DiffOptions
+{
+    std::filesystem::path expected;
+    std::filesystem::path actual;
+    std::filesystem::path output; ///< of the difference image; empty: none
+    CompareChoice compare;
+    bool force = false;
+};
+
+/// Declares `boxreel diff` and its options to the parser, which writes to `options`.
+CLI::App* Declare(CLI::App& program, DiffOptions& options);
+
+/// Whether the options fit together; opens nothing.
+Result<void> Check(DiffOptions& options);
+
+/// Compares the pictures.
+Result<int> Run(const DiffOptions& options);
+
+} // namespace boxreel

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Command.h"
+
+namespace boxreel
+{
+
+/// What works on this machine.
+struct DoctorOptions
+{};
+
+/// Declares `boxreel doctor` and its options to the parser, which writes to `options`.
+CLI::App* Declare(CLI::App& program, DoctorOptions& options);
+
+/// Tests what the program needs.
+Result<int> Run(const DoctorOptions& options);
+
+} // namespace boxreel

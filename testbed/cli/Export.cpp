@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "Export.h"
+#include "Declare.h"
+
+#include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <rube/RubeExport.h>
+#include <rube/RubeFile.h>
+#include <rube/RubeScene.h>
+#include <rube/RubeText.h>
+#include <rube/RubeWriter.h>
+#include <session/SceneSession.h>
+
+namespace boxreel
+{
+Result<int> Run(const ExportOptions& options)
+{
+    ASSIGN_OR_RETURN(SceneSource source, OpenScene(options.scene));
+    ASSIGN_OR_RETURN(SceneSession session, SceneSession::Open(std::move(source), options.look));
+    session.AdvanceTo(options.at ? StepAt(*options.at, session.StepsPerSecond())
+                                 : options.step.value_or(0));
+    std::vector<std::string> leftOut;
+    const RubeScene said = ExportScene(session.CurrentScene(), session.Steps(),
+                                       float32(session.StepsPerSecond().ToDouble()), leftOut);
+    const std::string text = WriteRubeText(said);
+    if (const Result<RubeScene> back = ParseRubeScene(text, session.Title()); !back)
+    {
+        return Error{ErrorKind::Unusable, options.scene,
+                     "cannot be a scene file at this moment: " + back.GetError().Text(),
+                     "choose another --at"};
+    }
+    for (const std::string& sentence : leftOut)
+    {
+        WriteMessage("boxreel: " + sentence);
+    }
+    const Result<void> written =
+        options.output == "-" ? WriteOutput(text) : WriteWhole(options.output, text, options.force);
+    return written ? Result<int>(0) : written.GetError();
+}
+
+CLI::App* Declare(CLI::App& program, ExportOptions& options)
+{
+    CLI::App* command = program.add_subcommand("export", "Write a scene as a scene file");
+    AddScene(*command, options.scene);
+    AddPath(*command, "-o,--output", "FILE", options.output,
+            "The scene file, .json; - for the standard output", {".json"});
+    AddForce(*command, options.force);
+    AddValue(*command, "--at", "TIME", options.at, ParseDuration,
+             "After so much simulated time: 3s, 500ms, 2.5 (0s)");
+    AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
+             "Or after so many steps");
+    AddValue(*command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
+             "Simulation steps a second (60)");
+    AddValue(*command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
+             "Of the scene's random numbers (1)");
+    command->footer(
+        "Bodies, shapes, joints and names come back bit by bit, also by `boxreel record "
+        "FILE`. What a scene\ndoes by itself, steering, new bodies, is no part of a "
+        "scene file, nor are the impulses of contacts\nthat touch.\n\n"
+        "Examples:\n"
+        "  boxreel export pyramid -o pyramid.json\n"
+        "  boxreel export bridge --at 2s -o sagging.json");
+    return command;
+}
+
+Result<void> Check(ExportOptions& options)
+{
+    if (options.scene.empty())
+    {
+        return Missing("export", "SCENE", "boxreel export pyramid -o pyramid.json");
+    }
+    if (options.output.empty())
+    {
+        return Missing("export", "-o FILE", "boxreel export pyramid -o pyramid.json");
+    }
+    if (options.output != "-" && options.output.extension() != ".json")
+    {
+        return Error{ErrorKind::Unusable, "-o " + options.output.string(), "unsupported extension",
+                     "use .json, or - for the standard output"};
+    }
+    if (options.at && options.step)
+    {
+        return Conflict("--at", "--step");
+    }
+    return {};
+}
+
+} // namespace boxreel

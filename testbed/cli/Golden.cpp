@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#include "Golden.h"
+#include "Declare.h"
+#include "GoldenReport.h"
+#include "GoldenState.h"
+
+#include <base/Counting.h>
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <session/GoldenScenes.h>
+
+#include <algorithm>
+#include <set>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct Folders
+{
+    fs::path references;
+    fs::path output;
+};
+
+/// The nearest folder around the current one that holds golden/references; empty when there is
+/// none.
+fs::path FindCheckout()
+{
+    std::error_code error;
+    fs::path folder = fs::current_path(error);
+    while (!folder.empty() && !fs::is_directory(folder / "golden" / "references", error))
+    {
+        folder = folder == folder.parent_path() ? fs::path() : folder.parent_path();
+    }
+    return folder;
+}
+
+Result<Folders> ChooseFolders(const GoldenOptions& options)
+{
+    const fs::path checkout = FindCheckout();
+    std::error_code error;
+    if (options.references.empty() && checkout.empty())
+    {
+        return Error{ErrorKind::Unusable, "golden/references",
+                     "not found in this folder or above it", "name the folder with --references"};
+    }
+    if (!options.references.empty() && !options.accept &&
+        !fs::is_directory(options.references, error))
+    {
+        return Error{ErrorKind::Unusable, "--references " + options.references.string(),
+                     "no such folder", "`boxreel golden accept --references` makes one"};
+    }
+    Folders folders;
+    folders.references =
+        options.references.empty() ? checkout / "golden" / "references" : options.references;
+    folders.output = options.output.empty() ? DefaultGoldenOutput() : options.output;
+    return folders;
+}
+
+Result<GoldenSelection> SelectFilm(const GoldenOptions& options)
+{
+    if (options.names.size() > 1)
+    {
+        return Error{ErrorKind::Unusable, "'" + options.names[1] + "'", "too many arguments",
+                     "a film has one name"};
+    }
+    GoldenFilm film{options.film, "films/" + options.film.stem().string(), options.sheet};
+    if (!options.names.empty())
+    {
+        film.name = options.names.front();
+    }
+    return GoldenSelection{.film = std::move(film)};
+}
+
+/// A moment that is named twice, by itself or with all of its scene, is looked at once.
+void AddOnce(std::vector<GoldenSelection>& selections, const GoldenSelection& more)
+{
+    const auto covers = [](const GoldenSelection& a, const GoldenSelection& b) {
+        return a.scene == b.scene && (a.moment.empty() || a.moment == b.moment);
+    };
+    if (std::none_of(selections.begin(), selections.end(),
+                     [&](const GoldenSelection& known) { return covers(known, more); }))
+    {
+        std::erase_if(selections,
+                      [&](const GoldenSelection& known) { return covers(more, known); });
+        selections.push_back(more);
+    }
+}
+
+Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
+{
+    std::vector<GoldenSelection> selections;
+    if (!options.film.empty())
+    {
+        const Result<GoldenSelection> film = SelectFilm(options);
+        return film ? Result<std::vector<GoldenSelection>>(std::vector{*film})
+                    : Result<std::vector<GoldenSelection>>(film.GetError());
+    }
+    const std::vector<std::string>& names = options.names;
+    for (const std::string& name : names)
+    {
+        ASSIGN_OR_RETURN(const GoldenSelection selection, SelectGolden(name));
+        AddOnce(selections, selection);
+    }
+    if (names.empty())
+    {
+        for (const SceneEntry& entry : AllScenes())
+        {
+            selections.push_back({.scene = &entry});
+        }
+    }
+    return selections;
+}
+
+/// A line when references of another renderer were compared by other limits, else nothing.
+std::string LimitsOfOthers(std::size_t moments, const CompareSettings& settings)
+{
+    const std::optional<CompareSettings> others = ForOtherRenderer(settings);
+    return moments == 0 || !others
+               ? ""
+               : Counted(moments, "reference") +
+                     " drawn by another renderer: " + DescribeLimits(*others) + "\n";
+}
+
+Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders& folders,
+                   Renderer& renderer, const GoldenOptions& options)
+{
+    const CompareSettings settings = Effective(options.compare);
+    const ReferenceStore store(folders.references, folders.output);
+    std::size_t moments = 0;
+    std::size_t failures = 0;
+    std::size_t ofOthers = 0; // whose reference another renderer drew
+    std::set<std::string> names;
+    std::string warning; // the first: where one file cannot be written, none can
+    for (const GoldenSelection& selection : selections)
+    {
+        ASSIGN_OR_RETURN(const std::vector<GoldenVerdict> verdicts,
+                         VerifyGolden(selection, store, renderer, settings));
+        for (const GoldenVerdict& verdict : verdicts)
+        {
+            const bool isSame = verdict.status == GoldenStatus::Same;
+            names.insert(verdict.name);
+            warning = warning.empty() ? verdict.warning : warning;
+            ++moments;
+            failures += isSame ? 0 : 1;
+            ofOthers += verdict.limits == LimitsChoice::OtherRenderer ? 1 : 0;
+            RETURN_IF_ERROR(WriteOutput(isSame
+                                            ? "same  " + verdict.name + "\n"
+                                            : Red("FAIL", stdout) + "  " + verdict.Text() + "\n"));
+        }
+    }
+    if (!warning.empty())
+    {
+        WriteMessage("boxreel: no verdict is kept of what passed: " + warning);
+    }
+    const std::string what = Counted(moments, "moment");
+    const std::string output = folders.output.string();
+    const std::string named = options.output.empty() ? "" : " '" + output + "'";
+    const std::string page =
+        options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
+    const bool isOfOthersOnly = ofOthers > 0 && ofOthers == moments;
+    const CompareSettings held = isOfOthersOnly ? *ForOtherRenderer(settings) : settings;
+    RETURN_IF_ERROR(
+        WriteOutput((failures == 0 ? what + ": all as approved (" + DescribeLimits(held) + ")\n"
+                                   : what + ": " + std::to_string(failures) +
+                                         " not as approved, see '" + output + "'" + page + "\n") +
+                    LimitsOfOthers(ofOthers, settings)));
+    if (!options.report.empty())
+    {
+        GoldenReportOptions report;
+        report.folders = {folders.output};
+        report.output = options.report;
+        report.backend = options.backend;
+        RETURN_IF_ERROR(WriteGoldenReport(report, names));
+    }
+    return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders& folders,
+                   const GoldenAcceptance& acceptance, Renderer& renderer)
+{
+    const ReferenceStore store(folders.references, folders.output);
+    std::size_t moments = 0;
+    std::size_t same = 0;
+    for (const GoldenSelection& selection : selections)
+    {
+        ASSIGN_OR_RETURN(const std::vector<GoldenVerdict> accepted,
+                         AcceptGolden(selection, store, renderer, acceptance));
+        moments += accepted.size();
+        for (const GoldenVerdict& verdict : accepted)
+        {
+            const bool isSame = verdict.status == GoldenStatus::Same;
+            same += isSame ? 1 : 0;
+            RETURN_IF_ERROR(WriteOutput(isSame ? "same  " + verdict.name + "\n"
+                                               : "accepted  " + verdict.Text() + "\n"));
+        }
+    }
+    RETURN_IF_ERROR(WriteOutput(
+        Counted(moments, "moment") + " accepted in '" + folders.references.string() + "'" +
+        (same == 0 ? "" : ", " + std::to_string(same) + " of them as they were") + "\n"));
+    return 0;
+}
+
+Result<int> VerifyAgainst(const std::filesystem::path& given,
+                          const std::vector<GoldenSelection>& selections)
+{
+    ASSIGN_OR_RETURN(const fs::path program, FindOtherProgram(given));
+    std::size_t failures = 0;
+    for (const GoldenSelection& selection : selections)
+    {
+        ASSIGN_OR_RETURN(const std::string difference, CompareWith(program, selection));
+        failures += difference.empty() ? 0 : 1;
+        RETURN_IF_ERROR(WriteOutput(difference.empty()
+                                        ? "same  " + SceneSlug(selection.scene->name) + "\n"
+                                        : Red("FAIL", stdout) + "  " + difference + "\n"));
+    }
+    const std::string what = Counted(selections.size(), "scene");
+    RETURN_IF_ERROR(
+        WriteOutput(what + (failures == 0 ? ": each step as " + given.string() + " does it\n"
+                                          : ": " + std::to_string(failures) + " not as " +
+                                                given.string() + " does them\n")));
+    return failures == 0 ? 0 : static_cast<int>(ErrorKind::Different);
+}
+
+} // namespace
+
+fs::path DefaultGoldenOutput()
+{
+    const fs::path checkout = FindCheckout();
+    return checkout.empty() ? "golden-output" : checkout / "build" / "golden-output";
+}
+
+Result<int> Run(const GoldenOptions& options)
+{
+    ASSIGN_OR_RETURN(const std::vector<GoldenSelection> selections, Select(options));
+    if (!options.against.empty() && !options.film.empty())
+    {
+        return Conflict("--against", "--film");
+    }
+    if (!options.film.empty() && !options.compare.ignoredBodies.empty())
+    {
+        return Error{ErrorKind::Unusable, "--ignore-body", "cannot be used with --film",
+                     "ignore rectangles with --ignore"};
+    }
+    if (!options.against.empty() && Effective(options.compare).preset != CompareSettings().preset)
+    {
+        return Error{ErrorKind::Unusable, "--against",
+                     "compares states bit by bit, without the options of '" +
+                         Effective(options.compare).preset + "'",
+                     "leave these out"};
+    }
+    if (!options.against.empty() && !options.report.empty())
+    {
+        return Error{ErrorKind::Unusable, "--report", "cannot be used with --against",
+                     "verify first, then run `boxreel golden report --against " +
+                         options.against.string() + "`"};
+    }
+    if (!options.against.empty())
+    {
+        return VerifyAgainst(options.against, selections);
+    }
+    if (!options.report.empty())
+    {
+        RETURN_IF_ERROR(CheckGoldenReportPath(options.report, false));
+    }
+    ASSIGN_OR_RETURN(const Folders folders, ChooseFolders(options));
+    ASSIGN_OR_RETURN(Renderer renderer, CreateGoldenRenderer(options.backend));
+    return options.accept ? Accept(selections, folders, options.acceptance, renderer)
+                          : Verify(selections, folders, renderer, options);
+}
+
+namespace
+{
+
+/// The words of --only.
+struct GoldenFilterChoice
+{
+    std::vector<std::string> Words() const { return {"all", "changed", "missing"}; }
+    Result<GoldenFilter> operator()(const std::string& option, const std::string& text) const
+    {
+        const std::vector<std::string> words = Words();
+        const auto found = std::find(words.begin(), words.end(), text);
+        return found == words.end() ? Result<GoldenFilter>(NotOneOf(option, text, words))
+                                    : Result<GoldenFilter>(GoldenFilter(found - words.begin()));
+    }
+};
+
+void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
+{
+    AddPath(action, "--film", "FILE", golden.film,
+            "A film's contact sheet instead of scenes; NAMES is\nwhat it is called (films/FILE)",
+            VideoEnds());
+    AddValue(action, "--every", "STEPS", golden.sheet.every, WholeBetween(1, 1'000'000),
+             "Steps from one picture of the sheet to the next (30)");
+    AddValue(
+        action, "--hz", "RATE", golden.sheet.stepsPerSecond,
+        [](const std::string& option, const std::string& text) -> Result<double> {
+            const Result<Rational> rate = RatioBetween(1.0, 100000.0)(option, text);
+            return rate ? Result<double>(rate->ToDouble()) : Result<double>(rate.GetError());
+        },
+        "Simulation steps in a second of the film (60)");
+}
+
+} // namespace
+
+CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
+{
+    CLI::App* command =
+        program.add_subcommand("golden", "Compare the scenes with what was approved");
+    command->require_subcommand(1);
+    command->footer("Examples:\n"
+                    "  boxreel golden verify\n"
+                    "  boxreel golden verify pyramid bridge --output /tmp/failures\n"
+                    "  boxreel golden accept pyramid");
+    CLI::App* verify = command->add_subcommand(
+        "verify", "Simulate, draw and compare; what differs is left to look at");
+    CLI::App* accept = command->add_subcommand("accept", "Make what the scenes show the reference");
+    for (CLI::App* action : {verify, accept})
+    {
+        CLI::Option* names = action->add_option(
+            "NAMES", golden.names, "Such as pyramid or pyramid/2s; all when none is given");
+        Completes(names->type_name(""), {Completion::Kind::Scenes, {}});
+        AddPath(*action, "--references", "DIR", golden.references,
+                "Folder of what was approved (golden/references)");
+        AddPath(*action, "--output", "DIR", golden.output,
+                "Folder for what differs (build/golden-output)");
+        AddBackend(*action, golden.backend);
+        DeclareGoldenFilm(*action, golden);
+        action->callback([action, &golden] {
+            for (const char* option : {"--every", "--hz"})
+            {
+                if (action->count(option) > 0 && golden.film.empty())
+                {
+                    throw Refusal(Requires(option, "--film"));
+                }
+            }
+            golden.accept = action->get_name() == "accept";
+        });
+    }
+    AddCompare(*verify, golden.compare,
+               "cross-machine where another renderer drew the\nreference, else same-machine");
+    AddIgnoredBodies(*verify, golden.compare);
+    verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
+                   "Examples:\n"
+                   "  boxreel golden verify\n"
+                   "  boxreel golden verify pyramid --output /tmp/failures\n"
+                   "  boxreel golden verify --report report.html\n"
+                   "  boxreel golden verify pyramid --against ../before/build/release/boxreel\n"
+                   "  boxreel golden verify menu --film menu.mp4 --preset cross-machine");
+    accept->footer("Look at the pictures before they are committed, and say in the commit why they "
+                   "changed.\n\n"
+                   "Examples:\n"
+                   "  boxreel golden accept\n"
+                   "  boxreel golden accept pyramid bridge\n"
+                   "  boxreel golden accept --only missing\n"
+                   "  boxreel golden accept menu --film menu.mp4");
+    AddPath(*verify, "--against", "FILE", golden.against,
+            "Another build of boxreel: compare each step's state with\n"
+            "what it does, instead of with what was approved");
+    AddValue(*accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
+             "all, changed, missing (all)");
+    AddFlag(*accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
+            "Only pictures drawn by the same renderer are compared with these");
+    AddPath(*verify, "--report", "FILE", golden.report,
+            "A page of what was verified, for a browser", {".html"});
+    return command;
+}
+
+} // namespace boxreel

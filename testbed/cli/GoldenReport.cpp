@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "GoldenReport.h"
+#include "Declare.h"
+#include "GoldenReport.h"
+#include "GoldenState.h"
+#include "Strips.h"
+
+#include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <golden/ReportPage.h>
+#include <golden/Verdicts.h>
+
+#include <fstream>
+#include <system_error>
+
+namespace boxreel
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Its second line says what it is.
+bool IsReport(const fs::path& path)
+{
+    std::ifstream in(path);
+    std::string first, second;
+    return std::getline(in, first) && std::getline(in, second) &&
+           second == "<!-- boxreel golden report -->";
+}
+
+std::string Size(std::size_t bytes)
+{
+    const std::size_t tenths = (bytes + 50'000) / 100'000; // of a megabyte
+    return bytes < 100'000
+               ? std::to_string((bytes + 999) / 1000) + " kB"
+               : std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
+}
+
+} // namespace
+
+Result<void> CheckGoldenReportPath(const fs::path& path, bool force)
+{
+    std::error_code code;
+    if (fs::is_directory(path, code))
+    {
+        return Error{ErrorKind::Unusable, path.string(), "is a folder",
+                     "name a file in it, such as " + (path / "report.html").string()};
+    }
+    if (fs::exists(path, code) && !fs::is_regular_file(path, code))
+    {
+        return Error{ErrorKind::Unusable, path.string(), "is not a regular file",
+                     "name a file, such as report.html"};
+    }
+    if (!force && fs::exists(path, code) && !IsReport(path))
+    {
+        return Error{ErrorKind::Unusable, path.string(),
+                     "already exists and is not a golden report",
+                     "name another file or remove this one"};
+    }
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, code))
+    {
+        return Error{ErrorKind::Unusable, folder.string(), "no such folder", "create it first"};
+    }
+    return {};
+}
+
+Result<void> WriteGoldenReport(const GoldenReportOptions& options,
+                               const std::set<std::string>& only)
+{
+    ASSIGN_OR_RETURN(const fs::path against,
+                     options.against.empty() ? fs::path() : FindOtherProgram(options.against));
+    std::vector<fs::path> folders = options.folders;
+    if (folders.empty())
+    {
+        folders.push_back(DefaultGoldenOutput());
+    }
+    ASSIGN_OR_RETURN(std::vector<ReportedMoment> moments, CollectVerdicts(folders));
+    if (!only.empty())
+    {
+        std::erase_if(moments, [&](const ReportedMoment& moment) {
+            return !only.contains(moment.shown.name);
+        });
+    }
+    const fs::path path = options.output.empty() ? folders.front() / "report.html" : options.output;
+    RETURN_IF_ERROR(CheckGoldenReportPath(path, options.force));
+    ASSIGN_OR_RETURN(const auto strips, MakeStrips(moments, against, options.backend));
+    ASSIGN_OR_RETURN(const std::string page, ReportPage(moments, strips));
+    RETURN_IF_ERROR(WriteWhole(path, page, true));
+    return WriteOutput(DescribeOutcome(moments) + "; the report is '" + path.string() + "' (" +
+                       Size(page.size()) + ")\n");
+}
+
+Result<int> Run(const GoldenReportOptions& options)
+{
+    const Result<void> written = WriteGoldenReport(options, {});
+    return written ? Result<int>(0) : Result<int>(written.GetError());
+}
+
+CLI::App* Declare(CLI::App& program, GoldenReportOptions& options)
+{
+    CLI::App* command = program.get_subcommand("golden")->add_subcommand(
+        "report", "Make a page of what golden tests found, for a browser");
+    const auto read = [&options](const std::vector<std::string>& texts) {
+        options.folders.assign(texts.begin(), texts.end());
+    };
+    CLI::Option* folders = AddTexts(*command, "FOLDERS", read,
+                                    "That tests wrote to, one a shard (build/golden-output)");
+    Completes(folders->type_name(""), {Completion::Kind::Folders, {}});
+    AddPath(*command, "-o,--output", "FILE", options.output,
+            "The page (report.html in the first folder)", {".html"});
+    AddPath(*command, "--against", "FILE", options.against,
+            "Another build of boxreel: its pictures of the steps\n"
+            "around the first that differs, too");
+    AddBackend(*command, options.backend);
+    AddForce(*command, options.force);
+    command->footer(
+        "One file that needs no other: summary, filter, and for each moment that differs "
+        "expected,\n"
+        "actual, difference, blink, slider, the outlines of both worlds and the first step that\n"
+        "differs. Exit code 0 when it is written, whatever it says.\n\n"
+        "Examples:\n"
+        "  boxreel golden report\n"
+        "  boxreel golden report shard-0 shard-1 -o report.html\n"
+        "  boxreel golden report --against ../before/build/release/boxreel");
+    return command;
+}
+
+} // namespace boxreel

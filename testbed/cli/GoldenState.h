@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Command.h"
+
+#include <cstdint>
+#include <session/GoldenScenes.h>
+
+#include <filesystem>
+#include <string>
+
+namespace boxreel
+{
+
+/// A scene's state at a step as text, or each step's hashes up to it.
+struct GoldenStateOptions
+{
+    std::string scene;
+    std::int64_t step = 300;
+    bool trace = false;
+};
+
+/// Declares `boxreel golden state` and its options to the parser, which writes to `options`.
+CLI::App* Declare(CLI::App& program, GoldenStateOptions& options);
+
+/// Whether a scene was named.
+Result<void> Check(GoldenStateOptions& options);
+
+/// Prints the state.
+Result<int> Run(const GoldenStateOptions& options);
+
+/// The program as a path that is run as it stands, wherever PATH leads; Unusable when it is none.
+Result<std::filesystem::path> FindOtherProgram(const std::filesystem::path& program);
+
+/// Where this program's states of a scene part from those of another build, which is run: a
+/// sentence with the first step, the bodies, and by how much they differ there. Empty when all
+/// steps are the same. `program`: as FindOtherProgram gives it.
+Result<std::string> CompareWith(const std::filesystem::path& program,
+                                const GoldenSelection& selection);
+
+} // namespace boxreel

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "Declare.h"
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr std::uint32_t kLargestSeed = 0xffffffffu;
+// Smallest picture that leaves room for the scene beside the panels [px].
+constexpr int kMinPanelWidth = 480;
+constexpr int kMinPanelHeight = 240;
+// Size of the panel of --hud [px].
+constexpr int kHudWidth = 200;
+constexpr int kHudHeight = 130;
+constexpr int kHudMsHeight = 150;
+
+/// A theme's name, or "both" where `bothThemes` may say so.
+void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
+{
+    std::vector<std::string> names(ThemeNames().begin(), ThemeNames().end());
+    if (bothThemes != nullptr)
+    {
+        names.emplace_back("both");
+    }
+    const auto read = [&look, bothThemes, names](const std::string& text) {
+        const std::optional<Theme> theme = FindTheme(text);
+        if (!theme && text == "both")
+        {
+            if (bothThemes == nullptr)
+            {
+                throw Refusal(BadValue("--theme", text, "a film has one theme",
+                                       "use one of " + ListedWords(names)));
+            }
+            *bothThemes = true;
+            return;
+        }
+        if (!theme)
+        {
+            throw Refusal(NotOneOf("--theme", text, names));
+        }
+        look.theme = *theme;
+    };
+    CLI::Option* option = AddText(command, "--theme", read, ListedWords(names) + " (classic)");
+    Completes(option->type_name("NAME")->group("Picture"), {Completion::Kind::Words, names});
+}
+
+void AddSize(CLI::App& command, SceneLook& look)
+{
+    const auto read = [&look](const std::string& text) {
+        const PixelSize size = OrRefuse(ParseSize("--size", text));
+        look.width = size.width;
+        look.height = size.height;
+    };
+    AddText(command, "--size", read, "Width and height in pixels (1280x720)")
+        ->type_name("WxH")
+        ->group("Picture");
+}
+
+} // namespace
+
+void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
+{
+    const auto parseHertz = [](const std::string& option, const std::string& text) {
+        return ParseRatio(option, text, 1.0, 100000.0);
+    };
+    AddSize(command, look);
+    AddTheme(command, look, bothThemes);
+    AddValue(command, "--camera", "VIEW", look.view, ParseView,
+             "scene: as the scene prefers, else fit (the default); fit: what moves\n"
+             "stays in view; fit:world: everything; fit:3,17: these bodies;\n"
+             "follow:3,17 or follow:17:HEIGHT: these in the middle; X,Y,HEIGHT in\n"
+             "metres: fixed; from key to key: \"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
+        ->group("Picture");
+    CLI::Option* draw =
+        AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
+                 "Any of shapes,joints,aabbs,pairs,centers,masses,contacts,normals,\n"
+                 "impulses,friction,velocities,forces,names,glyphs (shapes,joints)");
+    Completes(draw->group("Picture"), {Completion::Kind::List, LayerNames()});
+    AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
+             NumberBetween(1e-6, 1e6, "must be seconds from 1e-6 to 1e6, such as 0.2"),
+             "Seconds: a velocity's arrow is the way of so long a time (0.2)")
+        ->group("Picture");
+    AddValue(
+        command, "--force-scale", "M", look.arrows.metersPerNewton,
+        NumberBetween(1e-12, 1e12, "must be metres per newton from 1e-12 to 1e12, such as 0.01"),
+        "Metres a newton, of forces, friction and impulses, each a mean of a\n"
+        "step (the mean weight: 1/8 of the mean size, of contacts 1/3)")
+        ->group("Picture");
+    AddFlag(command, "--labels", look.labels,
+            "The number of each body, before its name if --draw names")
+        ->group("Picture");
+    AddFlag(command, "--hud", look.hud, "A panel with time, step, bodies, contacts")
+        ->group("Picture");
+    AddFlag(command, "--hud-ms", look.hudMilliseconds,
+            "The panel, with the milliseconds of a step as well")
+        ->group("Picture");
+    AddFlag(command, "--ui", look.panels,
+            "The panels of the window, as `boxreel ui` shows them; with --hud-ms\n"
+            "also the times of the solver's parts")
+        ->group("Picture");
+    AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
+             "Simulation steps a second (60)")
+        ->group("Simulation");
+    AddValue(command, "--seed", "N", look.seed, WholeBetween(0, kLargestSeed),
+             "Of the scene's random numbers (1)")
+        ->group("Simulation");
+    AddValue(command, "--velocity-iterations", "N", look.velocityIterations, WholeBetween(1, 1000),
+             "Of the solver, a step (8)")
+        ->group("Simulation");
+    AddValue(command, "--position-iterations", "N", look.positionIterations, WholeBetween(1, 1000),
+             "Of the solver, a step (3)")
+        ->group("Simulation");
+}
+
+Result<void> CheckHud(SceneLook& look)
+{
+    if (look.panels && look.hud)
+    {
+        return Conflict("--hud", "--ui");
+    }
+    const auto needs = [&look](const char* option, int width, int height) {
+        const bool fits = look.width >= width && look.height >= height;
+        return fits ? Result<void>()
+                    : Error{ErrorKind::Unusable, option,
+                            "requires a picture of at least " + std::to_string(width) + "x" +
+                                std::to_string(height) + " pixels",
+                            "give a larger --size"};
+    };
+    if (look.panels)
+    {
+        return needs("--ui", kMinPanelWidth, kMinPanelHeight);
+    }
+    look.hud = look.hud || look.hudMilliseconds;
+    return look.hud ? needs("--hud", kHudWidth, look.hudMilliseconds ? kHudMsHeight : kHudHeight)
+                    : Result<void>();
+}
+
+} // namespace boxreel

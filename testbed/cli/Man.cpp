@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "Man.h"
+#include "CommandLine.h"
+#include "CommandTree.h"
+#include "Declare.h"
+
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+
+#include <sstream>
+
+namespace boxreel
+{
+namespace
+{
+
+/// A term and what it means.
+struct Entry
+{
+    const char* term;
+    const char* meaning;
+};
+
+constexpr Entry kExitCodes[] = {
+    {"0", "Done."},
+    {"1", "What was named cannot be used: unknown, missing, malformed, contradictory, or it exists "
+          "and --force was not given."},
+    {"2", "It is not as it should be: pictures or states differ, an expectation of a script does "
+          "not hold, something of a scene file was left out, or the engine computes otherwise than "
+          "elsewhere."},
+    {"3", "A library, an encoder, a program or a display is absent."},
+    {"4", "Reading or writing failed under way."},
+    {"75", "Stopped by a signal; what was begun can be resumed."},
+};
+
+constexpr Entry kVariables[] = {
+    {"BOXREEL_BACKEND", "What draws where --backend is not given, or is auto: one of the names "
+                        "that it takes."},
+    {"NO_COLOR", "Set to anything, no colours are used. They are used on terminals only."},
+    {"TERM", "When it is dumb or not set, no colours are used either."},
+    {"BOXREEL_GOLDEN_REFERENCES, BOXREEL_GOLDEN_OUTPUT, BOXREEL_GOLDEN_ACCEPT",
+     "Of golden tests: the folder of what was approved, the folder of what differs, and what is "
+     "approved now (missing, changed, all or this-renderer)."},
+    {"XDG_CONFIG_HOME", "Where `boxreel ui` keeps its settings, else ~/.config."},
+    {"LP_NUM_THREADS", "How many threads Mesa draws with."},
+    {"TMPDIR",
+     "Where `boxreel doctor` and `boxreel golden report` put what they need for a while."},
+    {"DISPLAY, WAYLAND_DISPLAY", "The window of `boxreel ui`; nothing else needs a display."},
+};
+
+constexpr Entry kFiles[] = {
+    {"NAME.part.EXT", "A film that is being made or was stopped. It can be played, and --resume "
+                      "goes on with it."},
+    {"NAME.EXT.json, NAME.part.EXT.json",
+     "The papers of a part, or of a film that is not whole: the command, the state of the world, "
+     "the frames."},
+    {"golden/references", "What was approved, in the checkout around the current folder."},
+    {"build/golden-output",
+     "What differed from it, to look at; golden-output in the current folder "
+     "where there is no checkout."},
+};
+
+/// Text that means itself: nothing in it is roff's, and dashes can be copied to a shell.
+std::string Plain(const std::string& text)
+{
+    std::string plain;
+    for (const char c : text)
+    {
+        plain += c == '\\'   ? "\\e"
+                 : c == '-'  ? "\\-"
+                 : c == '\'' ? "\\(aq"
+                 : c == '`'  ? "\\(ga"
+                 : c == '^'  ? "\\(ha"
+                 : c == '~'  ? "\\(ti"
+                             : std::string(1, c);
+    }
+    return (plain.starts_with(".") ? "\\&" : "") + plain;
+}
+
+std::string Bold(const std::string& text)
+{
+    return "\\fB" + Plain(text) + "\\fR";
+}
+
+std::string Italic(const std::string& text)
+{
+    return "\\fI" + Plain(text) + "\\fR";
+}
+
+/// A sentence or more; what stands between backquotes is bold instead.
+std::string Prose(const std::string& text)
+{
+    std::string prose;
+    bool isCommand = false;
+    std::istringstream pieces(text);
+    for (std::string piece; std::getline(pieces, piece, '`'); isCommand = !isCommand)
+    {
+        prose += isCommand ? Bold(piece) : Plain(piece);
+    }
+    return prose;
+}
+
+/// Lines that break where the filling breaks them, but for those that begin with blanks: these are
+/// examples and tables.
+std::string Paragraphs(const std::string& text)
+{
+    std::string paragraphs;
+    bool isTable = false;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+        if (line.starts_with("  ") != isTable)
+        {
+            paragraphs += isTable ? ".fi\n.RE\n.PP\n" : ".PP\n.RS 4\n.nf\n";
+            isTable = !isTable;
+        }
+        paragraphs += isTable        ? Plain(line.substr(2)) + "\n"
+                      : line.empty() ? ".PP\n"
+                                     : Prose(line) + "\n";
+    }
+    return paragraphs + (isTable ? ".fi\n.RE\n" : "");
+}
+
+std::string Term(const std::string& term, const std::string& meaning)
+{
+    return ".TP\n" + term + "\n" + Prose(meaning) + "\n";
+}
+
+template <std::size_t Count>
+std::string Section(const char* title, const Entry (&entries)[Count])
+{
+    std::string section = std::string(".SH ") + title + "\n";
+    for (const Entry& entry : entries)
+    {
+        section += Term(Bold(entry.term), entry.meaning);
+    }
+    return section;
+}
+
+std::string Usage(const CommandText& command)
+{
+    std::string usage = Bold(command.path);
+    for (const WordText& word : command.words)
+    {
+        usage += " " + UsageOf(word, Italic(word.name));
+    }
+    return usage +
+           (command.commands.empty() ? " [" + Italic("OPTIONS") + "]" : " " + Italic("COMMAND"));
+}
+
+std::string OptionTerm(const OptionText& option)
+{
+    std::string term;
+    for (const std::string& name : option.names)
+    {
+        term += (term.empty() ? "" : ", ") + Bold(name);
+    }
+    return option.unit.empty() ? term : term + " " + Italic(option.unit);
+}
+
+/// Words and options, and what the help says below them.
+std::string Body(const CommandText& command)
+{
+    std::string body = Prose(command.summary) + ".\n";
+    for (const WordText& word : command.words)
+    {
+        body += Term(Italic(word.name), word.help);
+    }
+    std::string group = command.options.empty() ? "" : command.options.front().group;
+    for (const OptionText& option : command.options)
+    {
+        if (option.names.back() == "--help")
+        {
+            continue; // which all have
+        }
+        if (option.group != group)
+        {
+            group = option.group;
+            body += ".PP\n" + Plain(group) + ":\n";
+        }
+        body += Term(OptionTerm(option), option.help);
+    }
+    return body + (command.notes.empty() ? "" : ".PP\n" + Paragraphs(command.notes));
+}
+
+std::string Synopsis(const std::vector<const CommandText*>& commands)
+{
+    std::string synopsis = ".SH SYNOPSIS\n.nf\n";
+    for (const CommandText* command : commands)
+    {
+        synopsis += command->commands.empty() ? Usage(*command) + "\n" : "";
+    }
+    return synopsis + ".fi\n";
+}
+
+} // namespace
+
+std::string ManualPage(const CommandText& program)
+{
+    std::vector<const CommandText*> commands = AllCommands(program);
+    commands.erase(commands.begin()); // the program itself
+    std::string page = ".\\\" Made by `boxreel man`.\n"
+                       ".TH BOXREEL 1 \"\" \"boxreel " BOXREEL_VERSION "\" \"User Commands\"\n"
+                       ".SH NAME\nboxreel \\- " +
+                       Plain(program.summary) + "\n";
+    page += Synopsis(commands);
+    page += ".SH DESCRIPTION\n" +
+            Prose("Simulates 2D rigid bodies and makes films and pictures "
+                  "of them where there is no screen. The same input gives "
+                  "the same bits.") +
+            "\n";
+    page += ".SH OPTIONS\nOf all commands and of none:\n";
+    for (const OptionText& option : program.options)
+    {
+        page += Term(OptionTerm(option), option.help);
+    }
+    page += ".SH COMMANDS\n";
+    for (const CommandText* command : commands)
+    {
+        page += ".SS " + Usage(*command) + "\n" + Body(*command);
+    }
+    page += Section("EXIT STATUS", kExitCodes) + Section("ENVIRONMENT", kVariables) +
+            Section("FILES", kFiles);
+    const std::size_t examples = program.notes.find("  ");
+    const std::size_t end = program.notes.find("\n\n"); // exit codes follow, which are above
+    return page + ".SH EXAMPLES\n" + Paragraphs(program.notes.substr(examples, end - examples));
+}
+
+CLI::App* Declare(CLI::App& program, ManOptions&)
+{
+    CLI::App* command = program.add_subcommand("man", "Print the manual page");
+    command->footer("Examples:\n"
+                    "  man <(boxreel man)\n"
+                    "  boxreel man > boxreel.1");
+    return command;
+}
+
+Result<int> Run(const ManOptions&)
+{
+    RETURN_IF_ERROR(WriteOutput(ManualPage(DescribeProgram())));
+    return 0;
+}
+
+} // namespace boxreel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Command.h"
+
+namespace boxreel
+{
+
+struct ManOptions
+{};
+
+/// Declares `boxreel man` and its options to the parser, which writes to `options`.
+CLI::App* Declare(CLI::App& program, ManOptions& options);
+
+/// Prints the manual page in roff.
+Result<int> Run(const ManOptions& options);
+
+} // namespace boxreel

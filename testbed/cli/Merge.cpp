@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "Merge.h"
+#include "Declare.h"
+#include "OutputPath.h"
+
+#include <base/Counting.h>
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <film/FilmPapers.h>
+#include <film/StopSignals.h>
+#include <recorder/JoinFilms.h>
+
+#include <algorithm>
+
+namespace boxreel
+{
+namespace
+{
+
+/// A part and what its papers say.
+struct NamedPart
+{
+    std::filesystem::path path;
+    FilmPapers papers;
+};
+
+Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path>& paths)
+{
+    std::vector<NamedPart> parts;
+    for (const std::filesystem::path& path : paths)
+    {
+        std::error_code ignored;
+        const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+        if (!std::filesystem::exists(status))
+        {
+            return Error{ErrorKind::Unusable, path.string(), "no such file"};
+        }
+        if (!std::filesystem::is_regular_file(status))
+        {
+            return Error{ErrorKind::Unusable, path.string(), "is not a film",
+                         "name parts made with `boxreel record --frame-range`"};
+        }
+        ASSIGN_OR_RETURN(FilmPapers papers,
+                         ReadPapers(path, "copy it beside the part, or record that part again"));
+        if (papers.checksum.empty() || ChecksumOfFilm(path) != papers.checksum)
+        {
+            return Error{ErrorKind::Unusable, path.string(),
+                         "does not match its manifest " + PapersPath(path).string(),
+                         "record that part again"};
+        }
+        parts.push_back({path, std::move(papers)});
+    }
+    std::sort(parts.begin(), parts.end(), [](const NamedPart& a, const NamedPart& b) {
+        return a.papers.first < b.papers.first;
+    });
+    return parts;
+}
+
+/// Whether `after` goes on where `before` ends.
+Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
+{
+    const auto refused = [&](const std::string& why) {
+        return Error{ErrorKind::Unusable, after.path.string(),
+                     "cannot be joined to " + before.path.string() + ": " + why};
+    };
+    const std::string difference = DifferenceOf(before.papers, after.papers);
+    if (!difference.empty())
+    {
+        return refused(difference);
+    }
+    const std::int64_t end = before.papers.end;
+    const std::int64_t next = after.papers.first;
+    if (next != end)
+    {
+        return refused(next < end ? "frame " + std::to_string(next) + " is in both"
+                                  : "frames " + std::to_string(end) + " to " +
+                                        std::to_string(next - 1) + " are missing");
+    }
+    if (end % before.papers.groupFrames != 0)
+    {
+        return refused("they meet at frame " + std::to_string(end) +
+                       ", within a group of frames; make parts that begin with multiples of " +
+                       std::to_string(before.papers.groupFrames));
+    }
+    const auto left = before.papers.states.find(end);
+    const auto right = after.papers.states.find(end);
+    if (left == before.papers.states.end() || right == after.papers.states.end() ||
+        left->second != right->second)
+    {
+        return refused("the world is in another state at frame " + std::to_string(end) +
+                       " in each; make both with the same build of this program");
+    }
+    return {};
+}
+
+std::string FramesText(std::int64_t first, std::int64_t last)
+{
+    return std::to_string(first) + (last > first ? " to " + std::to_string(last) : "");
+}
+
+/// Whether the first and the last part are those of the film.
+Result<void> CheckWhole(const std::vector<NamedPart>& parts)
+{
+    const std::int64_t first = parts.front().papers.first;
+    const std::int64_t end = parts.back().papers.end;
+    const std::int64_t count = parts.back().papers.frameCount;
+    std::string missing = first > 0 ? FramesText(0, first - 1) : "";
+    if (end < count)
+    {
+        missing += (missing.empty() ? "" : " and ") + FramesText(end, count - 1);
+    }
+    if (missing.empty())
+    {
+        return {};
+    }
+    return Error{ErrorKind::Unusable, "frames " + missing,
+                 "missing of " + std::to_string(count) + " frames",
+                 "name the parts that have them, or use --partial"};
+}
+
+/// What is replaced by the film cannot be read for it.
+Result<void> CheckOutput(const MergeOptions& options)
+{
+    for (const std::filesystem::path& part : options.parts)
+    {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(part, options.output, ignored))
+        {
+            return Error{ErrorKind::Unusable, "-o " + options.output.string(),
+                         "is one of the parts", "choose another name"};
+        }
+    }
+    return {};
+}
+
+/// How many of the frames that it keeps a film encodes together: a GIF's groups hold more.
+int GroupOf(const FilmPapers& papers, const std::filesystem::path& film)
+{
+    const VideoSettings ofOne{.framesPerSecond = papers.framesPerSecond, .groupFrames = 1};
+    const std::int64_t length = PartLength(film, ofOne);
+    return static_cast<int>(length > 0 ? papers.groupFrames / length : papers.groupFrames);
+}
+
+} // namespace
+
+Result<int> Run(const MergeOptions& options)
+{
+    RETURN_IF_ERROR(CheckOutput(options));
+    ASSIGN_OR_RETURN(const std::vector<NamedPart> parts, ReadParts(options.parts));
+    std::vector<FilmPart> films;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+        if (i > 0)
+        {
+            RETURN_IF_ERROR(CheckSeam(parts[i - 1], parts[i]));
+        }
+        const FilmPapers& papers = parts[i].papers;
+        films.push_back({parts[i].path, papers.first, papers.end - papers.first});
+    }
+    RETURN_IF_ERROR(options.partial ? Result<void>() : CheckWhole(parts));
+    const FilmPapers& first = parts.front().papers;
+    VideoSettings settings;
+    settings.framesPerSecond = first.framesPerSecond;
+    settings.overwrite = options.force;
+    settings.plays = first.plays;
+    settings.groupFrames = GroupOf(first, options.output);
+    const StopSignals stopSignals;
+    const Result<bool> joined =
+        JoinFilms(films, options.output, settings, [] { return StopSignals::Caught() != 0; });
+    if (!joined)
+    {
+        return joined.GetError();
+    }
+    if (!*joined)
+    {
+        WriteMessage("Stopped; nothing of " + options.output.string() + " is left.");
+        return StopSignals::kExitCode;
+    }
+    const std::int64_t frames = parts.back().papers.end - first.first;
+    WriteMessage(options.output.string() + ": " + Counted(frames, "frame") + " of " +
+                 Counted(films.size(), "part"));
+    return 0;
+}
+
+CLI::App* Declare(CLI::App& program, MergeOptions& merge)
+{
+    CLI::App* command =
+        program.add_subcommand("merge", "Join parts of a film, without encoding them again");
+    CLI::Option* parts = AddTexts(
+        *command, "PARTS",
+        [&merge](const std::vector<std::string>& names) {
+            merge.parts.assign(names.begin(), names.end());
+        },
+        "Films made with --frame-range, in any order, each with its .json");
+    Completes(parts->type_name(""), {Completion::Kind::Files, FilmExtensions()});
+    AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind",
+            FilmExtensions());
+    AddForce(*command, merge.force);
+    AddFlag(*command, "--partial", merge.partial,
+            "A piece of the film will do: its first or last frames may be missing");
+    command->footer(
+        "The parts must be of the same command, unaltered since they were made, and follow each "
+        "other\nwithout a gap from the film's first frame to its last; the world must be in the "
+        "same state where one\nends and the next begins. Stopped by a signal it leaves nothing; "
+        "exit code 75 says so.\n\n"
+        "Examples:\n"
+        "  boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199\n"
+        "  boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399\n"
+        "  boxreel merge a.mkv b.mkv -o pyramid.mkv");
+    return command;
+}
+
+Result<void> Check(MergeOptions& options)
+{
+    if (options.parts.empty())
+    {
+        return Missing("merge", "PARTS", "boxreel merge a.mkv b.mkv -o film.mkv");
+    }
+    if (options.output.empty())
+    {
+        return Missing("merge", "-o FILE", "boxreel merge a.mkv b.mkv -o film.mkv");
+    }
+    if (options.output == "-")
+    {
+        return Error{ErrorKind::Unusable, "-o -", "merge writes to a file only",
+                     "name a file, such as -o film.mkv"};
+    }
+    RETURN_IF_ERROR(CheckFilmName(options.output));
+    return {};
+}
+
+} // namespace boxreel

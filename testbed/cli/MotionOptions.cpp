@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "MotionOptions.h"
+#include "Declare.h"
+
+namespace boxreel
+{
+namespace
+{
+
+/// Two beside each other are about as wide as a picture alone.
+constexpr PixelSize kSmallMultiple{640, 360};
+
+void AddDimensions(CLI::App& command, MotionLook& look)
+{
+    const auto read = [&look](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+        {
+            look.dimensions.push_back(OrRefuse(ParseDimension("--dimension", text)));
+        }
+    };
+    AddTexts(command, "--dimension", read,
+             "The distance of two bodies (3,17), or of bodies and points\n"
+             "(\"0,0 to 4.5,2\", \"3 to 4.5,2\"), in metres; repeatable")
+        ->type_name("FROM,TO")
+        ->allow_extra_args(false)
+        ->group("Annotations");
+}
+
+} // namespace
+
+void AddMotion(CLI::App& command, ShotOptions& shot)
+{
+    MotionLook& look = shot.motion;
+    AddValue(command, "--at", "TIME[,...]", shot.at, ParseMoments,
+             "Simulated time: 3s, 500ms, 2.5; several, such as 0s,1s,2s,\n"
+             "make a grid of pictures with their times")
+        ->group("Time");
+    AddValue(command, "--step", "N[,...]", shot.steps, ParseSteps,
+             "Or the number of simulation steps")
+        ->group("Time");
+    AddValue(
+        command, "--columns", "N", look.columns,
+        [](const std::string& option, const std::string& text) {
+            return ParseWhole(option, text, 1, 64);
+        },
+        "Of the grid (3 for three moments, 2 for four, 3 for six, 4 for ten)")
+        ->group("Time");
+    AddValue(command, "--trail", "BODIES", look.trail, ParseBodyChoice,
+             "The way their centres of mass have gone: 3,17, or names that a\n"
+             "scene file gives, or moving for all that can move")
+        ->group("Motion");
+    AddValue(command, "--trail-seconds", "TIME", look.trailTime, ParseDuration,
+             "Only the last of it (all since the start)")
+        ->group("Motion");
+    AddValue(command, "--strobe", "EVERY[:BODIES]", look.strobe, ParseStrobe,
+             "Poses from the start, fainter: every 250ms or 15steps, of what\n"
+             "moves or, such as 250ms:3,17, of these")
+        ->group("Motion");
+    AddValue(command, "--onion", "N[:EVERY]", look.onion, ParseOnion,
+             "The last N poses, fading; 100ms apart, or 5:50ms, 5:3steps;\n"
+             "of these bodies: 5:50ms:3,17")
+        ->group("Motion");
+    AddFlag(command, "--axes", look.axes, "Beside the picture, in metres; marks the origin")
+        ->group("Annotations");
+    AddFlag(command, "--scale-bar", look.scaleBar, "Below the picture, in metres")
+        ->group("Annotations");
+    AddDimensions(command, look);
+    AddValue(
+        command, "--caption", "TEXT", look.caption,
+        [](const std::string&, const std::string& text) { return Result<std::string>(text); },
+        "Below the picture, in as many lines as it takes")
+        ->group("Annotations");
+    command.callback([&command, &shot] {
+        if (shot.at.size() + shot.steps.size() > 1 && command.count("--size") == 0)
+        {
+            shot.look.width = kSmallMultiple.width;
+            shot.look.height = kSmallMultiple.height;
+        }
+    });
+}
+
+Result<void> CheckMotion(const ShotOptions& options)
+{
+    const MotionLook& look = options.motion;
+    const bool several = options.at.size() + options.steps.size() > 1;
+    if (look.strobe && look.onion)
+    {
+        return Conflict("--strobe", "--onion");
+    }
+    if (look.trailTime && !look.trail)
+    {
+        return Requires("--trail-seconds", "--trail");
+    }
+    if (look.columns > 0 && !several)
+    {
+        return Requires("--columns", "several moments, such as --at 0s,1s,2s,3s");
+    }
+    const bool hasPanel = options.look.hud || options.look.panels;
+    if (hasPanel && (several || look.axes || look.scaleBar || !look.caption.empty()))
+    {
+        return Conflict(options.look.hud ? "--hud" : "--ui",
+                        "--axes, --scale-bar, --caption or several moments");
+    }
+    return {};
+}
+
+} // namespace boxreel

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+#include "Record.h"
+#include "Declare.h"
+#include "OutputPath.h"
+
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <film/FilmRun.h>
+#include <film/StopSignals.h>
+
+#include <malloc.h>
+
+namespace boxreel
+{
+namespace
+{
+
+/// Pictures and the planes of encoders get pages of their own, which go back when they are freed.
+/// glibc would soon keep such blocks in its heaps, where one encoder after the other leaves holes
+/// behind, and a film's memory would grow with its length.
+void GiveLargeBlocksBack()
+{
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, 1 << 20); // said once, it no longer adapts itself
+#endif
+}
+
+/// Whether the picture can be written, shows a frame of the film, and is none of its frames.
+Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
+{
+    if (IsFrameOf(options.thumbnail.file, options.output))
+    {
+        return Error{ErrorKind::Unusable, "--thumbnail " + options.thumbnail.file.string(),
+                     "is a frame of the film itself", "choose another name"};
+    }
+    const std::int64_t count = plan.frames.Count();
+    if (options.thumbnail.at && options.length.until.empty() &&
+        StepAt(*options.thumbnail.at, plan.film.framesPerSecond) > count)
+    {
+        return Error{ErrorKind::Unusable, "--thumbnail-at",
+                     "is after the end of the recording, " + std::to_string(count) + " frames",
+                     "give an earlier time"};
+    }
+    return CheckPicturePath(options.thumbnail.file, options.film.overwrite);
+}
+
+/// Asked before anything is simulated.
+Result<void> CheckFilm(const RecordOptions& options, const FilmPlan& plan)
+{
+    RETURN_IF_ERROR(CheckVideoPath(options.output, plan.film));
+    RETURN_IF_ERROR(CheckPapersPaths(options, plan));
+    return options.thumbnail.file.empty() ? Result<void>() : CheckThumbnail(options, plan);
+}
+
+/// Said before the work of a part that nothing can be joined to; pictures need no joining.
+void TellLooseParts(const RecordOptions& options, const FilmPlan& plan)
+{
+    const std::int64_t first = plan.frames.First();
+    const bool arePictures = options.output.extension() == ".png";
+    if (options.length.range && !arePictures && HasPapers(options, plan) &&
+        first % plan.groupFrames != 0)
+    {
+        WriteMessage("boxreel: --frame-range " + options.length.range->Text() +
+                     ": begins within a group of " + std::to_string(plan.groupFrames) +
+                     " frames, so nothing can be joined before it; begin with a multiple of that "
+                     "or give another --group");
+    }
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> FilesOf(const RecordOptions& options)
+{
+    std::vector<std::filesystem::path> files{options.output};
+    if (!options.thumbnail.file.empty())
+    {
+        files.push_back(options.thumbnail.file);
+    }
+    return files;
+}
+
+Result<void> Prepare(const RecordOptions& options)
+{
+    ASSIGN_OR_RETURN(const FilmPlan plan, PlanFilm(options));
+    const Result<void> usable = CheckFilm(options, plan);
+    return usable ? CheckFolderOf(options.output) : usable;
+}
+
+Result<int> Run(const RecordOptions& options)
+{
+    GiveLargeBlocksBack();
+    ASSIGN_OR_RETURN(FilmPlan plan, PlanFilm(options));
+    if (options.skipDone)
+    {
+        ASSIGN_OR_RETURN(const bool isDone, IsPartDone(options, plan));
+        if (isDone)
+        {
+            WriteMessage(options.output.string() + ": already complete");
+            return 0;
+        }
+    }
+    RETURN_IF_ERROR(CheckFilm(options, plan));
+    TellLooseParts(options, plan);
+    std::optional<SnapshotFolder> snapshots;
+    if (!options.snapshots.folder.empty())
+    {
+        ASSIGN_OR_RETURN(SnapshotFolder folder,
+                         SnapshotFolder::Open(options.snapshots.folder, options.snapshots.every));
+        snapshots = std::move(folder);
+    }
+    ASSIGN_OR_RETURN(SceneSource source, OpenScene(options.scene));
+    for (const std::string& line : source.leftOut)
+    {
+        WriteMessage(line);
+    }
+    const StopSignals stopSignals;
+    return FilmRun(options, std::move(plan), snapshots ? &*snapshots : nullptr)
+        .Make(std::move(source));
+}
+
+namespace
+{
+
+constexpr std::int64_t kMostFrames = 10'000'000; // 46 hours at 60 frames a second
+
+/// An option that may be given several times; `parse` turns each text into one more of `values`.
+template <class Value, class Parse>
+CLI::Option* AddRepeated(CLI::App& command, const std::string& name, const std::string& unit,
+                         std::vector<Value>& values, Parse parse, const std::string& help)
+{
+    const auto read = [&values, parse, name](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+        {
+            values.push_back(OrRefuse(parse(name, text)));
+        }
+    };
+    return AddTexts(command, name, read, help)
+        ->type_name(unit)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+using NameAndValue = std::pair<std::string, std::string>;
+
+/// "crf=20": libav's name and value.
+Result<NameAndValue> ParseCodecOption(const std::string& option, const std::string& text)
+{
+    const std::size_t sign = text.find('=');
+    if (sign == 0 || sign == std::string::npos || sign + 1 == text.size())
+    {
+        return Error{ErrorKind::Unusable,
+                     option + " '" + text + "': give a name and a value, such as crf=20."};
+    }
+    return NameAndValue{text.substr(0, sign), text.substr(sign + 1)};
+}
+
+/// How it is encoded.
+void AddFormat(CLI::App& command, VideoSettings& film)
+{
+    AddValue(command, "--quality", "LEVEL", film.quality,
+             OneOf<Quality>({{"draft", Quality::Draft},
+                             {"standard", Quality::Standard},
+                             {"high", Quality::High},
+                             {"lossless", Quality::Lossless}}),
+             "draft, standard, high, lossless (standard)")
+        ->group("Format");
+    AddValue(
+        command, "--codec", "NAME", film.codec,
+        OneOf<std::string>({{"h264", "h264"}, {"vp9", "vp9"}, {"av1", "av1"}, {"ffv1", "ffv1"}}),
+        "h264 (mp4, mkv), vp9 (webm, mkv), av1 (all three), ffv1 (mkv)")
+        ->group("Format");
+    AddValue(command, "--chroma", "KIND", film.chroma,
+             OneOf<Chroma>({{"420", Chroma::Half}, {"444", Chroma::Full}}),
+             "420: plays everywhere; 444: coloured lines stay sharp (420)")
+        ->group("Format");
+    AddRepeated(command, "--codec-option", "NAME=VALUE", film.codecOptions, ParseCodecOption,
+                "An option of the encoder, such as crf=20; may be repeated")
+        ->group("Format");
+    AddValue(command, "--format", "NAME", film.format,
+             OneOf<std::string>({{"y4m", "y4m"}, {"nut", "nut"}, {"mkv", "mkv"}, {"webm", "webm"}}),
+             "Of -o -, the standard output: y4m, nut, mkv, webm")
+        ->group("Format");
+    AddValue(command, "--loop", "N", film.plays, WholeBetween(0, 65535),
+             "How often a gif, apng or webp plays; 0: for ever (0)")
+        ->group("Format");
+    AddValue(command, "--group", "N", film.groupFrames, WholeBetween(1, 100000),
+             "Frames encoded together; parts begin at multiples (100)")
+        ->group("Format");
+    AddFlag(command, "--constant-rate", film.constantRate,
+            "Store each frame, also one that shows the same, for programs\nthat encode the "
+            "film again (not webp)")
+        ->group("Format");
+    AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
+             "Of the encoder; H.264's bytes depend on it (2)")
+        ->group("Format");
+}
+
+void AddUntil(CLI::App& command, std::vector<Condition>& until)
+{
+    AddRepeated(command, "--until", "CONDITION", until, Condition::Parse,
+                "End when this holds: \"17.y < -10\", \"all.speed < 0.01\",\n\"awake == 0\"; may "
+                "be repeated: whichever comes first")
+        ->group("Time");
+    command
+        .add_flag_callback(
+            "--until-sleep",
+            [&until] { until.push_back(*Condition::Parse("--until-sleep", "awake == 0")); },
+            "End when nothing is awake")
+        ->group("Time");
+}
+
+/// What is filmed, and how fast.
+void AddTime(CLI::App& command, RecordOptions& record)
+{
+    AddValue(command, "--seconds", "TIME", record.length.seconds, ParseDuration,
+             "Length of the film (10)")
+        ->group("Time");
+    AddValue(command, "--frames", "N", record.length.frames, WholeBetween(1, kMostFrames),
+             "Or its number of frames")
+        ->group("Time");
+    AddValue(command, "--from", "TIME", record.length.from, ParseDuration,
+             "Simulate this much before the first frame (0)")
+        ->group("Time");
+    AddUntil(command, record.length.until);
+    AddValue(command, "--fps", "RATE", record.film.framesPerSecond, RatioBetween(0.1, 1000.0),
+             "Frames a second (60)")
+        ->group("Time");
+    AddValue(command, "--speed", "FACTOR", record.pace.speed, RatioBetween(0.001, 1000.0),
+             "Simulated seconds a second; 0.25 is slow motion (1)")
+        ->group("Time");
+    AddFlag(command, "--interpolate", record.pace.interpolate,
+            "Show moments between two steps, not the step before")
+        ->group("Time");
+}
+
+Result<FrameRange> ParseRange(const std::string& option, const std::string& text)
+{
+    Result<FrameRange> range = FrameRange::Parse(text);
+    return range ? range : BadValue(option, text, "must be frames such as 200-399 or 1-3,5,7-20:2");
+}
+
+} // namespace
+
+CLI::App* Declare(CLI::App& program, RecordOptions& record)
+{
+    CLI::App* command = program.add_subcommand("record", "Make a film of a scene");
+    AddScene(*command, record.scene);
+    AddPath(*command, "-o,--output", "FILE", record.output,
+            "The film: .mp4 .mkv .webm .gif .apng .webp, frames-####.png,\nor - with --format",
+            FilmExtensions());
+    AddForce(*command, record.film.overwrite);
+    AddFlag(*command, "--resume", record.film.resume,
+            "Go on with a film that was stopped, or begin it");
+    AddFlag(*command, "--skip-done", record.skipDone,
+            "With --frame-range: nothing is to do if this very part is there");
+    AddStats(*command, record.messages.stats);
+    AddValue(*command, "--progress", "KIND", record.messages.progress,
+             OneOf<ProgressMode>({{"auto", ProgressMode::Auto},
+                                  {"bar", ProgressMode::Bar},
+                                  {"lines", ProgressMode::Lines},
+                                  {"json", ProgressMode::Json},
+                                  {"openjd", ProgressMode::OpenJD},
+                                  {"none", ProgressMode::None}}),
+             "auto, bar, lines, json, openjd, none (auto)");
+    AddValue(*command, "--frame-range", "RANGE", record.length.range, ParseRange,
+             "Only these frames, such as 200-399 or 1-3,5,7-20:2;\n`boxreel merge` joins parts");
+    AddPath(*command, "--snapshots", "DIR", record.snapshots.folder,
+            "Leave states of the simulation there, and begin from those that\nearlier runs left "
+            "before the first frame");
+    AddValue(*command, "--snapshot-every", "N", record.snapshots.every,
+             WholeBetween(1, 1'000'000'000),
+             "Steps between them (100, and later at most 1/16 of the way)");
+    AddPath(*command, "--thumbnail", "FILE", record.thumbnail.file,
+            "Also a picture of one frame, .png", {".png"});
+    AddValue(*command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
+             "When in the film (its middle; of one that --until ends before, its\nlast frame)");
+    AddTime(*command, record);
+    AddFormat(*command, record.film);
+    AddLook(*command, record.look, nullptr);
+    AddBackend(*command, record.backend)->group("Picture");
+    command->footer(
+        "Ctrl-C leaves NAME.part.EXT, which can be played; the same command with --resume goes "
+        "on.\n"
+        "Exit code 75 says so. Frames that show the same are stored once and shown for longer, "
+        "where\n"
+        "the format can.\n\n"
+        "Examples:\n"
+        "  boxreel record pyramid -o pyramid.mp4\n"
+        "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"
+        "  boxreel record dominos -o frames-####.png --frames 120 --hud\n"
+        "  boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25\n"
+        "  boxreel record dominos -o ball.mp4 --camera follow:13:8\n"
+        "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
+        "  boxreel record bridge -o bridge.mp4 --theme okabe-ito\n"
+        "  boxreel record double-domino -o d.webp --from 1s --until-sleep --thumbnail d.png\n"
+        "  boxreel record tumbler -o part-2.mkv --frame-range 200-399 --snapshots states\n"
+        "  boxreel record bridge -o - --format y4m | ffplay -");
+    return command;
+}
+
+Result<void> Check(RecordOptions& options)
+{
+    RETURN_IF_ERROR(CheckHud(options.look));
+    if (options.scene.empty())
+    {
+        return Missing("record", "SCENE", "boxreel record pyramid -o pyramid.mp4");
+    }
+    if (options.output.empty())
+    {
+        return Missing("record", "-o FILE", "boxreel record pyramid -o pyramid.mp4");
+    }
+    RETURN_IF_ERROR(CheckFilmName(options.output));
+    if (options.film.resume && options.film.overwrite)
+    {
+        return Conflict("--resume", "--force");
+    }
+    if (options.length.range && !options.length.until.empty())
+    {
+        return Conflict("--frame-range", "--until");
+    }
+    if (options.skipDone && !options.length.range)
+    {
+        return Requires("--skip-done", "--frame-range");
+    }
+    if (options.skipDone && options.film.overwrite)
+    {
+        return Conflict("--skip-done", "--force");
+    }
+    if (options.messages.progress == ProgressMode::OpenJD && options.output == "-")
+    {
+        return Conflict("--progress openjd", "-o -");
+    }
+    if (options.look.panels && !options.snapshots.folder.empty())
+    {
+        return Conflict("--snapshots", "--ui");
+    }
+    if (options.snapshots.every && options.snapshots.folder.empty())
+    {
+        return Requires("--snapshot-every", "--snapshots");
+    }
+    if (options.thumbnail.at && options.thumbnail.file.empty())
+    {
+        return Requires("--thumbnail-at", "--thumbnail");
+    }
+    if (options.length.seconds && options.length.frames)
+    {
+        return Conflict("--seconds", "--frames");
+    }
+    if (options.length.seconds && options.length.seconds->nanoseconds == 0)
+    {
+        return Error{ErrorKind::Unusable, "--seconds 0", "must be more than 0"};
+    }
+    return {};
+}
+
+} // namespace boxreel

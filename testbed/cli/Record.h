@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Command.h"
+
+#include <film/RecordOptions.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace boxreel
+{
+
+/// Declares `boxreel record` and its options to the parser, which writes to `options`.
+CLI::App* Declare(CLI::App& program, RecordOptions& options);
+
+/// Whether the files could be made; simulates and makes nothing.
+Result<void> Prepare(const RecordOptions& options);
+
+/// The files that are made; of a numbered film its pattern.
+std::vector<std::filesystem::path> FilesOf(const RecordOptions& options);
+
+/// Whether the options fit together; opens nothing.
+Result<void> Check(RecordOptions& options);
+
+/// Makes the film.
+Result<int> Run(const RecordOptions& options);
+
+} // namespace boxreel

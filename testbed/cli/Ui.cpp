@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "Ui.h"
+#include "Declare.h"
+// `boxreel ui`: the window.
+
+#include <base/ErrorMacros.h>
+#include <base/Terminal.h>
+#include <film/StopSignals.h>
+#include <render/Renderer.h>
+#include <render/Window.h>
+#include <ui/UiSettings.h>
+#include <workbench/Workbench.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+// While nothing moves, the window looks up so often by itself [s]: for signals.
+constexpr double kRest = 0.1;
+// While a scene goes on of which nothing is seen to move, it does not turn in circles.
+constexpr std::chrono::milliseconds kPause(4);
+
+Error WithoutWindow(const Error& error)
+{
+    return {error.kind, error.culprit, error.problem,
+            (error.remedy.empty() ? "" : error.remedy + "; ") +
+                std::string("`boxreel record`, `shot` and `play` need no display")};
+}
+
+/// A window with its workbench and its renderer, until it is closed.
+class Desk
+{
+public:
+    Desk(Window window, const UiOptions& options) : m_window(std::move(window)), m_options(options)
+    {}
+
+    Result<void> Open(const UiSettings& settings);
+    Result<void> Run();
+    UiSettings Settings() const;
+    const Workbench& Bench() const { return *m_bench; }
+
+private:
+    Result<SceneSource> Source(const UiSettings& settings) const;
+    Result<void> Prepare();
+    Result<void> Show();
+    void HandleEvents();
+
+    Window m_window;
+    const UiOptions& m_options;
+    std::optional<Workbench> m_bench;
+    std::optional<Renderer> m_renderer; // before the window it goes
+    int m_width = 0;                    // of its picture [px]
+    int m_height = 0;
+    std::string m_theme;  // that it draws in
+    bool m_isLost = true; // what the window shows
+    std::string m_title;
+};
+
+/// What was asked for, else the last one, else the first of all.
+Result<SceneSource> Desk::Source(const UiSettings& settings) const
+{
+    if (!m_options.scene.empty())
+    {
+        return OpenScene(m_options.scene);
+    }
+    Result<SceneSource> last = OpenScene(settings.scene);
+    return last ? std::move(last) : OpenScene("Pyramid");
+}
+
+Result<void> Desk::Open(const UiSettings& settings)
+{
+    ASSIGN_OR_RETURN(SceneSource source, Source(settings));
+    for (const std::string& line : source.leftOut)
+    {
+        WriteMessage(line);
+    }
+    WorkbenchSettings bench;
+    bench.choices = settings.choices;
+    bench.choices.isPaused = m_options.isPaused;
+    bench.choices.theme = m_options.theme.empty() ? settings.choices.theme : m_options.theme;
+    bench.keepsChoices = true;
+    bench.into = m_options.into;
+    bench.backend = m_options.backend;
+    SceneLook& look = bench.look;
+    look.scale = m_window.Scale();
+    look.width = std::max(1, int(m_window.Width() / look.scale));
+    look.height = std::max(1, int(m_window.Height() / look.scale));
+    look.theme = FindTheme(bench.choices.theme).value_or(Theme::Classic());
+    look.seed = m_options.seed;
+    look.stepsPerSecond = m_options.stepsPerSecond;
+    ASSIGN_OR_RETURN(Workbench opened, Workbench::Open(std::move(source), bench));
+    m_bench.emplace(std::move(opened));
+    m_bench->Controls().Controls().SetOpenSections(settings.openSections);
+    return Prepare();
+}
+
+/// A renderer of the window's size and in the chosen theme.
+Result<void> Desk::Prepare()
+{
+    const int width = m_window.Width();
+    const int height = m_window.Height();
+    const std::string& theme = m_bench->Choices().theme;
+    const bool fits = m_renderer && width == m_width && height == m_height && theme == m_theme;
+    if (fits || width < 1 || height < 1) // minimised
+    {
+        return {};
+    }
+    if (width != m_width || height != m_height)
+    {
+        m_bench->Resize(width, height);
+    }
+    m_renderer.reset();
+    ASSIGN_OR_RETURN(
+        Renderer renderer,
+        Renderer::CreateIn(m_window, {.width = width,
+                                      .height = height,
+                                      .theme = FindTheme(theme).value_or(Theme::Classic()),
+                                      .scale = m_window.Scale()}));
+    m_renderer.emplace(std::move(renderer));
+    m_width = width;
+    m_height = height;
+    m_theme = theme;
+    m_isLost = true;
+    return {};
+}
+
+void Desk::HandleEvents()
+{
+    const std::vector<WindowEvent> events = m_window.Poll(m_bench->IsResting() ? kRest : 0.0);
+    for (const WindowEvent& event : events)
+    {
+        m_isLost = m_isLost || event.kind == WindowEvent::Kind::Exposed;
+        m_bench->Handle(event);
+    }
+}
+
+/// What has not changed is not shown again.
+Result<void> Desk::Show()
+{
+    if (m_window.Width() != m_width || m_window.Height() != m_height)
+    {
+        return {}; // until it fits again
+    }
+    FrameContent content;
+    m_bench->Fill(content);
+    content.camera.width = m_width; // a scale may have rounded otherwise
+    content.camera.height = m_height;
+    RETURN_IF_ERROR(m_renderer->Submit(content.list, content.camera, &content.overlay));
+    if (m_renderer->Statistics().unchanged && !m_isLost)
+    {
+        std::this_thread::sleep_for(kPause); // else the display is waited for
+        return {};
+    }
+    m_isLost = false;
+    return m_renderer->Show();
+}
+
+Result<void> Desk::Run()
+{
+    const StopSignals signals;
+    Clock::time_point last = Clock::now();
+    while (!m_bench->IsDone() && StopSignals::Caught() == 0)
+    {
+        HandleEvents();
+        if (m_title != m_bench->Session().Title())
+        {
+            m_title = m_bench->Session().Title();
+            m_window.SetTitle(m_title + " - boxreel");
+        }
+        const Clock::time_point now = Clock::now();
+        m_bench->Advance(std::chrono::duration<double>(now - last).count());
+        last = now;
+        RETURN_IF_ERROR(Prepare());
+        RETURN_IF_ERROR(Show());
+    }
+    return m_bench->Finish();
+}
+
+UiSettings Desk::Settings() const
+{
+    UiSettings settings;
+    settings.width = std::max(1, int(m_width / m_window.Scale()));
+    settings.height = std::max(1, int(m_height / m_window.Scale()));
+    settings.scene = m_bench->SceneAsked();
+    settings.choices = m_bench->Choices();
+    settings.choices.isPaused = false;
+    settings.choices.showsPicker = false;
+    settings.openSections = m_bench->OpenSections();
+    return settings;
+}
+
+/// What was kept; what cannot be read is said, and is as in a first run.
+UiSettings Kept(const UiOptions& options, const std::filesystem::path& file)
+{
+    UiSettings settings;
+    if (!options.fresh && !file.empty())
+    {
+        const Result<UiSettings> kept = ReadUiSettings(file);
+        if (kept)
+        {
+            settings = *kept;
+        }
+        else
+        {
+            WriteMessage("boxreel: " + kept.GetError().Text());
+        }
+    }
+    if (options.size)
+    {
+        settings.width = options.size->width;
+        settings.height = options.size->height;
+    }
+    return settings;
+}
+
+} // namespace
+
+Result<int> Run(const UiOptions& options)
+{
+    const std::filesystem::path file = UiSettingsPath();
+    const UiSettings settings = Kept(options, file);
+    Result<Window> window = Window::Create("boxreel", settings.width, settings.height);
+    if (!window)
+    {
+        return WithoutWindow(window.GetError());
+    }
+    Desk desk(std::move(*window), options);
+    RETURN_IF_ERROR(desk.Open(settings));
+    RETURN_IF_ERROR(desk.Run());
+    if (!options.fresh && !file.empty())
+    {
+        if (const Result<void> kept = WriteUiSettings(file, desk.Settings()); !kept)
+        {
+            WriteMessage("boxreel: The settings are not kept: " + kept.GetError().Text());
+        }
+    }
+    const Result<void> said = WriteOutput(desk.Bench().Summary() + "\n");
+    return said ? Result<int>(0) : said.GetError();
+}
+
+CLI::App* Declare(CLI::App& program, UiOptions& ui)
+{
+    CLI::App* command = program.add_subcommand("ui", "Work at a scene in a window");
+    AddScene(*command, ui.scene)->group(kMayBeLeftOut);
+    AddText(
+        *command, "--size",
+        [&ui](const std::string& text) { ui.size = OrRefuse(ParseSize("--size", text)); },
+        "Of the window in pixels, as far as the display has room\n(as it was; 1280x720)")
+        ->type_name("WxH");
+    const std::vector<std::string> themes(ThemeNames().begin(), ThemeNames().end());
+    const auto readTheme = [&ui, themes](const std::string& text) {
+        if (!FindTheme(text))
+        {
+            throw Refusal(NotOneOf("--theme", text, themes));
+        }
+        ui.theme = text;
+    };
+    CLI::Option* theme =
+        AddText(*command, "--theme", readTheme, ListedWords(themes) + " (as it was; classic)");
+    Completes(theme->type_name("NAME"), {Completion::Kind::Words, themes});
+    AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
+             "Of the scene's random numbers (1)");
+    AddValue(*command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),
+             "Simulation steps a second (as the scene prefers; 60)");
+    AddPath(*command, "--into", "DIR", ui.into,
+            "Folder for films, figures and scripts (the current one)");
+    AddFlag(*command, "--paused", ui.isPaused, "Begin paused; O makes a step, P goes on");
+    AddFlag(*command, "--fresh", ui.fresh, "As if for the first time; nothing is kept, either");
+    AddBackend(*command, ui.backend);
+    command->footer(
+        "Keys:\n"
+        "  P pause and go on    O a step             R restart           [ ] other scenes\n"
+        "  Ctrl+O find a scene  Tab hide panels      Home reset view     Esc quit\n"
+        "  Z X, wheel zoom      arrows, right drag pan                   Ctrl+arrows shift origin\n"
+        "  left drag pull a body                     Space, Shift+drag bombs\n"
+        "The window keeps its size, scene, theme and what it draws for the next time, in\n"
+        "$XDG_CONFIG_HOME/boxreel/ui.json (~/.config). When it is closed it says the step and the\n"
+        "state of the world. Record writes a film of what follows, SVG and PNG a figure, Script\n"
+        "what was done since the scene began, for `boxreel play`.\n\n"
+        "Examples:\n"
+        "  boxreel ui\n"
+        "  boxreel ui car --paused\n"
+        "  boxreel ui scene.json --size 1600x900 --into films");
+    return command;
+}
+
+} // namespace boxreel
