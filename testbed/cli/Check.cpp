@@ -51,7 +51,8 @@ Result<void> Check(CheckOptions& options)
 
 CLI::App* Declare(CLI::App& program, CheckOptions& options)
 {
-    CLI::App* command = program.add_subcommand("check", "Say what of a scene file can be built");
+    CLI::App* command =
+        program.add_subcommand("check", "List what of a scene file cannot be built");
     AddPath(*command, "FILE", "", options.file, "A R.U.B.E. .json file", {".json"});
     command->footer("Lists what is left out and why, and notes where the format's defaults are not "
                     "the engine's.\nExit code 0: all can be built, 2: something is left out, 1: no "

@@ -12,7 +12,7 @@ namespace boxreel
 CLI::App* Declare(CLI::App& program, CompletionOptions& options)
 {
     CLI::App* command =
-        program.add_subcommand("completion", "Print what completes words in a shell");
+        program.add_subcommand("completion", "Print a completion script for a shell");
     AddValue(*command, "SHELL", "", options.shell,
              OneOf<Shell>({{"bash", Shell::Bash}, {"zsh", Shell::Zsh}}), "bash or zsh");
     command->footer(

@@ -227,7 +227,7 @@ Result<int> Run(const DoctorOptions&)
 
 CLI::App* Declare(CLI::App& program, DoctorOptions&)
 {
-    CLI::App* command = program.add_subcommand("doctor", "Say what works on this machine");
+    CLI::App* command = program.add_subcommand("doctor", "Test what works on this machine");
     command->footer(
         "Draws, films and computes a little of each kind. What does not work is said with "
         "what helps.\nExit code 0: all works (one of the back ends is enough), 2: the "

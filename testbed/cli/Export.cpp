@@ -47,9 +47,9 @@ CLI::App* Declare(CLI::App& program, ExportOptions& options)
             "The scene file, .json; - for the standard output", {".json"});
     AddForce(*command, options.force);
     AddValue(*command, "--at", "TIME", options.at, ParseDuration,
-             "After so much simulated time: 3s, 500ms, 2.5 (0s)");
+             "Export after this simulated time: 3s, 500ms, 2.5 (0s)");
     AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
-             "Or after so many steps");
+             "Export after N steps instead");
     AddValue(*command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
              "Simulation steps a second (60)");
     AddValue(*command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),

@@ -308,25 +308,25 @@ void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
 
 CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
 {
-    CLI::App* command =
-        program.add_subcommand("golden", "Compare the scenes with what was approved");
+    CLI::App* command = program.add_subcommand("golden", "Compare scenes with approved references");
     command->require_subcommand(1);
     command->footer("Examples:\n"
                     "  boxreel golden verify\n"
                     "  boxreel golden verify pyramid bridge --output /tmp/failures\n"
                     "  boxreel golden accept pyramid");
-    CLI::App* verify = command->add_subcommand(
-        "verify", "Simulate, draw and compare; what differs is left to look at");
-    CLI::App* accept = command->add_subcommand("accept", "Make what the scenes show the reference");
+    CLI::App* verify =
+        command->add_subcommand("verify", "Simulate, draw and compare; keep what differs");
+    CLI::App* accept =
+        command->add_subcommand("accept", "Make the current pictures the references");
     for (CLI::App* action : {verify, accept})
     {
         CLI::Option* names = action->add_option(
             "NAMES", golden.names, "Such as pyramid or pyramid/2s; all when none is given");
         Completes(names->type_name(""), {Completion::Kind::Scenes, {}});
         AddPath(*action, "--references", "DIR", golden.references,
-                "Folder of what was approved (golden/references)");
+                "Read references from here (golden/references)");
         AddPath(*action, "--output", "DIR", golden.output,
-                "Folder for what differs (build/golden-output)");
+                "Write what differs here (build/golden-output)");
         AddBackend(*action, golden.backend);
         DeclareGoldenFilm(*action, golden);
         action->callback([action, &golden] {
@@ -343,7 +343,7 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
     AddCompare(*verify, golden.compare,
                "cross-machine where another renderer drew the\nreference, else same-machine");
     AddIgnoredBodies(*verify, golden.compare);
-    verify->footer("Exit code 0: all as approved, 2: something differs or was never approved.\n\n"
+    verify->footer("Exit code 0: all match, 2: something differs or has no reference.\n\n"
                    "Examples:\n"
                    "  boxreel golden verify\n"
                    "  boxreel golden verify pyramid --output /tmp/failures\n"
@@ -361,7 +361,7 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
             "Another build of boxreel: compare each step's state with\n"
             "what it does, instead of with what was approved");
     AddValue(*accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
-             "all, changed, missing (all)");
+             "Accept all, changed, missing (all)");
     AddFlag(*accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
             "Only pictures drawn by the same renderer are compared with these");
     AddPath(*verify, "--report", "FILE", golden.report,

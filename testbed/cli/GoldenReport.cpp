@@ -102,7 +102,7 @@ Result<int> Run(const GoldenReportOptions& options)
 CLI::App* Declare(CLI::App& program, GoldenReportOptions& options)
 {
     CLI::App* command = program.get_subcommand("golden")->add_subcommand(
-        "report", "Make a page of what golden tests found, for a browser");
+        "report", "Write an HTML report of golden tests");
     const auto read = [&options](const std::vector<std::string>& texts) {
         options.folders.assign(texts.begin(), texts.end());
     };

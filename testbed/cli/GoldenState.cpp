@@ -131,10 +131,10 @@ CLI::App* Declare(CLI::App& program, GoldenStateOptions& options)
     CLI::Option* scene = command->add_option("SCENE", options.scene, "Such as pyramid");
     Completes(scene->type_name(""), {Completion::Kind::Scenes, {}});
     AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
-             "Simulation steps since the start (300)");
-    AddFlag(*command, "--trace", options.trace, "Hashes of every step up to it instead");
+             "Set the step since the start (300)");
+    AddFlag(*command, "--trace", options.trace, "Print the hash of every step instead");
     command->footer(
-        "The hash of all, then a line a body: number, x, y, angle and, where it moves,\n"
+        "Prints the hash, then one body per line: number, x, y, angle and, where it moves,\n"
         "velocity x, y, angular. "
         "With --trace a line a step: number, hash, a digit for each\nbody.\n\n"
         "Examples:\n"

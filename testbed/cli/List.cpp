@@ -59,8 +59,8 @@ Result<int> Run(const ListOptions& options)
 
 CLI::App* Declare(CLI::App& program, ListOptions& options)
 {
-    CLI::App* command = program.add_subcommand("list", "The scenes, with what they show");
-    AddFlag(*command, "--names", options.namesOnly, "Names only, one a line");
+    CLI::App* command = program.add_subcommand("list", "List the scenes");
+    AddFlag(*command, "--names", options.namesOnly, "Print names only, one per line");
     command->footer("Examples:\n"
                     "  boxreel list\n"
                     "  boxreel list --names | head -3");

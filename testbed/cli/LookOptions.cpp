@@ -52,7 +52,7 @@ void AddSize(CLI::App& command, SceneLook& look)
         look.width = size.width;
         look.height = size.height;
     };
-    AddText(command, "--size", read, "Width and height in pixels (1280x720)")
+    AddText(command, "--size", read, "Set width and height in pixels (1280x720)")
         ->type_name("WxH")
         ->group("Picture");
 }
@@ -79,7 +79,7 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
     Completes(draw->group("Picture"), {Completion::Kind::List, LayerNames()});
     AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
              NumberBetween(1e-6, 1e6, "must be seconds from 1e-6 to 1e6, such as 0.2"),
-             "Seconds: a velocity's arrow is the way of so long a time (0.2)")
+             "Draw a velocity as the displacement in S seconds (0.2)")
         ->group("Picture");
     AddValue(
         command, "--force-scale", "M", look.arrows.metersPerNewton,
@@ -87,23 +87,21 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
         "Metres a newton, of forces, friction and impulses, each a mean of a\n"
         "step (the mean weight: 1/8 of the mean size, of contacts 1/3)")
         ->group("Picture");
-    AddFlag(command, "--labels", look.labels,
-            "The number of each body, before its name if --draw names")
-        ->group("Picture");
-    AddFlag(command, "--hud", look.hud, "A panel with time, step, bodies, contacts")
+    AddFlag(command, "--labels", look.labels, "Show the number of each body")->group("Picture");
+    AddFlag(command, "--hud", look.hud, "Show a panel with time, step, bodies, contacts")
         ->group("Picture");
     AddFlag(command, "--hud-ms", look.hudMilliseconds,
-            "The panel, with the milliseconds of a step as well")
+            "Show this panel with the milliseconds of a step")
         ->group("Picture");
     AddFlag(command, "--ui", look.panels,
-            "The panels of the window, as `boxreel ui` shows them; with --hud-ms\n"
+            "Show the panels of `boxreel ui`; with --hud-ms\n"
             "also the times of the solver's parts")
         ->group("Picture");
     AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
-             "Simulation steps a second (60)")
+             "Set simulation steps per second (60)")
         ->group("Simulation");
     AddValue(command, "--seed", "N", look.seed, WholeBetween(0, kLargestSeed),
-             "Of the scene's random numbers (1)")
+             "Seed the scene's random numbers (1)")
         ->group("Simulation");
     AddValue(command, "--velocity-iterations", "N", look.velocityIterations, WholeBetween(1, 1000),
              "Of the solver, a step (8)")

@@ -52,7 +52,7 @@ constexpr Entry kFiles[] = {
     {"NAME.part.EXT", "A film that is being made or was stopped. It can be played, and --resume "
                       "goes on with it."},
     {"NAME.EXT.json, NAME.part.EXT.json",
-     "The papers of a part, or of a film that is not whole: the command, the state of the world, "
+     "The manifest of a part, or of an unfinished film: the command, the state of the world, "
      "the frames."},
     {"golden/references", "What was approved, in the checkout around the current folder."},
     {"build/golden-output",

@@ -193,11 +193,10 @@ CLI::App* Declare(CLI::App& program, MergeOptions& merge)
         },
         "Films made with --frame-range, in any order, each with its .json");
     Completes(parts->type_name(""), {Completion::Kind::Files, FilmExtensions()});
-    AddPath(*command, "-o,--output", "FILE", merge.output, "The film, of the same kind",
-            FilmExtensions());
+    AddPath(*command, "-o,--output", "FILE", merge.output,
+            "Write the film here, with the extension of the parts", FilmExtensions());
     AddForce(*command, merge.force);
-    AddFlag(*command, "--partial", merge.partial,
-            "A piece of the film will do: its first or last frames may be missing");
+    AddFlag(*command, "--partial", merge.partial, "Accept missing frames at the start or end");
     command->footer(
         "The parts must be of the same command, unaltered since they were made, and follow each "
         "other\nwithout a gap from the film's first frame to its last; the world must be in the "

@@ -19,7 +19,7 @@ void AddDimensions(CLI::App& command, MotionLook& look)
         }
     };
     AddTexts(command, "--dimension", read,
-             "The distance of two bodies (3,17), or of bodies and points\n"
+             "Show the distance of two bodies (3,17), or of bodies and points\n"
              "(\"0,0 to 4.5,2\", \"3 to 4.5,2\"), in metres; repeatable")
         ->type_name("FROM,TO")
         ->allow_extra_args(false)
@@ -36,21 +36,21 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
              "make a grid of pictures with their times")
         ->group("Time");
     AddValue(command, "--step", "N[,...]", shot.steps, ParseSteps,
-             "Or the number of simulation steps")
+             "Set the moment in simulation steps instead")
         ->group("Time");
     AddValue(
         command, "--columns", "N", look.columns,
         [](const std::string& option, const std::string& text) {
             return ParseWhole(option, text, 1, 64);
         },
-        "Of the grid (3 for three moments, 2 for four, 3 for six, 4 for ten)")
+        "Set the columns of the grid (by the number of moments)")
         ->group("Time");
     AddValue(command, "--trail", "BODIES", look.trail, ParseBodyChoice,
-             "The way their centres of mass have gone: 3,17, or names that a\n"
+             "Draw the path of centres of mass: 3,17, or names that a\n"
              "scene file gives, or moving for all that can move")
         ->group("Motion");
     AddValue(command, "--trail-seconds", "TIME", look.trailTime, ParseDuration,
-             "Only the last of it (all since the start)")
+             "Show only the last part of the trail (all)")
         ->group("Motion");
     AddValue(command, "--strobe", "EVERY[:BODIES]", look.strobe, ParseStrobe,
              "Poses from the start, fainter: every 250ms or 15steps, of what\n"
@@ -60,15 +60,15 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
              "The last N poses, fading; 100ms apart, or 5:50ms, 5:3steps;\n"
              "of these bodies: 5:50ms:3,17")
         ->group("Motion");
-    AddFlag(command, "--axes", look.axes, "Beside the picture, in metres; marks the origin")
+    AddFlag(command, "--axes", look.axes, "Draw axes in metres beside the picture; mark the origin")
         ->group("Annotations");
-    AddFlag(command, "--scale-bar", look.scaleBar, "Below the picture, in metres")
+    AddFlag(command, "--scale-bar", look.scaleBar, "Draw a scale bar in metres below the picture")
         ->group("Annotations");
     AddDimensions(command, look);
     AddValue(
         command, "--caption", "TEXT", look.caption,
         [](const std::string&, const std::string& text) { return Result<std::string>(text); },
-        "Below the picture, in as many lines as it takes")
+        "Write a text below the picture, wrapped to its width")
         ->group("Annotations");
     command.callback([&command, &shot] {
         if (shot.at.size() + shot.steps.size() > 1 && command.count("--size") == 0)

@@ -522,11 +522,11 @@ Result<int> Run(const PlayOptions& options)
 CLI::App* Declare(CLI::App& program, PlayOptions& play)
 {
     CLI::App* command =
-        program.add_subcommand("play", "Play a script: what it expects, films and pictures");
+        program.add_subcommand("play", "Play a script: check it, make films and pictures");
     AddPath(*command, "SCRIPT", "", play.script, "A text file; below is what it holds", {".play"});
-    AddPath(*command, "--into", "DIR", play.into, "Folder for what it makes (the current one)");
+    AddPath(*command, "--into", "DIR", play.into, "Write files to this folder (the current one)");
     AddFlag(*command, "--check", play.check,
-            "Only say whether it can be played; simulates and makes nothing");
+            "Only check that the script can be played; simulate nothing");
     AddFlag(*command, "--test", play.test,
             "Only look at what it expects and at what was approved; makes no\nfilms and "
             "shots");
@@ -535,7 +535,7 @@ CLI::App* Declare(CLI::App& program, PlayOptions& play)
     AddFlag(*command, "--for-this-renderer", play.forThisRenderer,
             "With --accept: only pictures drawn by the same renderer are\ncompared with these");
     AddForce(*command, play.force);
-    AddFlag(*command, "--resume", play.resume, "Go on with films that were stopped");
+    AddFlag(*command, "--resume", play.resume, "Continue stopped films");
     AddBackend(*command, play.backend);
     command->footer(
         "A script:\n"
@@ -554,7 +554,7 @@ CLI::App* Declare(CLI::App& program, PlayOptions& play)
         "script\n"
         "  at 5s shot car.png --draw shapes     with options of `boxreel shot`\n"
         "  record car.mp4 --seconds 8           with options of `boxreel record`\n"
-        "What is done at a time shows in the step that begins there. # begins a remark, and what "
+        "What is done at a time shows in the step that begins there. # begins a comment, and what "
         "has blanks\nstands in quotes (\"). Exit code 2: an expectation does not hold, or a "
         "picture "
         "is not as approved.\n\n"

@@ -162,36 +162,36 @@ void AddFormat(CLI::App& command, VideoSettings& film)
                              {"standard", Quality::Standard},
                              {"high", Quality::High},
                              {"lossless", Quality::Lossless}}),
-             "draft, standard, high, lossless (standard)")
+             "Choose draft, standard, high, lossless (standard)")
         ->group("Format");
     AddValue(
         command, "--codec", "NAME", film.codec,
         OneOf<std::string>({{"h264", "h264"}, {"vp9", "vp9"}, {"av1", "av1"}, {"ffv1", "ffv1"}}),
-        "h264 (mp4, mkv), vp9 (webm, mkv), av1 (all three), ffv1 (mkv)")
+        "Choose h264 (mp4, mkv), vp9 (webm, mkv), av1 (all three), ffv1 (mkv)")
         ->group("Format");
     AddValue(command, "--chroma", "KIND", film.chroma,
              OneOf<Chroma>({{"420", Chroma::Half}, {"444", Chroma::Full}}),
              "420: plays everywhere; 444: coloured lines stay sharp (420)")
         ->group("Format");
     AddRepeated(command, "--codec-option", "NAME=VALUE", film.codecOptions, ParseCodecOption,
-                "An option of the encoder, such as crf=20; may be repeated")
+                "Set an option of the encoder, such as crf=20; may be repeated")
         ->group("Format");
     AddValue(command, "--format", "NAME", film.format,
              OneOf<std::string>({{"y4m", "y4m"}, {"nut", "nut"}, {"mkv", "mkv"}, {"webm", "webm"}}),
-             "Of -o -, the standard output: y4m, nut, mkv, webm")
+             "Write y4m, nut, mkv or webm to standard output (-o -)")
         ->group("Format");
     AddValue(command, "--loop", "N", film.plays, WholeBetween(0, 65535),
-             "How often a gif, apng or webp plays; 0: for ever (0)")
+             "Play a gif, apng or webp N times; 0: forever (0)")
         ->group("Format");
     AddValue(command, "--group", "N", film.groupFrames, WholeBetween(1, 100000),
-             "Frames encoded together; parts begin at multiples (100)")
+             "Encode N frames together; parts begin at multiples (100)")
         ->group("Format");
     AddFlag(command, "--constant-rate", film.constantRate,
             "Store each frame, also one that shows the same, for programs\nthat encode the "
             "film again (not webp)")
         ->group("Format");
     AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
-             "Of the encoder; H.264's bytes depend on it (2)")
+             "Set the encoder threads; H.264 bytes depend on them (2)")
         ->group("Format");
 }
 
@@ -205,7 +205,7 @@ void AddUntil(CLI::App& command, std::vector<Condition>& until)
         .add_flag_callback(
             "--until-sleep",
             [&until] { until.push_back(*Condition::Parse("--until-sleep", "awake == 0")); },
-            "End when nothing is awake")
+            "End when no body is awake")
         ->group("Time");
 }
 
@@ -213,23 +213,23 @@ void AddUntil(CLI::App& command, std::vector<Condition>& until)
 void AddTime(CLI::App& command, RecordOptions& record)
 {
     AddValue(command, "--seconds", "TIME", record.length.seconds, ParseDuration,
-             "Length of the film (10)")
+             "Set the length of the film (10)")
         ->group("Time");
     AddValue(command, "--frames", "N", record.length.frames, WholeBetween(1, kMostFrames),
-             "Or its number of frames")
+             "Set the length in frames instead")
         ->group("Time");
     AddValue(command, "--from", "TIME", record.length.from, ParseDuration,
              "Simulate this much before the first frame (0)")
         ->group("Time");
     AddUntil(command, record.length.until);
     AddValue(command, "--fps", "RATE", record.film.framesPerSecond, RatioBetween(0.1, 1000.0),
-             "Frames a second (60)")
+             "Set the frames per second (60)")
         ->group("Time");
     AddValue(command, "--speed", "FACTOR", record.pace.speed, RatioBetween(0.001, 1000.0),
-             "Simulated seconds a second; 0.25 is slow motion (1)")
+             "Set simulated seconds per second; 0.25 is slow motion (1)")
         ->group("Time");
     AddFlag(command, "--interpolate", record.pace.interpolate,
-            "Show moments between two steps, not the step before")
+            "Show interpolated states between two steps")
         ->group("Time");
 }
 
@@ -249,10 +249,9 @@ CLI::App* Declare(CLI::App& program, RecordOptions& record)
             "The film: .mp4 .mkv .webm .gif .apng .webp, frames-####.png,\nor - with --format",
             FilmExtensions());
     AddForce(*command, record.film.overwrite);
-    AddFlag(*command, "--resume", record.film.resume,
-            "Go on with a film that was stopped, or begin it");
+    AddFlag(*command, "--resume", record.film.resume, "Continue a stopped film, or start it");
     AddFlag(*command, "--skip-done", record.skipDone,
-            "With --frame-range: nothing is to do if this very part is there");
+            "Do nothing if this part of --frame-range is complete");
     AddStats(*command, record.messages.stats);
     AddValue(*command, "--progress", "KIND", record.messages.progress,
              OneOf<ProgressMode>({{"auto", ProgressMode::Auto},
@@ -261,17 +260,18 @@ CLI::App* Declare(CLI::App& program, RecordOptions& record)
                                   {"json", ProgressMode::Json},
                                   {"openjd", ProgressMode::OpenJD},
                                   {"none", ProgressMode::None}}),
-             "auto, bar, lines, json, openjd, none (auto)");
-    AddValue(*command, "--frame-range", "RANGE", record.length.range, ParseRange,
-             "Only these frames, such as 200-399 or 1-3,5,7-20:2;\n`boxreel merge` joins parts");
+             "Show progress as auto, bar, lines, json, openjd, none (auto)");
+    AddValue(
+        *command, "--frame-range", "RANGE", record.length.range, ParseRange,
+        "Record only these frames, such as 200-399 or 1-3,5,7-20:2;\n`boxreel merge` joins parts");
     AddPath(*command, "--snapshots", "DIR", record.snapshots.folder,
             "Leave states of the simulation there, and begin from those that\nearlier runs left "
             "before the first frame");
     AddValue(*command, "--snapshot-every", "N", record.snapshots.every,
              WholeBetween(1, 1'000'000'000),
-             "Steps between them (100, and later at most 1/16 of the way)");
+             "Set the steps between snapshots (100, later up to 1/16 of all)");
     AddPath(*command, "--thumbnail", "FILE", record.thumbnail.file,
-            "Also a picture of one frame, .png", {".png"});
+            "Write a picture of one frame, .png", {".png"});
     AddValue(*command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
              "When in the film (its middle; of one that --until ends before, its\nlast frame)");
     AddTime(*command, record);

@@ -294,7 +294,7 @@ CLI::App* Declare(CLI::App& program, ShotOptions& shot)
     AddStats(*command, shot.stats);
     AddMotion(*command, shot);
     AddValue(*command, "--scale", "FACTOR", shot.look.scale, ParseScale,
-             "Of all lengths in pixels, lines and text too; 0.1 to 16 (1)")
+             "Scale all lengths in pixels, also lines and text; 0.1 to 16 (1)")
         ->group("Picture");
     AddLook(*command, shot.look, &shot.bothThemes);
     AddBackend(*command, shot.backend)->group("Picture");

@@ -248,7 +248,7 @@ Result<int> Run(const UiOptions& options)
 
 CLI::App* Declare(CLI::App& program, UiOptions& ui)
 {
-    CLI::App* command = program.add_subcommand("ui", "Work at a scene in a window");
+    CLI::App* command = program.add_subcommand("ui", "Open a scene in a window");
     AddScene(*command, ui.scene)->group(kMayBeLeftOut);
     AddText(
         *command, "--size",
@@ -272,8 +272,8 @@ CLI::App* Declare(CLI::App& program, UiOptions& ui)
              "Simulation steps a second (as the scene prefers; 60)");
     AddPath(*command, "--into", "DIR", ui.into,
             "Folder for films, figures and scripts (the current one)");
-    AddFlag(*command, "--paused", ui.isPaused, "Begin paused; O makes a step, P goes on");
-    AddFlag(*command, "--fresh", ui.fresh, "As if for the first time; nothing is kept, either");
+    AddFlag(*command, "--paused", ui.isPaused, "Start paused; O makes a step, P continues");
+    AddFlag(*command, "--fresh", ui.fresh, "Ignore and keep no settings");
     AddBackend(*command, ui.backend);
     command->footer(
         "Keys:\n"
