@@ -6,7 +6,7 @@
 #include <base/Counting.h>
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
-#include <film/FilmPapers.h>
+#include <film/Manifest.h>
 #include <film/StopSignals.h>
 #include <recorder/JoinFilms.h>
 
@@ -17,11 +17,11 @@ namespace boxreel
 namespace
 {
 
-/// A part and what its papers say.
+/// A part and what its manifest say.
 struct NamedPart
 {
     std::filesystem::path path;
-    FilmPapers papers;
+    Manifest manifest;
 };
 
 Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path>& paths)
@@ -40,18 +40,18 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
             return Error{ErrorKind::Unusable, path.string(), "is not a film",
                          "name parts made with `boxreel record --frame-range`"};
         }
-        ASSIGN_OR_RETURN(FilmPapers papers,
-                         ReadPapers(path, "copy it beside the part, or record that part again"));
-        if (papers.checksum.empty() || ChecksumOfFilm(path) != papers.checksum)
+        ASSIGN_OR_RETURN(Manifest manifest,
+                         ReadManifest(path, "copy it beside the part, or record that part again"));
+        if (manifest.checksum.empty() || ChecksumOfFilm(path) != manifest.checksum)
         {
             return Error{ErrorKind::Unusable, path.string(),
-                         "does not match its manifest " + PapersPath(path).string(),
+                         "does not match its manifest " + ManifestPath(path).string(),
                          "record that part again"};
         }
-        parts.push_back({path, std::move(papers)});
+        parts.push_back({path, std::move(manifest)});
     }
     std::sort(parts.begin(), parts.end(), [](const NamedPart& a, const NamedPart& b) {
-        return a.papers.first < b.papers.first;
+        return a.manifest.first < b.manifest.first;
     });
     return parts;
 }
@@ -63,28 +63,28 @@ Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
         return Error{ErrorKind::Unusable, after.path.string(),
                      "cannot be joined to " + before.path.string() + ": " + why};
     };
-    const std::string difference = DifferenceOf(before.papers, after.papers);
+    const std::string difference = DifferenceOf(before.manifest, after.manifest);
     if (!difference.empty())
     {
         return refused(difference);
     }
-    const std::int64_t end = before.papers.end;
-    const std::int64_t next = after.papers.first;
+    const std::int64_t end = before.manifest.end;
+    const std::int64_t next = after.manifest.first;
     if (next != end)
     {
         return refused(next < end ? "frame " + std::to_string(next) + " is in both"
                                   : "frames " + std::to_string(end) + " to " +
                                         std::to_string(next - 1) + " are missing");
     }
-    if (end % before.papers.groupFrames != 0)
+    if (end % before.manifest.groupFrames != 0)
     {
         return refused("they meet at frame " + std::to_string(end) +
                        ", within a group of frames; make parts that begin with multiples of " +
-                       std::to_string(before.papers.groupFrames));
+                       std::to_string(before.manifest.groupFrames));
     }
-    const auto left = before.papers.states.find(end);
-    const auto right = after.papers.states.find(end);
-    if (left == before.papers.states.end() || right == after.papers.states.end() ||
+    const auto left = before.manifest.states.find(end);
+    const auto right = after.manifest.states.find(end);
+    if (left == before.manifest.states.end() || right == after.manifest.states.end() ||
         left->second != right->second)
     {
         return refused("the world is in another state at frame " + std::to_string(end) +
@@ -101,9 +101,9 @@ std::string FramesText(std::int64_t first, std::int64_t last)
 /// Whether the first and the last part are those of the film.
 Result<void> CheckWhole(const std::vector<NamedPart>& parts)
 {
-    const std::int64_t first = parts.front().papers.first;
-    const std::int64_t end = parts.back().papers.end;
-    const std::int64_t count = parts.back().papers.frameCount;
+    const std::int64_t first = parts.front().manifest.first;
+    const std::int64_t end = parts.back().manifest.end;
+    const std::int64_t count = parts.back().manifest.frameCount;
     std::string missing = first > 0 ? FramesText(0, first - 1) : "";
     if (end < count)
     {
@@ -134,11 +134,11 @@ Result<void> CheckOutput(const MergeOptions& options)
 }
 
 /// How many of the frames that it keeps a film encodes together: a GIF's groups hold more.
-int GroupOf(const FilmPapers& papers, const std::filesystem::path& film)
+int GroupOf(const Manifest& manifest, const std::filesystem::path& film)
 {
-    const VideoSettings ofOne{.framesPerSecond = papers.framesPerSecond, .groupFrames = 1};
+    const VideoSettings ofOne{.framesPerSecond = manifest.framesPerSecond, .groupFrames = 1};
     const std::int64_t length = PartLength(film, ofOne);
-    return static_cast<int>(length > 0 ? papers.groupFrames / length : papers.groupFrames);
+    return static_cast<int>(length > 0 ? manifest.groupFrames / length : manifest.groupFrames);
 }
 
 } // namespace
@@ -154,11 +154,11 @@ Result<int> Run(const MergeOptions& options)
         {
             RETURN_IF_ERROR(CheckSeam(parts[i - 1], parts[i]));
         }
-        const FilmPapers& papers = parts[i].papers;
-        films.push_back({parts[i].path, papers.first, papers.end - papers.first});
+        const Manifest& manifest = parts[i].manifest;
+        films.push_back({parts[i].path, manifest.first, manifest.end - manifest.first});
     }
     RETURN_IF_ERROR(options.partial ? Result<void>() : CheckWhole(parts));
-    const FilmPapers& first = parts.front().papers;
+    const Manifest& first = parts.front().manifest;
     VideoSettings settings;
     settings.framesPerSecond = first.framesPerSecond;
     settings.overwrite = options.force;
@@ -176,7 +176,7 @@ Result<int> Run(const MergeOptions& options)
         WriteMessage("Stopped; nothing of " + options.output.string() + " is left.");
         return StopSignals::kExitCode;
     }
-    const std::int64_t frames = parts.back().papers.end - first.first;
+    const std::int64_t frames = parts.back().manifest.end - first.first;
     WriteMessage(options.output.string() + ": " + Counted(frames, "frame") + " of " +
                  Counted(films.size(), "part"));
     return 0;

@@ -48,7 +48,7 @@ Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
 Result<void> CheckFilm(const RecordOptions& options, const FilmPlan& plan)
 {
     RETURN_IF_ERROR(CheckVideoPath(options.output, plan.film));
-    RETURN_IF_ERROR(CheckPapersPaths(options, plan));
+    RETURN_IF_ERROR(CheckManifestPaths(options, plan));
     return options.thumbnail.file.empty() ? Result<void>() : CheckThumbnail(options, plan);
 }
 
@@ -57,7 +57,7 @@ void TellLooseParts(const RecordOptions& options, const FilmPlan& plan)
 {
     const std::int64_t first = plan.frames.First();
     const bool arePictures = options.output.extension() == ".png";
-    if (options.length.range && !arePictures && HasPapers(options, plan) &&
+    if (options.length.range && !arePictures && HasManifest(options, plan) &&
         first % plan.groupFrames != 0)
     {
         WriteMessage("boxreel: --frame-range " + options.length.range->Text() +

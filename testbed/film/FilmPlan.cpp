@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "FilmPlan.h"
-#include "FilmPapers.h"
+#include "Manifest.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -29,18 +29,18 @@ Result<std::int64_t> FrameCount(const RecordOptions& options)
     return frames;
 }
 
-std::string FramesOf(const FilmPapers& papers)
+std::string FramesOf(const Manifest& manifest)
 {
-    return "it has the frames " + std::to_string(papers.first) + " to " +
-           std::to_string(papers.end - 1);
+    return "it has the frames " + std::to_string(manifest.first) + " to " +
+           std::to_string(manifest.end - 1);
 }
 
-/// What tells the film of these papers from the one that is asked for, as a clause; nothing where
+/// What tells the film of these manifest from the one that is asked for, as a clause; nothing where
 /// it is the same, or another length of it.
-std::string DifferenceFromAsked(const FilmPapers& there, const RecordOptions& options,
+std::string DifferenceFromAsked(const Manifest& there, const RecordOptions& options,
                                 const FilmPlan& plan)
 {
-    FilmPapers asked;
+    Manifest asked;
     asked.version = BOXREEL_VERSION;
     asked.command = CommandOfFilm(options.arguments);
     return there.first != plan.frames.First() ? FramesOf(there) : DifferenceOf(there, asked);
@@ -51,10 +51,10 @@ Error WhyManifestStays(const std::filesystem::path& film, const RecordOptions& o
                        const FilmPlan& plan)
 {
     const auto because = [&film](const std::string& problem, const std::string& remedy) {
-        return Error{ErrorKind::Unusable, PapersPath(film).string(), problem, remedy};
+        return Error{ErrorKind::Unusable, ManifestPath(film).string(), problem, remedy};
     };
     const std::string remedy = "delete it, choose another name, or start again with --force";
-    const std::string writer = WriterOfPapers(film);
+    const std::string writer = WriterOfManifest(film);
     if (writer.empty())
     {
         return because("a file other than a manifest is in the way",
@@ -64,12 +64,12 @@ Error WhyManifestStays(const std::filesystem::path& film, const RecordOptions& o
     {
         return because("was written by version " + writer + "; this is " + BOXREEL_VERSION, remedy);
     }
-    const Result<FilmPapers> papers = ReadPapers(film, "");
-    if (!papers)
+    const Result<Manifest> manifest = ReadManifest(film, "");
+    if (!manifest)
     {
         return because("was written by another build and cannot be read", remedy);
     }
-    const std::string difference = DifferenceFromAsked(*papers, options, plan);
+    const std::string difference = DifferenceFromAsked(*manifest, options, plan);
     return difference.empty() ? because("", "")
                               : because("belongs to another film (" + difference + ")", remedy);
 }
@@ -101,12 +101,12 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options)
 Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
 {
     std::error_code ignored;
-    if (!HasPapers(options, plan) || !std::filesystem::is_regular_file(options.output, ignored))
+    if (!HasManifest(options, plan) || !std::filesystem::is_regular_file(options.output, ignored))
     {
         return false;
     }
     const std::string remedy = "make that part again with --force, or choose another name";
-    ASSIGN_OR_RETURN(const FilmPapers there, ReadPapers(options.output, remedy));
+    ASSIGN_OR_RETURN(const Manifest there, ReadManifest(options.output, remedy));
     std::string difference = DifferenceFromAsked(there, options, plan);
     if (difference.empty() && there.end != plan.frames.Last() + 1)
     {
@@ -124,9 +124,9 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     return true;
 }
 
-Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan)
+Result<void> CheckManifestPaths(const RecordOptions& options, const FilmPlan& plan)
 {
-    if (!HasPapers(options, plan) || options.film.overwrite)
+    if (!HasManifest(options, plan) || options.film.overwrite)
     {
         return {};
     }
@@ -138,9 +138,9 @@ Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan
     for (const std::filesystem::path& film : films)
     {
         std::error_code ignored;
-        const std::filesystem::path papers = PapersPath(film);
+        const std::filesystem::path manifest = ManifestPath(film);
         const bool isThere =
-            std::filesystem::exists(std::filesystem::symlink_status(papers, ignored));
+            std::filesystem::exists(std::filesystem::symlink_status(manifest, ignored));
         Error why = isThere ? WhyManifestStays(film, options, plan) : Error{};
         if (!why.problem.empty())
         {
@@ -150,7 +150,7 @@ Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan
     return {};
 }
 
-bool HasPapers(const RecordOptions& options, const FilmPlan& plan)
+bool HasManifest(const RecordOptions& options, const FilmPlan& plan)
 {
     return plan.groupFrames > 0 && options.output != "-" && plan.frames.IsWhole();
 }

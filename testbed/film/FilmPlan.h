@@ -20,14 +20,14 @@ struct FilmPlan
 Result<FilmPlan> PlanFilm(const RecordOptions& options);
 
 /// Whether the part that is to be made is there, whole. An Error (Unusable) when what is there is
-/// another film, or no longer what its papers speak of.
+/// another film, or no longer what its manifest speak of.
 Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan);
 
-/// Unusable when a file of somebody else lies where the papers go, or papers of another film or
+/// Unusable when a file of somebody else lies where the manifest go, or manifest of another film or
 /// another version of this program, and may not be replaced.
-Result<void> CheckPapersPaths(const RecordOptions& options, const FilmPlan& plan);
+Result<void> CheckManifestPaths(const RecordOptions& options, const FilmPlan& plan);
 
-/// A film that may be stopped and continued, or be a part of another, has papers beside it.
-bool HasPapers(const RecordOptions& options, const FilmPlan& plan);
+/// A film that may be stopped and continued, or be a part of another, has manifest beside it.
+bool HasManifest(const RecordOptions& options, const FilmPlan& plan);
 
 } // namespace boxreel

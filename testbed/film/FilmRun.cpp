@@ -99,21 +99,21 @@ void FilmRun::Show(std::int64_t number)
 }
 
 /// What was left is gone on with only if it is the same film.
-Result<void> FilmRun::OpenPapers()
+Result<void> FilmRun::OpenManifest()
 {
-    m_hasPapers = HasPapers(m_options, m_plan);
-    m_papers = {.version = BOXREEL_VERSION,
-                .command = CommandOfFilm(m_options.arguments),
-                .framesPerSecond = m_plan.film.framesPerSecond,
-                .groupFrames = m_plan.groupFrames,
-                .plays = m_plan.film.plays,
-                .frameCount = m_plan.frameCount,
-                .first = m_plan.frames.First(),
-                .end = m_plan.frames.Last() + 1,
-                .checksum = {},
-                .states = {}};
+    m_hasManifest = HasManifest(m_options, m_plan);
+    m_manifest = {.version = BOXREEL_VERSION,
+                  .command = CommandOfFilm(m_options.arguments),
+                  .framesPerSecond = m_plan.film.framesPerSecond,
+                  .groupFrames = m_plan.groupFrames,
+                  .plays = m_plan.film.plays,
+                  .frameCount = m_plan.frameCount,
+                  .first = m_plan.frames.First(),
+                  .end = m_plan.frames.Last() + 1,
+                  .checksum = {},
+                  .states = {}};
     std::error_code ignored;
-    const bool isLeft = std::filesystem::exists(PapersPath(Part()), ignored) ||
+    const bool isLeft = std::filesystem::exists(ManifestPath(Part()), ignored) ||
                         std::filesystem::exists(Part(), ignored);
     if (!m_plan.film.resume || !isLeft)
     {
@@ -125,9 +125,9 @@ Result<void> FilmRun::OpenPapers()
         return Error{ErrorKind::Failed, Part().string(), "another program is writing it",
                      "wait for it"};
     }
-    ASSIGN_OR_RETURN(FilmPapers left, ReadPapers(Part(), "start again with --force"));
-    const std::string difference = DifferenceOf(left, m_papers);
-    if (!difference.empty() || left.first != m_papers.first)
+    ASSIGN_OR_RETURN(Manifest left, ReadManifest(Part(), "start again with --force"));
+    const std::string difference = DifferenceOf(left, m_manifest);
+    if (!difference.empty() || left.first != m_manifest.first)
     {
         return Error{ErrorKind::Unusable, Part().string(),
                      "belongs to another film (" +
@@ -135,13 +135,13 @@ Result<void> FilmRun::OpenPapers()
                      "give the same command, or start again with --force"};
     }
     m_left = std::move(left);
-    m_papers.states = m_left.states; // merge asks for the first one
+    m_manifest.states = m_left.states; // merge asks for the first one
     return {};
 }
 
 Result<void> FilmRun::Open(SceneSource source)
 {
-    RETURN_IF_ERROR(OpenPapers());
+    RETURN_IF_ERROR(OpenManifest());
     ASSIGN_OR_RETURN(Renderer renderer, Renderer::Create({.width = m_options.look.width,
                                                           .height = m_options.look.height,
                                                           .theme = m_options.look.theme,
@@ -168,10 +168,10 @@ Result<void> FilmRun::Open(SceneSource source)
     return {};
 }
 
-/// Where the film may be continued or joined, the state of the world goes into its papers.
+/// Where the film may be continued or joined, the state of the world goes into its manifest.
 Result<void> FilmRun::NoteState(std::int64_t number)
 {
-    if (!m_hasPapers || (number % m_plan.groupFrames != 0 && number != m_papers.first))
+    if (!m_hasManifest || (number % m_plan.groupFrames != 0 && number != m_manifest.first))
     {
         return {};
     }
@@ -184,8 +184,8 @@ Result<void> FilmRun::NoteState(std::int64_t number)
                          " differs",
                      "start again with --force"};
     }
-    m_papers.states[number] = state;
-    return WritePapers(Part(), m_papers);
+    m_manifest.states[number] = state;
+    return WriteManifest(Part(), m_manifest);
 }
 
 void FilmRun::Collect(FrameContent& content)
@@ -286,12 +286,12 @@ Result<RecordingEnd> FilmRun::Film()
 }
 
 /// Of the film that is being made.
-void FilmRun::RemovePapers()
+void FilmRun::RemoveManifest()
 {
     std::error_code ignored;
-    if (m_hasPapers)
+    if (m_hasManifest)
     {
-        std::filesystem::remove(PapersPath(Part()), ignored);
+        std::filesystem::remove(ManifestPath(Part()), ignored);
     }
 }
 
@@ -302,39 +302,39 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
     if (m_options.output != "-" && m_resumed + framesDone == 0)
     {
         stopped += " before the first frame";
-        RemovePapers();
+        RemoveManifest();
     }
     else if (m_options.output != "-")
     {
         RETURN_IF_ERROR(m_writer->Suspend());
-        const bool isSequence = m_hasPapers && !std::filesystem::exists(Part());
+        const bool isSequence = m_hasManifest && !std::filesystem::exists(Part());
         stopped += " after " + std::to_string(m_resumed + framesDone) + " frames; " +
                    (isSequence ? "they" : Part().string()) + " can be looked at" +
-                   (m_hasPapers ? ", and the same command with --resume goes on" : "");
+                   (m_hasManifest ? ", and the same command with --resume goes on" : "");
     }
     m_progress.Stop(stopped + ".");
     return StopSignals::kExitCode;
 }
 
-/// A part keeps its papers, a whole film needs none.
-Result<void> FilmRun::FinishPapers()
+/// A part keeps its manifest, a whole film needs none.
+Result<void> FilmRun::FinishManifest()
 {
-    if (!m_hasPapers)
+    if (!m_hasManifest)
     {
         return {};
     }
-    RemovePapers();
+    RemoveManifest();
     if (m_options.length.range)
     {
-        m_papers.end = m_plan.frames.First() + m_filmed;
-        for (const std::int64_t step = StepOf(m_papers.end); m_session->Step() < step;)
+        m_manifest.end = m_plan.frames.First() + m_filmed;
+        for (const std::int64_t step = StepOf(m_manifest.end); m_session->Step() < step;)
         {
             Step();
         }
-        Show(m_papers.end);
-        m_papers.states[m_papers.end] = StateHashText(m_session->World());
-        m_papers.checksum = ChecksumOfFilm(m_options.output);
-        RETURN_IF_ERROR(WritePapers(m_options.output, m_papers));
+        Show(m_manifest.end);
+        m_manifest.states[m_manifest.end] = StateHashText(m_session->World());
+        m_manifest.checksum = ChecksumOfFilm(m_options.output);
+        RETURN_IF_ERROR(WriteManifest(m_options.output, m_manifest));
     }
     return {};
 }
@@ -361,7 +361,7 @@ std::string FilmRun::StageText() const
 
 Result<int> FilmRun::Finished()
 {
-    RETURN_IF_ERROR(FinishPapers());
+    RETURN_IF_ERROR(FinishManifest());
     RETURN_IF_ERROR(WriteThumbnail());
     m_progress.Finish(ReportOf(m_options, m_filmed, m_progress.Seconds()));
     if (!m_options.length.until.empty() && !m_hasEndedByItself)
@@ -393,7 +393,7 @@ void FilmRun::Abandon()
     }
     else if (m_writer)
     {
-        RemovePapers();
+        RemoveManifest();
     }
 }
 

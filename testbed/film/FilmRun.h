@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "FilmPapers.h"
 #include "FilmPlan.h"
+#include "Manifest.h"
 #include "RenderReport.h"
 #include "StageReport.h"
 
@@ -11,7 +11,7 @@
 #include <session/SnapshotFolder.h>
 
 /// One recording: the scene is simulated, its frames drawn and encoded, and what is beside the film
-/// (papers, thumbnail, reports) written. While it runs there is one StopSignals.
+/// (manifest, thumbnail, reports) written. While it runs there is one StopSignals.
 namespace boxreel
 {
 
@@ -28,7 +28,7 @@ public:
     Result<int> Make(SceneSource source);
 
 private:
-    Result<void> OpenPapers();
+    Result<void> OpenManifest();
     Result<void> Open(SceneSource source);
     Result<RecordingEnd> Film();
     Result<void> Fill(std::int64_t frame, FrameContent& content);
@@ -37,8 +37,8 @@ private:
     Result<int> Stopped(std::int64_t framesDone);
     Result<int> Finished();
     void Abandon();
-    void RemovePapers();
-    Result<void> FinishPapers();
+    void RemoveManifest();
+    Result<void> FinishManifest();
     Result<void> WriteThumbnail();
     void BeginSimulation();
     void Step();
@@ -62,9 +62,9 @@ private:
     Progress m_progress;
     StageTimes m_stages;
     ProcessTime m_before; // when the first frame was begun
-    bool m_hasPapers = false;
-    FilmPapers m_papers;
-    FilmPapers m_left; // of the run before
+    bool m_hasManifest = false;
+    Manifest m_manifest;
+    Manifest m_left; // of the run before
     std::optional<VideoWriter> m_writer;
     std::optional<Renderer> m_renderer;
     std::optional<SceneSession> m_session;

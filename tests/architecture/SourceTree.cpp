@@ -118,7 +118,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"CLI/", {"testbed/cli/"}},
         {"nlohmann/",
          {"golden/src/VerdictFile.", "golden/src/report/Verdicts.", "testbed/rube/",
-          "testbed/film/FilmPapers", "testbed/ui/UiSettings"}},
+          "testbed/film/Manifest", "testbed/ui/UiSettings"}},
         {"cairo", {"render/src/FigureCairo."}},
         {"ft2build.h", {"render/src/FigureCairo."}},
         {"freetype", {"render/src/FigureCairo."}},

@@ -137,7 +137,7 @@ TEST_F(FilmFailures, AFullDiskIsOneSentenceInEveryFormat)
     }
 }
 
-TEST_F(FilmFailures, ADiskWithoutRoomForThePapersIsOneSentence)
+TEST_F(FilmFailures, ADiskWithoutRoomForTheManifestIsOneSentence)
 {
     const SmallDisk disk("size=64m,nr_inodes=2"); // the folder itself and the film
     BOXREEL_NEEDS(disk);

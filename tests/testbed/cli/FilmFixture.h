@@ -43,7 +43,7 @@ protected:
         return frames;
     }
 
-    /// Ends a recording by a signal once whole groups of 100 frames are in the file: its papers
+    /// Ends a recording by a signal once whole groups of 100 frames are in the file: its manifest
     /// name `frame`, the beginning of the second one that comes after them.
     void StopAfterGroups(int process, int signal, int frame = 200) const
     {
@@ -53,9 +53,9 @@ protected:
             for (const auto& entry : std::filesystem::directory_iterator(folder.Path()))
             {
                 const std::string name = entry.path().filename().string();
-                const bool isPapers =
+                const bool isManifest =
                     name.ends_with(".json") && name.find(".part.") != std::string::npos;
-                if (isPapers && ReadFile(entry.path()).find(named) != std::string::npos)
+                if (isManifest && ReadFile(entry.path()).find(named) != std::string::npos)
                 {
                     kill(process, signal);
                     return;

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 using FilmParts = FilmFixture;
 
-TEST_F(FilmParts, PartsThatAreNotWhatTheirPapersSayAreNotJoined)
+TEST_F(FilmParts, PartsThatAreNotWhatTheirManifestSayAreNotJoined)
 {
     for (const std::string kind : {".mkv", ".mp4", ".webm", ".gif", ".apng", ".webp"})
     {
@@ -113,7 +113,7 @@ TEST_F(FilmParts, APartThatIsThereIsNotMadeAgainButAnotherFilmIsRefused)
     EXPECT_THAT(cut.errors, HasSubstr("it is cut off or was altered"));
 }
 
-TEST_F(FilmParts, KeepThePapersOfOtherFilmsAndOfOtherBuilds)
+TEST_F(FilmParts, KeepTheManifestOfOtherFilmsAndOfOtherBuilds)
 {
     const auto make = [&](const std::string& scene, std::vector<std::string> more) {
         std::vector<std::string> command{"record", scene,    "--frames", "40", "--group",
@@ -123,20 +123,20 @@ TEST_F(FilmParts, KeepThePapersOfOtherFilmsAndOfOtherBuilds)
     };
     ASSERT_EQ(make("pyramid", {"--frame-range", "0-19"}).code, 0);
     std::filesystem::remove(folder / "v.mkv");
-    const std::string papers = ReadFile(folder / "v.mkv.json");
-    std::string older = papers;
+    const std::string manifest = ReadFile(folder / "v.mkv.json");
+    std::string older = manifest;
     older.replace(older.find(BOXREEL_VERSION), std::string(BOXREEL_VERSION).size(), "0.0.1");
-    std::string unread = papers;
+    std::string unread = manifest;
     unread.replace(unread.find("\"checksum\""), 10, "\"sum\"");
     struct Case
     {
-        std::string papers;
+        std::string manifest;
         std::string scene;
         std::string range;
     };
     const Case cases[] = {
-        {papers, "tumbler", "0-19"},
-        {papers, "pyramid", "20-39"},
+        {manifest, "tumbler", "0-19"},
+        {manifest, "pyramid", "20-39"},
         {older, "pyramid", "0-19"},
         {unread, "pyramid", "0-19"},
     };
@@ -145,12 +145,12 @@ TEST_F(FilmParts, KeepThePapersOfOtherFilmsAndOfOtherBuilds)
         for (const Case& c : cases)
         {
             SCOPED_TRACE(std::string(name) + ": " + c.scene + " " + c.range);
-            std::ofstream(folder / name) << c.papers;
+            std::ofstream(folder / name) << c.manifest;
             const Outcome refused = make(c.scene, {"--frame-range", c.range});
             EXPECT_EQ(refused.code, 1);
             EXPECT_THAT(refused.errors, HasSubstr(std::string(name) + ": "));
             EXPECT_THAT(folder.Files(), ElementsAre(name));
-            EXPECT_EQ(ReadFile(folder / name), c.papers);
+            EXPECT_EQ(ReadFile(folder / name), c.manifest);
         }
         std::filesystem::remove(folder / name);
     }

@@ -389,10 +389,10 @@ TEST_F(Film, PartsAreJoinedToTheFramesOfTheWhole)
     make("rest.mkv", {"--frame-range", "121-149"});
     EXPECT_THAT(Run({"merge", "within.mkv", "rest.mkv", "-o", "gap.mkv"}).errors,
                 HasSubstr("within a group"));
-    std::string papers = ReadFile(folder / "b.mkv.json");
-    const std::size_t state = papers.find("\"100\": \"") + 8;
-    papers[state] = papers[state] == '0' ? '1' : '0';
-    std::ofstream(folder / "b.mkv.json") << papers;
+    std::string manifest = ReadFile(folder / "b.mkv.json");
+    const std::size_t state = manifest.find("\"100\": \"") + 8;
+    manifest[state] = manifest[state] == '0' ? '1' : '0';
+    std::ofstream(folder / "b.mkv.json") << manifest;
     EXPECT_THAT(Run({"merge", "a.mkv", "b.mkv", "-o", "gap.mkv"}).errors,
                 HasSubstr("another state at frame 100"));
     std::filesystem::remove(folder / "b.mkv.json");
@@ -635,17 +635,17 @@ TEST_F(Film, WhoseFramesAreAllThereIsFinishedWhenItIsContinued)
         kill(process, SIGTERM);
     });
     ASSERT_EQ(stopped.code, 75) << stopped.errors;
-    std::string papersName;
+    std::string manifestName;
     int count = 0;
     for (const std::string& name : folder.Files())
     {
         count += name.ends_with(".png") ? 1 : 0;
-        papersName = name.ends_with(".json") ? name : papersName;
+        manifestName = name.ends_with(".json") ? name : manifestName;
     }
     ASSERT_GT(count, 0);
-    std::string papers = ReadFile(folder / papersName);
-    papers.replace(papers.find("\"9999\"") + 1, 4, std::to_string(count));
-    std::ofstream(folder / papersName) << papers;
+    std::string manifest = ReadFile(folder / manifestName);
+    manifest.replace(manifest.find("\"9999\"") + 1, 4, std::to_string(count));
+    std::ofstream(folder / manifestName) << manifest;
     const Outcome again = Run(record(std::to_string(count)));
     EXPECT_EQ(again.code, 0) << again.errors;
     EXPECT_EQ(folder.Files().size(), std::size_t(count));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "../cli/Subprocess.h"
 
-#include <film/FilmPapers.h>
+#include <film/Manifest.h>
 
 #include <gmock/gmock.h>
 
@@ -15,7 +15,7 @@ namespace
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-FilmPapers Papers()
+Manifest Sample()
 {
     return {.version = "1.2.3",
             .command = {"record", "pyramid", "--frames", "400"},
@@ -29,48 +29,48 @@ FilmPapers Papers()
             .states = {{100, "0123456789abcdef"}, {200, "fedcba9876543210"}}};
 }
 
-class FilmPapersFile : public testing::Test
+class ManifestFile : public testing::Test
 {
 protected:
     void Write(const std::string& text) const
     {
-        std::ofstream(PapersPath(m_folder / "a.mkv")) << text;
+        std::ofstream(ManifestPath(m_folder / "a.mkv")) << text;
     }
 
     std::string Refusal() const
     {
-        const Result<FilmPapers> papers = ReadPapers(m_folder / "a.mkv", "do this");
-        return papers ? "accepted" : papers.GetError().culprit;
+        const Result<Manifest> manifest = ReadManifest(m_folder / "a.mkv", "do this");
+        return manifest ? "accepted" : manifest.GetError().culprit;
     }
 
     TemporaryFolder m_folder;
 };
 
-TEST_F(FilmPapersFile, ComeBackAsTheyWereWritten)
+TEST_F(ManifestFile, ComeBackAsTheyWereWritten)
 {
-    ASSERT_TRUE(WritePapers(m_folder / "a.mkv", Papers()));
+    ASSERT_TRUE(WriteManifest(m_folder / "a.mkv", Sample()));
     EXPECT_THAT(m_folder.Files(), ElementsAre("a.mkv.json"));
-    const Result<FilmPapers> read = ReadPapers(m_folder / "a.mkv", "");
+    const Result<Manifest> read = ReadManifest(m_folder / "a.mkv", "");
     ASSERT_TRUE(read) << read.GetError().Text();
-    EXPECT_EQ(DifferenceOf(*read, Papers()), "");
-    EXPECT_EQ(read->framesPerSecond, Papers().framesPerSecond);
+    EXPECT_EQ(DifferenceOf(*read, Sample()), "");
+    EXPECT_EQ(read->framesPerSecond, Sample().framesPerSecond);
     EXPECT_EQ(read->groupFrames, 50);
     EXPECT_EQ(read->plays, 3);
     EXPECT_EQ(read->frameCount, 400);
     EXPECT_EQ(read->first, 100);
     EXPECT_EQ(read->end, 200);
-    EXPECT_EQ(read->checksum, Papers().checksum);
-    EXPECT_EQ(read->states, Papers().states);
+    EXPECT_EQ(read->checksum, Sample().checksum);
+    EXPECT_EQ(read->states, Sample().states);
 }
 
-TEST_F(FilmPapersFile, ThatAreMissingAreNamedWithTheRemedy)
+TEST_F(ManifestFile, ThatAreMissingAreNamedWithTheRemedy)
 {
     EXPECT_EQ(Refusal(), (m_folder / "a.mkv.json").string());
 }
 
-TEST_F(FilmPapersFile, ThatAreDamagedAreNamedWithTheRemedy)
+TEST_F(ManifestFile, ThatAreDamagedAreNamedWithTheRemedy)
 {
-    ASSERT_TRUE(WritePapers(m_folder / "a.mkv", Papers()));
+    ASSERT_TRUE(WriteManifest(m_folder / "a.mkv", Sample()));
     const std::string good = ReadFile(m_folder / "a.mkv.json");
     const auto with = [&good](const std::string& from, const std::string& to) {
         std::string text = good;
@@ -81,7 +81,7 @@ TEST_F(FilmPapersFile, ThatAreDamagedAreNamedWithTheRemedy)
     Write(good);
     ASSERT_EQ(Refusal(), "accepted");
     for (const std::string& bad :
-         {std::string(), std::string("no papers"), std::string("[]"), good.substr(0, 60),
+         {std::string(), std::string("no manifest"), std::string("[]"), good.substr(0, 60),
           with("\"group\": 50", "\"group\": 0"), with("\"end\": 200", "\"end\": 100"),
           with("\"first\": 100", "\"first\": -1"), with("\"frames\": 400", "\"frames\": 199"),
           with("1001", "0"), with("\"loop\": 3", "\"loop\": \"3\""), with("\"200\"", "\"x\"")})
@@ -91,7 +91,7 @@ TEST_F(FilmPapersFile, ThatAreDamagedAreNamedWithTheRemedy)
     }
 }
 
-TEST_F(FilmPapersFile, TellAFilmFromEveryOther)
+TEST_F(ManifestFile, TellAFilmFromEveryOther)
 {
     const auto checksum = [this](const std::string& bytes) {
         std::ofstream(m_folder / "a.mkv") << bytes;
@@ -108,7 +108,7 @@ TEST_F(FilmPapersFile, TellAFilmFromEveryOther)
     EXPECT_EQ(ChecksumOfFilm(m_folder.Path()), "");
 }
 
-TEST(FilmPapers, TheCommandIsWithoutWhatChangesNoFrame)
+TEST(Manifest, TheCommandIsWithoutWhatChangesNoFrame)
 {
     EXPECT_THAT(CommandOfFilm({"record", "pyramid", "-o", "a.mkv", "--force", "--resume",
                                "--frame-range=0-9", "--quality", "high", "--progress", "none",
@@ -117,7 +117,7 @@ TEST(FilmPapers, TheCommandIsWithoutWhatChangesNoFrame)
                 ElementsAre("record", "pyramid", "--quality", "high"));
 }
 
-TEST(FilmPapers, TheCommandIsWithoutAFileAttachedToItsOption)
+TEST(Manifest, TheCommandIsWithoutAFileAttachedToItsOption)
 {
     for (const char* output : {"-oa.mkv", "-o=a.mkv", "-oa=b.mkv"})
     {
@@ -127,16 +127,17 @@ TEST(FilmPapers, TheCommandIsWithoutAFileAttachedToItsOption)
     }
 }
 
-TEST(FilmPapers, SayWhatDiffers)
+TEST(Manifest, SayWhatDiffers)
 {
-    FilmPapers other = Papers();
+    Manifest other = Sample();
     other.first = 0;
-    EXPECT_EQ(DifferenceOf(Papers(), other), "") << "another part of the same film";
+    EXPECT_EQ(DifferenceOf(Sample(), other), "") << "another part of the same film";
     other.version = "1.2.4";
-    EXPECT_EQ(DifferenceOf(Papers(), other), "versions 1.2.3 and 1.2.4 of this program made them");
+    EXPECT_EQ(DifferenceOf(Sample(), other),
+              "versions 1.2.3 and 1.2.4 of this program made them");
     other.command.back() = "401";
-    EXPECT_EQ(DifferenceOf(Papers(), other), "the commands differ: `record pyramid --frames 400` "
-                                             "and `record pyramid --frames 401`");
+    EXPECT_EQ(DifferenceOf(Sample(), other), "the commands differ: `record pyramid --frames 400` "
+                                               "and `record pyramid --frames 401`");
 }
 
 } // namespace

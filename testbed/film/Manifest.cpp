@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "FilmPapers.h"
+#include "Manifest.h"
 
 #include <base/AtomicFile.h>
 #include <base/Bytes.h>
@@ -66,70 +66,71 @@ std::string Joined(const std::vector<std::string>& words)
     return text;
 }
 
-json ToJson(const FilmPapers& papers)
+json ToJson(const Manifest& manifest)
 {
     json states = json::object();
-    for (const auto& [frame, state] : papers.states)
+    for (const auto& [frame, state] : manifest.states)
     {
         states[std::to_string(frame)] = state;
     }
-    return {{"boxreel", papers.version},
-            {"command", papers.command},
-            {"fps", {papers.framesPerSecond.num, papers.framesPerSecond.den}},
-            {"group", papers.groupFrames},
-            {"loop", papers.plays},
-            {"frames", papers.frameCount},
-            {"first", papers.first},
-            {"end", papers.end},
-            {"checksum", papers.checksum},
+    return {{"boxreel", manifest.version},
+            {"command", manifest.command},
+            {"fps", {manifest.framesPerSecond.num, manifest.framesPerSecond.den}},
+            {"group", manifest.groupFrames},
+            {"loop", manifest.plays},
+            {"frames", manifest.frameCount},
+            {"first", manifest.first},
+            {"end", manifest.end},
+            {"checksum", manifest.checksum},
             {"states", states}};
 }
 
-FilmPapers FromJson(const json& object)
+Manifest FromJson(const json& object)
 {
-    FilmPapers papers;
-    papers.version = object.at("boxreel").get<std::string>();
-    papers.command = object.at("command").get<std::vector<std::string>>();
-    papers.framesPerSecond = {object.at("fps").at(0).get<std::int64_t>(),
-                              object.at("fps").at(1).get<std::int64_t>()};
-    papers.groupFrames = object.at("group").get<std::int64_t>();
-    papers.plays = object.at("loop").get<int>();
-    papers.frameCount = object.at("frames").get<std::int64_t>();
-    papers.first = object.at("first").get<std::int64_t>();
-    papers.end = object.at("end").get<std::int64_t>();
-    papers.checksum = object.at("checksum").get<std::string>();
+    Manifest manifest;
+    manifest.version = object.at("boxreel").get<std::string>();
+    manifest.command = object.at("command").get<std::vector<std::string>>();
+    manifest.framesPerSecond = {object.at("fps").at(0).get<std::int64_t>(),
+                                object.at("fps").at(1).get<std::int64_t>()};
+    manifest.groupFrames = object.at("group").get<std::int64_t>();
+    manifest.plays = object.at("loop").get<int>();
+    manifest.frameCount = object.at("frames").get<std::int64_t>();
+    manifest.first = object.at("first").get<std::int64_t>();
+    manifest.end = object.at("end").get<std::int64_t>();
+    manifest.checksum = object.at("checksum").get<std::string>();
     for (const auto& [frame, state] : object.at("states").items())
     {
-        papers.states[std::stoll(frame)] = state.get<std::string>();
+        manifest.states[std::stoll(frame)] = state.get<std::string>();
     }
-    return papers;
+    return manifest;
 }
 
 /// Whether the numbers can be those of a film.
-bool IsSound(const FilmPapers& papers)
+bool IsSound(const Manifest& manifest)
 {
-    const Rational& rate = papers.framesPerSecond;
-    return rate.num >= 1 && rate.den >= 1 && papers.groupFrames >= 1 && papers.plays >= 0 &&
-           papers.first >= 0 && papers.end > papers.first && papers.frameCount >= papers.end;
+    const Rational& rate = manifest.framesPerSecond;
+    return rate.num >= 1 && rate.den >= 1 && manifest.groupFrames >= 1 && manifest.plays >= 0 &&
+           manifest.first >= 0 && manifest.end > manifest.first &&
+           manifest.frameCount >= manifest.end;
 }
 
 } // namespace
 
-std::filesystem::path PapersPath(const std::filesystem::path& film)
+std::filesystem::path ManifestPath(const std::filesystem::path& film)
 {
     std::filesystem::path path = film;
     path += ".json";
     return path;
 }
 
-Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers)
+Result<void> WriteManifest(const std::filesystem::path& film, const Manifest& manifest)
 {
-    return WriteWhole(PapersPath(film), ToJson(papers).dump(1) + "\n", true);
+    return WriteWhole(ManifestPath(film), ToJson(manifest).dump(1) + "\n", true);
 }
 
-Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy)
+Result<Manifest> ReadManifest(const std::filesystem::path& film, const std::string& remedy)
 {
-    const std::filesystem::path path = PapersPath(film);
+    const std::filesystem::path path = ManifestPath(film);
     std::ifstream file(path);
     if (!file)
     {
@@ -138,10 +139,10 @@ Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::stri
     }
     try
     {
-        FilmPapers papers = FromJson(json::parse(file));
-        if (IsSound(papers))
+        Manifest manifest = FromJson(json::parse(file));
+        if (IsSound(manifest))
         {
-            return papers;
+            return manifest;
         }
     }
     catch (const std::exception&)
@@ -152,9 +153,9 @@ Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::stri
                  remedy};
 }
 
-std::string WriterOfPapers(const std::filesystem::path& film)
+std::string WriterOfManifest(const std::filesystem::path& film)
 {
-    std::ifstream file(PapersPath(film));
+    std::ifstream file(ManifestPath(film));
     const json object = json::parse(file, nullptr, false);
     const bool isOurs = object.is_object() && object.contains("boxreel") &&
                         object["boxreel"].is_string() && object.contains("command");
@@ -202,7 +203,7 @@ std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments
     return command;
 }
 
-std::string DifferenceOf(const FilmPapers& a, const FilmPapers& b)
+std::string DifferenceOf(const Manifest& a, const Manifest& b)
 {
     if (a.command != b.command)
     {

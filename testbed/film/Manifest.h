@@ -16,7 +16,7 @@
 namespace boxreel
 {
 
-struct FilmPapers
+struct Manifest
 {
     std::string version;              ///< of this program
     std::vector<std::string> command; ///< what the user asked for, without where it goes
@@ -27,24 +27,24 @@ struct FilmPapers
     std::int64_t first = 0;      ///< number of this part's first frame
     std::int64_t end = 0;        ///< one more than that of its last
     /// Of the film's file, once it is closed: what was cut off, altered or put in its place since
-    /// then is not what these papers speak of.
+    /// then is not what these manifest speak of.
     std::string checksum;
     /// State hashes by number of the frame that shows them: where groups begin, and at `end`.
     std::map<std::int64_t, std::string> states;
 };
 
 /// film.mkv becomes film.mkv.json.
-std::filesystem::path PapersPath(const std::filesystem::path& film);
+std::filesystem::path ManifestPath(const std::filesystem::path& film);
 
 /// Replaces what is there.
-Result<void> WritePapers(const std::filesystem::path& film, const FilmPapers& papers);
+Result<void> WriteManifest(const std::filesystem::path& film, const Manifest& manifest);
 
 /// An Error (Unusable) when there are none, or they are not readable. `remedy`: what to do then.
-Result<FilmPapers> ReadPapers(const std::filesystem::path& film, const std::string& remedy);
+Result<Manifest> ReadManifest(const std::filesystem::path& film, const std::string& remedy);
 
-/// The version of this program that left what lies where the papers go, whether they are readable
+/// The version of this program that left what lies where the manifest go, whether they are readable
 /// or not; empty when it is nothing of this program's.
-std::string WriterOfPapers(const std::filesystem::path& film);
+std::string WriterOfManifest(const std::filesystem::path& film);
 
 /// Of all bytes of a film and their number; nothing when it cannot be read or is no file.
 std::string ChecksumOfFilm(const std::filesystem::path& film);
@@ -54,6 +54,6 @@ std::string ChecksumOfFilm(const std::filesystem::path& film);
 std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments);
 
 /// Nothing when both make the same film; else what differs, as a clause.
-std::string DifferenceOf(const FilmPapers& a, const FilmPapers& b);
+std::string DifferenceOf(const Manifest& a, const Manifest& b);
 
 } // namespace boxreel
