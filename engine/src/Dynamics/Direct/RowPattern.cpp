@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "RowPattern.h"
 
-#include <Box2D/Dynamics/Joints/b2GearJoint.h>
+#include "../Joints/JointKinds.h"
+
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <algorithm>
@@ -339,16 +340,7 @@ RowSides SidesOf(b2Joint& joint)
             }
         }
     };
-    if (joint.GetType() == e_gearJoint)
-    {
-        auto& gear = static_cast<b2GearJoint&>(joint);
-        add(*gear.GetJoint1());
-        add(*gear.GetJoint2());
-    }
-    else
-    {
-        add(joint);
-    }
+    ForParts(joint, add);
     return result;
 }
 

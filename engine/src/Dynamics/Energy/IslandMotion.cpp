@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "IslandMotion.h"
 
+#include "../Joints/JointKinds.h"
 #include "../State/World.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
@@ -16,7 +17,7 @@ namespace box2d
 namespace
 {
 
-/// Whether something immovable has a hold of the body. Pulleys and gears are fixed in the world.
+/// Whether something immovable holds the body.
 bool IsHeld(const b2Body& body)
 {
     for (const b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
@@ -28,9 +29,7 @@ bool IsHeld(const b2Body& body)
     }
     for (const b2JointEdge* edge = body.GetJointList(); edge; edge = edge->next)
     {
-        const b2JointType type = edge->joint->GetType();
-        if (edge->other->GetType() != b2_dynamicBody || type == e_pulleyJoint ||
-            type == e_gearJoint || type == e_mouseJoint)
+        if (edge->other->GetType() != b2_dynamicBody || HoldsToWorld(*edge->joint))
         {
             return true;
         }

@@ -3,9 +3,6 @@
 #include "../State/World.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
-#include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
-#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
-#include <Box2D/Dynamics/Joints/b2WheelJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
 /// Who is awake. A step looks at the lists of awake bodies, awake contacts and coloured constraints
@@ -30,30 +27,6 @@ bool IsMovingPlatform(const BodyData& body)
 {
     return body.mobility == Mobility::Kinematic &&
            (body.linearVelocity != b2Vec2(0.0f, 0.0f) || body.angularVelocity != 0.0f);
-}
-
-/// Whether it turns or slides at the speed that its motor was told. One that cannot may rest.
-template <class Joint>
-bool IsDriven(const b2Joint& joint)
-{
-    const auto& driven = static_cast<const Joint&>(joint);
-    const float32 told = driven.IsMotorEnabled() ? driven.GetMotorSpeed() : 0.0f;
-    return told != 0.0f && driven.GetJointSpeed() / told > 0.5f;
-}
-
-bool IsDriven(const b2Joint& joint)
-{
-    switch (joint.GetType())
-    {
-    case e_revoluteJoint:
-        return IsDriven<b2RevoluteJoint>(joint);
-    case e_prismaticJoint:
-        return IsDriven<b2PrismaticJoint>(joint);
-    case e_wheelJoint:
-        return IsDriven<b2WheelJoint>(joint);
-    default:
-        return false;
-    }
 }
 
 } // namespace
@@ -252,18 +225,6 @@ void World::WakeNeighbours(b2Body& bodyA, b2Body& bodyB)
     if (IsMovingPlatform(b))
     {
         a.sleepTime = 0.0f;
-    }
-}
-
-void World::KeepDrivenAwake(b2Joint& joint)
-{
-    BodyData& a = Data(*joint.GetBodyA());
-    BodyData& b = Data(*joint.GetBodyB());
-    // Seldom asked: what moves fast has no time of rest.
-    if ((a.sleepTime > 0.0f || b.sleepTime > 0.0f) && IsDriven(joint))
-    {
-        a.sleepTime = 0.0f;
-        b.sleepTime = 0.0f;
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2DistanceJoint;
+
 /// The solver of b2DistanceJoint, whose source has the formulas.
 namespace box2d
 {
@@ -124,6 +126,10 @@ struct DistanceLanes
         return joined;
     }
 };
+
+template <class F>
+struct LanesOf<b2DistanceJoint, F> : std::type_identity<DistanceLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

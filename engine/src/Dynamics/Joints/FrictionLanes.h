@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2FrictionJoint;
+
 /// The solver of b2FrictionJoint, whose source has the formulas; with a wanted speed that of
 /// b2MotorJoint as well.
 namespace box2d
@@ -50,6 +52,10 @@ struct FrictionLanes
         impulse = total;
     }
 };
+
+template <class F>
+struct LanesOf<b2FrictionJoint, F> : std::type_identity<FrictionLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

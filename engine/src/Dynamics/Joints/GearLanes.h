@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2GearJoint;
+
 /// The solver of b2GearJoint, whose source has the formulas. Its bodies are those of two joints,
 /// the frame and the body of each; a body may be one of both.
 namespace box2d
@@ -11,8 +13,13 @@ namespace
 {
 
 template <class F>
+struct GearKernels;
+
+template <class F>
 struct GearLanes
 {
+    using Kernels = GearKernels<F>;
+
     /// One of the two joints: how its coordinate follows from its frame (A) and its body (B).
     struct Side
     {
@@ -50,12 +57,6 @@ struct GearKernels
     static constexpr int kWidth = F::kLanes == 1 ? 1 : kJointLanes;
     static constexpr int kFirst = kMassNumbers * kWidth;
     static constexpr int kSecond = kFirst + kWidth; ///< masses of the second joint's bodies
-
-    static constexpr JointKernels All()
-    {
-        return {int32(kMassNumbers + sizeof(Gears) / sizeof(F)), WarmStart, SolveVelocities,
-                SolvePositions};
-    }
 
     static MovingPair<F> Moving(const JointBlock& block, int lane, int side, const float32* numbers,
                                 const float32* bodies)
@@ -168,6 +169,10 @@ struct GearKernels
         return joined;
     }
 };
+
+template <class F>
+struct LanesOf<b2GearJoint, F> : std::type_identity<GearLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

@@ -15,7 +15,7 @@ const JointKernels& KernelsOf(const JointBlock& block)
 {
     if (block.width == 1)
     {
-        return kJointKernels<simd::Float1>[block.type];
+        return KernelsOf<simd::Float1>(block.type);
     }
 #if defined(BOX2D_AVX2)
     if (UsesWideInstructions())
@@ -23,7 +23,7 @@ const JointKernels& KernelsOf(const JointBlock& block)
         return JointKernelsAvx2(block.type);
     }
 #endif
-    return kJointKernels<simd::Float4>[block.type];
+    return KernelsOf<simd::Float4>(block.type);
 }
 
 } // namespace box2d

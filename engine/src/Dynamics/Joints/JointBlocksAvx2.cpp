@@ -7,7 +7,7 @@ namespace box2d
 
 const JointKernels& JointKernelsAvx2(b2JointType type)
 {
-    return kJointKernels<simd::Float8>[type];
+    return KernelsOf<simd::Float8>(type);
 }
 
 } // namespace box2d

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Box2D/Common/b2Math.h>
+#include "../State/BodyPose.h"
+#include "../State/Solver.h"
+
+#include <Box2D/Dynamics/Joints/b2Joint.h>
+#include <Box2D/Dynamics/b2Body.h>
 
 #include <limits>
-
-class b2Joint;
 
 /// What a joint stores, and what it may give in a step, told from its settings and where its bodies
 /// are, not from what a solver says that it did.
 namespace box2d
 {
-
-struct SolverBody;
 
 /// Of what pulls back with k x, but never with more than `most`.
 struct SpringState
@@ -25,6 +25,60 @@ struct SpringState
     /// k x^2 / 2, and a straight line beyond `most` / k [J].
     double EnergyAt(double x) const;
 };
+
+/// A joint's two bodies after what has moved in the step.
+class JointPair
+{
+public:
+    JointPair(const b2Joint& joint, const SolverBody* bodies)
+        : dataA(Data(*joint.GetBodyA())), dataB(Data(*joint.GetBodyB()))
+    {
+        if (bodies != nullptr)
+        {
+            a = bodies[dataA.SolverIndex()];
+            b = bodies[dataB.SolverIndex()];
+        }
+    }
+
+    b2Vec2 ArmA(const b2Vec2& local) const { return Arm(dataA, a, local); }
+    b2Vec2 ArmB(const b2Vec2& local) const { return Arm(dataB, b, local); }
+    b2Vec2 Offset() const { return CenterOffset(dataA, dataB) + b.d - a.d; }
+    double Angle() const
+    {
+        return dataB.pose.angle - dataA.pose.angle + double(b.angle) - double(a.angle);
+    }
+    /// How an impulse along a direction changes the speed along it.
+    double InverseMass(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& direction) const
+    {
+        const auto turn = [&](const BodyData& body, const b2Vec2& arm) {
+            const double lever = double(b2Cross(arm, direction));
+            return double(body.SolverInvInertia()) * lever * lever;
+        };
+        return double(dataA.SolverInvMass()) + double(dataB.SolverInvMass()) + turn(dataA, armA) +
+               turn(dataB, armB);
+    }
+    b2Vec2 SpeedAt(const b2Vec2& armA, const b2Vec2& armB) const
+    {
+        return b.v + b2Cross(b.w, armB) - a.v - b2Cross(a.w, armA);
+    }
+
+    const BodyData& dataA;
+    const BodyData& dataB;
+    SolverBody a, b;
+
+private:
+    static b2Vec2 Arm(const BodyData& data, const SolverBody& body, const b2Vec2& local)
+    {
+        return b2Mul(body.q, b2Mul(data.rotation, local - data.localCenter));
+    }
+};
+
+/// Of the oscillator with that frequency.
+inline double StiffnessOf(double inverseMass, float32 hz)
+{
+    const double omega = 2.0 * double(b2_pi) * double(hz);
+    return inverseMass > 0.0 ? omega * omega / inverseMass : 0.0;
+}
 
 /// What has been put into a spring from one state to another, beyond what changes of k explain: k
 /// is that of an oscillator with a given frequency, so it follows the mass that moves, which

@@ -6,6 +6,7 @@
 #include "DistanceLanes.h"
 #include "FrictionLanes.h"
 #include "GearLanes.h"
+#include "JointKinds.h"
 #include "MotorLanes.h"
 #include "MouseLanes.h"
 #include "PrismaticLanes.h"
@@ -22,10 +23,9 @@ namespace box2d
 namespace
 {
 
-template <template <class> class Lanes, class F>
+template <class Joints, class F>
 struct PairKernels
 {
-    using Joints = Lanes<F>;
     static constexpr int kWidth = F::kLanes == 1 ? 1 : kJointLanes;
     static constexpr int kFirst = kMassNumbers * kWidth; ///< of the kind's own numbers
     static constexpr bool kHasPlainForm = Joints::kPlainImpulses != Joints::kImpulses;
@@ -129,35 +129,37 @@ inline bool HoldsNoPositions(const JointRun&, float32*)
     return true;
 }
 
-template <template <class> class Lanes, class F>
-constexpr JointKernels KernelsFor()
+/// The lanes' own kernels, or those of pairs.
+template <class Lanes, class F>
+constexpr JointKernels MakeKernels()
 {
-    using Kernels = PairKernels<Lanes, F>;
-    JointKernels kernels = {int32(kMassNumbers + sizeof(Lanes<F>) / sizeof(F)), Kernels::WarmStart,
-                            Kernels::SolveVelocities, HoldsNoPositions};
-    if constexpr (Lanes<F>::kHoldsPositions)
+    constexpr auto numbers = int32(kMassNumbers + sizeof(Lanes) / sizeof(F));
+    if constexpr (requires { typename Lanes::Kernels; })
     {
-        kernels.solvePositions = Kernels::SolvePositions;
+        using Kernels = typename Lanes::Kernels;
+        return {numbers, Kernels::WarmStart, Kernels::SolveVelocities, Kernels::SolvePositions};
     }
-    return kernels;
+    else
+    {
+        using Kernels = PairKernels<Lanes, F>;
+        JointKernels kernels = {numbers, Kernels::WarmStart, Kernels::SolveVelocities,
+                                HoldsNoPositions};
+        if constexpr (Lanes::kHoldsPositions)
+        {
+            kernels.solvePositions = Kernels::SolvePositions;
+        }
+        return kernels;
+    }
 }
 
-/// By b2JointType.
+template <class Joint, class F>
+constexpr JointKernels kKernels = MakeKernels<typename LanesOf<Joint, F>::type, F>();
+
 template <class F>
-constexpr JointKernels kJointKernels[] = {
-    {},
-    KernelsFor<RevoluteLanes, F>(),
-    KernelsFor<PrismaticLanes, F>(),
-    KernelsFor<DistanceLanes, F>(),
-    KernelsFor<PulleyLanes, F>(),
-    KernelsFor<MouseLanes, F>(),
-    GearKernels<F>::All(),
-    KernelsFor<WheelLanes, F>(),
-    KernelsFor<WeldLanes, F>(),
-    KernelsFor<FrictionLanes, F>(),
-    KernelsFor<RopeLanes, F>(),
-    KernelsFor<MotorLanes, F>(),
-};
+const JointKernels& KernelsOf(b2JointType type)
+{
+    return *WithType(type, []<class Joint>(JointTag<Joint>) { return &kKernels<Joint, F>; });
+}
 
 } // namespace
 } // namespace box2d

@@ -4,6 +4,7 @@
 #include "../State/BodyLanes.h"
 #include "JointBlocks.h"
 
+#include <type_traits>
 #include <utility>
 
 /// What the lanes of all kinds of joints share: the two bodies of each lane, with their velocities
@@ -205,6 +206,10 @@ struct PlacedPair : PairMasses<F>
         }
     }
 };
+
+/// The lanes of a kind of joint, as `type`.
+template <class Joint, class F>
+struct LanesOf;
 
 /// Truths from a number that is 1 or 0.
 template <class F>

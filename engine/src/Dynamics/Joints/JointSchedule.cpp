@@ -5,8 +5,8 @@
 #include "../State/ConstraintGraph.h"
 
 #include "../../Common/ThreadPool.h"
+#include "JointKinds.h"
 
-#include <Box2D/Dynamics/Joints/b2GearJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <algorithm>
@@ -28,18 +28,7 @@ struct JointBodies
 {
     explicit JointBodies(b2Joint& joint)
     {
-        if (joint.GetType() == e_gearJoint)
-        {
-            auto& gear = static_cast<b2GearJoint&>(joint);
-            for (b2Joint* part : {gear.GetJoint1(), gear.GetJoint2()})
-            {
-                Add(*part);
-            }
-        }
-        else
-        {
-            Add(joint);
-        }
+        ForParts(joint, [this](b2Joint& part) { Add(part); });
     }
     b2Body** begin() { return bodies; }
     b2Body** end() { return bodies + count; }

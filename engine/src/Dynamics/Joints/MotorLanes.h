@@ -3,6 +3,8 @@
 
 #include "FrictionLanes.h"
 
+class b2MotorJoint;
+
 /// The solver of b2MotorJoint, whose source has the formulas: friction towards a place.
 namespace box2d
 {
@@ -30,6 +32,10 @@ struct MotorLanes
         friction.SolveLinear(pair, pair.PointSpeed(friction.armA, friction.armB) + bias);
     }
 };
+
+template <class F>
+struct LanesOf<b2MotorJoint, F> : std::type_identity<MotorLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2MouseJoint;
+
 /// The solver of b2MouseJoint, whose source has the formulas. Body A takes no part.
 namespace box2d
 {
@@ -43,6 +45,10 @@ struct MouseLanes
         pair.wB = pair.wB + pair.iB * Cross(arm, push);
     }
 };
+
+template <class F>
+struct LanesOf<b2MouseJoint, F> : std::type_identity<MouseLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

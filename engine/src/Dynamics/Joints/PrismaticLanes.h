@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2PrismaticJoint;
+
 /// The solver of b2PrismaticJoint, whose source has the formulas.
 namespace box2d
 {
@@ -182,6 +184,10 @@ struct PrismaticLanes
         return Select(moves, Abs(back) + slop, zero);
     }
 };
+
+template <class F>
+struct LanesOf<b2PrismaticJoint, F> : std::type_identity<PrismaticLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2PulleyJoint;
+
 /// The solver of b2PulleyJoint, whose source has the formulas.
 namespace box2d
 {
@@ -82,6 +84,10 @@ struct PulleyLanes
         return AtLeast(F::Set(b2_linearSlop), Abs(error));
     }
 };
+
+template <class F>
+struct LanesOf<b2PulleyJoint, F> : std::type_identity<PulleyLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

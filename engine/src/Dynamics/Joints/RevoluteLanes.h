@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2RevoluteJoint;
+
 /// The solver of b2RevoluteJoint, whose source has the formulas.
 namespace box2d
 {
@@ -127,6 +129,10 @@ struct RevoluteLanes
         return Select(turns, Abs(back) + slop, zero);
     }
 };
+
+template <class F>
+struct LanesOf<b2RevoluteJoint, F> : std::type_identity<RevoluteLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

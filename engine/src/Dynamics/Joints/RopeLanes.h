@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2RopeJoint;
+
 /// The solver of b2RopeJoint, whose source has the formulas.
 namespace box2d
 {
@@ -46,6 +48,10 @@ struct RopeLanes
         return AtLeast(F::Set(b2_linearSlop), error);
     }
 };
+
+template <class F>
+struct LanesOf<b2RopeJoint, F> : std::type_identity<RopeLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2WeldJoint;
+
 /// The solver of b2WeldJoint, whose source has the formulas.
 namespace box2d
 {
@@ -126,6 +128,10 @@ struct WeldLanes
                    Or(Not(rigid), AtLeast(F::Set(b2_angularSlop), Abs(angularError))));
     }
 };
+
+template <class F>
+struct LanesOf<b2WeldJoint, F> : std::type_identity<WeldLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+class b2WheelJoint;
+
 /// The solver of b2WheelJoint, whose source has the formulas.
 namespace box2d
 {
@@ -79,6 +81,10 @@ struct WheelLanes
         return AtLeast(F::Set(b2_linearSlop), Abs(error));
     }
 };
+
+template <class F>
+struct LanesOf<b2WheelJoint, F> : std::type_identity<WheelLanes<F>>
+{};
 
 } // namespace
 } // namespace box2d

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
 
+#include "DistanceKind.h"
 #include "DistanceLanes.h"
 #include "JointChecks.h"
 #include "JointFrame.h"
@@ -147,6 +148,18 @@ void b2DistanceJoint::SetRowImpulses(const float32 (&within)[3], const float32 (
         m_lowerImpulse = b2Max(limits, 0.0f);
         m_upperImpulse = b2Max(-limits, 0.0f);
     }
+}
+
+box2d::SpringState box2d::JointAccess::Kind<b2DistanceJoint>::SpringOf(const b2DistanceJoint& joint,
+                                                                       const JointPair& pair)
+{
+    const b2Vec2 armA = pair.ArmA(joint.GetLocalAnchorA());
+    const b2Vec2 armB = pair.ArmB(joint.GetLocalAnchorB());
+    b2Vec2 axis = pair.Offset() + armB - armA;
+    SpringState spring;
+    spring.error = double(axis.Normalize() - joint.GetLength());
+    spring.stiffness = StiffnessOf(pair.InverseMass(armA, armB, axis), joint.GetFrequency());
+    return spring;
 }
 
 b2Vec2 b2DistanceJoint::GetAnchorA() const

@@ -2,9 +2,9 @@
 #include <Box2D/Dynamics/Joints/b2GearJoint.h>
 
 #include "../State/Access.h"
+#include "GearKind.h"
 #include "GearLanes.h"
 #include "JointChecks.h"
-#include "JointDefinitions.h"
 #include "JointFrame.h"
 #include "JointRows.h"
 
@@ -17,6 +17,80 @@
 //   + rFrame) x n K = sum over the sides of  weight^2 (m Jv^2 + i Jw^2)  of body and frame,  weight
 //   1 and ratio
 // Up to four bodies take part, those of the two joints.
+
+namespace box2d
+{
+
+namespace
+{
+
+/// True if the island of all that the gear moves includes what this joint moves, with the gear
+/// between `body` and a body of the other joint.
+bool Reaches(b2Joint& joint, const b2Body& body, b2Joint& otherJoint)
+{
+    b2Body& other = *(&body == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA());
+    return Data(body).IsDynamic() || !Data(other).IsDynamic() || &other == otherJoint.GetBodyA() ||
+           &other == otherJoint.GetBodyB();
+}
+
+/// The definition's body first, else the joint's second one, which the joint is about.
+void SortBodies(b2Joint& joint, b2Body* wish, b2Body* (&bodies)[2])
+{
+    bodies[0] = wish == joint.GetBodyA() ? wish : joint.GetBodyB();
+    bodies[1] = bodies[0] == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA();
+}
+
+bool IsOfWorld(const b2Joint& joint, const b2World* world)
+{
+    return joint.GetBodyA()->GetWorld() == world;
+}
+
+} // namespace
+
+GearBodies BodiesOf(const b2GearJointDef& def)
+{
+    b2Body* first[2];
+    b2Body* second[2];
+    SortBodies(*def.joint1, def.bodyA, first);
+    SortBodies(*def.joint2, def.bodyB, second);
+    GearBodies unmoved;
+    for (b2Body* a : first)
+    {
+        for (b2Body* b : second)
+        {
+            if (a == b)
+            {
+                continue;
+            }
+            if ((Data(*a).IsDynamic() || Data(*b).IsDynamic()) &&
+                Reaches(*def.joint1, *a, *def.joint2) && Reaches(*def.joint2, *b, *def.joint1))
+            {
+                return {a, b};
+            }
+            unmoved = unmoved.a == nullptr ? GearBodies{a, b} : unmoved;
+        }
+    }
+    return unmoved;
+}
+
+bool CanBeGeared(const b2Joint* joint)
+{
+    return joint && (joint->GetType() == e_revoluteJoint || joint->GetType() == e_prismaticJoint);
+}
+
+bool JointAccess::Kind<b2GearJoint>::IsSound(const b2GearJointDef& d)
+{
+    return B2_REQUIRE(CanBeGeared(d.joint1) && CanBeGeared(d.joint2),
+                      "A gear joint needs two joints, each revolute or prismatic.") &&
+           B2_REQUIRE(d.joint1 != d.joint2 && BodiesOf(d).a != nullptr,
+                      "A gear joint's two joints must move two different bodies.") &&
+           B2_REQUIRE(IsOfWorld(*d.joint1, d.bodyA->GetWorld()) &&
+                          IsOfWorld(*d.joint2, d.bodyA->GetWorld()),
+                      "A gear joint's two joints must be of the world of its bodies.") &&
+           IsGearRatio(d.ratio);
+}
+
+} // namespace box2d
 
 b2GearJoint::Side b2GearJoint::MakeSide(b2Joint* joint)
 {

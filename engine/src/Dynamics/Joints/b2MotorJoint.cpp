@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "MotorKind.h"
 #include "MotorLanes.h"
 
 // Like friction, but towards a velocity that makes good a share of the error in one step:
@@ -79,6 +80,21 @@ void b2MotorJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[
 {
     m_impulse.Set(within[0], within[1]);
     m_angularImpulse = within[2];
+}
+
+/// It wants to take back a share of its error within a sub-step.
+double box2d::JointAccess::Kind<b2MotorJoint>::MaxPower(const b2MotorJoint& joint,
+                                                        const JointPair& pair, double subStep)
+{
+    const b2Vec2 armA = pair.ArmA(joint.GetLinearOffset());
+    const b2Vec2 armB = pair.ArmB(b2Vec2_zero);
+    const double rate = double(joint.GetCorrectionFactor()) / subStep;
+    const double way = double((pair.Offset() + armB - armA).Length());
+    const double turn = std::abs(pair.Angle() - double(joint.GetAngularOffset()));
+    const double speed = double(pair.SpeedAt(armA, armB).Length());
+    const double spin = double(b2Abs(pair.b.w - pair.a.w));
+    return double(joint.GetMaxForce()) * std::min(speed, rate * way) +
+           double(joint.GetMaxTorque()) * std::min(spin, rate * turn);
 }
 
 b2Vec2 b2MotorJoint::GetAnchorA() const

@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "MouseKind.h"
 #include "MouseLanes.h"
 
 #include <Box2D/Dynamics/b2World.h>
@@ -86,6 +87,20 @@ void b2MouseJoint::GetRowImpulses(float32 (&impulse)[3]) const
 void b2MouseJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3])
 {
     m_impulse.Set(within[0], within[1]);
+}
+
+box2d::SpringState box2d::JointAccess::Kind<b2MouseJoint>::SpringOf(const b2MouseJoint& joint,
+                                                                    const JointPair& pair)
+{
+    const b2Vec2 arm = pair.ArmB(joint.GetBodyB()->GetLocalPoint(joint.GetAnchorB()));
+    const b2Vec2 target = joint.GetTarget();
+    const Pose& pose = pair.dataB.pose;
+    const b2Vec2 apart(float32(pose.x - double(target.x)), float32(pose.y - double(target.y)));
+    SpringState spring;
+    spring.error = double((apart + pair.b.d + arm).Length());
+    spring.stiffness = StiffnessOf(double(pair.dataB.SolverInvMass()), joint.GetFrequency());
+    spring.most = double(joint.GetMaxForce());
+    return spring;
 }
 
 b2Vec2 b2MouseJoint::GetAnchorA() const

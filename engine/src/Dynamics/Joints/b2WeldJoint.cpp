@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "WeldKind.h"
 #include "WeldLanes.h"
 
 // A hinge whose angle is held too. Rigid: the three rows are solved together, with
@@ -82,6 +83,17 @@ void b2WeldJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[3
 {
     m_impulse.Set(within[0], within[1]);
     m_angularImpulse = within[2];
+}
+
+box2d::SpringState box2d::JointAccess::Kind<b2WeldJoint>::SpringOf(const b2WeldJoint& joint,
+                                                                   const JointPair& pair)
+{
+    SpringState spring;
+    spring.error = pair.Angle() - double(joint.GetReferenceAngle());
+    spring.stiffness =
+        StiffnessOf(double(pair.dataA.SolverInvInertia()) + double(pair.dataB.SolverInvInertia()),
+                    joint.GetFrequency());
+    return spring;
 }
 
 b2Vec2 b2WeldJoint::GetAnchorA() const

@@ -4,6 +4,7 @@
 #include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
+#include "WheelKind.h"
 #include "WheelLanes.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
@@ -104,6 +105,19 @@ void b2WheelJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[
     m_impulse = within[0];
     m_springImpulse = within[1];
     m_motorImpulse = within[2];
+}
+
+box2d::SpringState box2d::JointAccess::Kind<b2WheelJoint>::SpringOf(const b2WheelJoint& joint,
+                                                                    const JointPair& pair)
+{
+    const b2Vec2 armB = pair.ArmB(joint.GetLocalAnchorB());
+    const b2Vec2 reachA = pair.Offset() + armB;
+    const b2Vec2 axis = b2Mul(pair.a.q, b2Mul(pair.dataA.rotation, joint.GetLocalAxisA()));
+    SpringState spring;
+    spring.error = double(b2Dot(axis, reachA - pair.ArmA(joint.GetLocalAnchorA())));
+    spring.stiffness =
+        StiffnessOf(pair.InverseMass(reachA, armB, axis), joint.GetSpringFrequencyHz());
+    return spring;
 }
 
 b2Vec2 b2WheelJoint::GetAnchorA() const

@@ -15,11 +15,6 @@
 namespace box2d
 {
 
-// The members of a class with a base cannot be named all at once; where pointers have 8 bytes its
-// size tells when one has been added.
-template <class Object, std::size_t size>
-constexpr bool kHasSize = sizeof(void*) != 8 || sizeof(Object) == size;
-
 template <class Archive>
 void Visit(Archive& archive, b2CircleShape& shape)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "StepSolver.h"
 
+#include "../Joints/JointKinds.h"
 #include "../State/Access.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
@@ -45,7 +46,7 @@ void StepSolver::WakeJointNeighbours()
     {
         b2Joint* joint = m_world.graph.Joints()[i];
         m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
-        World::KeepDrivenAwake(*joint);
+        KeepDrivenAwake(*joint);
     }
     // A joint between a platform and something asleep is in no list.
     for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)

@@ -4,6 +4,7 @@
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
+#include <cstddef>
 #include <new>
 
 /// The engine's door to what fixtures and joints keep private. Plain references, no logic.
@@ -12,6 +13,11 @@ namespace box2d
 
 struct JointLane;
 struct JointRows;
+
+// The members of a class with a base cannot be named all at once. Where pointers have 8 bytes its
+// size tells when one has been added.
+template <class Object, std::size_t size>
+constexpr bool kHasSize = sizeof(void*) != 8 || sizeof(Object) == size;
 
 struct FixtureAccess
 {
@@ -32,11 +38,13 @@ struct FixtureAccess
 struct JointAccess
 {
     struct Snapshot; ///< Snapshot/JointState.h
+    template <class Joint>
+    struct Kind; ///< Joints/*Kind.h, what the engine asks of a kind of joint
 
-    template <class Joint, class Definition>
-    static b2Joint* Construct(void* memory, const b2JointDef* def)
+    template <class Joint>
+    static b2Joint* Construct(void* memory, const b2JointDef& def)
     {
-        return new (memory) Joint(static_cast<const Definition*>(def));
+        return new (memory) Joint(static_cast<const typename Kind<Joint>::Definition*>(&def));
     }
     static void Destruct(b2Joint& j) { j.~b2Joint(); }
     static void FillLane(b2Joint& j, const SolverContext& context, JointLane& lane)

@@ -93,8 +93,7 @@ public:
 
     // Joints.cpp
     b2Joint* CreateJoint(const b2JointDef& def);
-    /// The same in two parts, of which the second makes it the newest of the world and its bodies.
-    b2Joint& ConstructJoint(const b2JointDef& def);
+    /// Makes it the newest of the world and its bodies.
     void LinkJoint(b2Joint& joint);
     /// With the gears that are made of it.
     void DestroyJoint(b2Joint& joint);
@@ -133,8 +132,6 @@ public:
     void UpdateActivity(b2Joint& joint);
     /// Wakes what is held by a contact or joint with something that moves.
     void WakeNeighbours(b2Body& bodyA, b2Body& bodyB);
-    /// What a motor turns or moves at the speed that it was told does not rest, however slow.
-    static void KeepDrivenAwake(b2Joint& joint);
     /// False when WakeNeighbours would do nothing.
     static bool WakesNeighbours(const BodyData& a, const BodyData& b);
     /// After a change by hand: wakes the body with everything it has contacts or joints with, for

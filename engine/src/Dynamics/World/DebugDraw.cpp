@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../Joints/JointKinds.h"
 #include "../State/World.h"
 #include "SeenShapes.h"
 
@@ -218,14 +219,12 @@ void Drawing::DrawLine(const b2Vec2& a, const b2Vec2& b, const b2Color& color)
     }
 }
 
-// A pulley is its rope, over the two ground anchors. A rod runs from anchor to anchor, and so does
-// a mouse joint, from its target to the point held: its first body takes no part. Any other joint
-// is its two anchors, each with a line from its body's origin.
 void Drawing::DrawJoint(const b2Joint& joint)
 {
     const b2Vec2 anchorA = joint.GetAnchorA();
     const b2Vec2 anchorB = joint.GetAnchorB();
-    if (joint.GetType() == e_pulleyJoint)
+    const JointLines lines = LinesOf(joint);
+    if (lines == JointLines::kOverPulley)
     {
         const auto& pulley = static_cast<const b2PulleyJoint&>(joint);
         DrawLine(anchorA, pulley.GetGroundAnchorA(), kJoint);
@@ -233,13 +232,12 @@ void Drawing::DrawJoint(const b2Joint& joint)
         DrawLine(pulley.GetGroundAnchorB(), anchorB, kJoint);
         return;
     }
-    const bool isLink = joint.GetType() == e_distanceJoint || joint.GetType() == e_mouseJoint;
-    if (!isLink)
+    if (lines == JointLines::kToOrigins)
     {
         DrawLine(joint.GetBodyA()->GetPosition(), anchorA, kJoint);
     }
     DrawLine(anchorA, anchorB, kJoint);
-    if (!isLink)
+    if (lines == JointLines::kToOrigins)
     {
         DrawLine(joint.GetBodyB()->GetPosition(), anchorB, kJoint);
     }

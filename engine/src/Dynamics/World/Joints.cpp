@@ -1,57 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "../Joints/JointDefinitions.h"
+#include "../Joints/JointKinds.h"
 #include "../State/Access.h"
 #include "../State/World.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
-#include <Box2D/Dynamics/Joints/b2DistanceJoint.h>
-#include <Box2D/Dynamics/Joints/b2FrictionJoint.h>
-#include <Box2D/Dynamics/Joints/b2GearJoint.h>
-#include <Box2D/Dynamics/Joints/b2MotorJoint.h>
-#include <Box2D/Dynamics/Joints/b2MouseJoint.h>
-#include <Box2D/Dynamics/Joints/b2PrismaticJoint.h>
-#include <Box2D/Dynamics/Joints/b2PulleyJoint.h>
-#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
-#include <Box2D/Dynamics/Joints/b2RopeJoint.h>
-#include <Box2D/Dynamics/Joints/b2WeldJoint.h>
-#include <Box2D/Dynamics/Joints/b2WheelJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
-
-#include <iterator>
 
 namespace box2d
 {
 
 namespace
 {
-
-/// How a kind of joint is made: the table below has one line a kind.
-struct JointKind
-{
-    int32 size;
-    b2Joint* (*construct)(void* memory, const b2JointDef* def);
-};
-
-template <class Joint, class Definition>
-constexpr JointKind Kind()
-{
-    return {int32(sizeof(Joint)), &JointAccess::Construct<Joint, Definition>};
-}
-
-const JointKind* FindKind(b2JointType type)
-{
-    // In the order of b2JointType.
-    static constexpr JointKind kKinds[] = {
-        Kind<b2RevoluteJoint, b2RevoluteJointDef>(), Kind<b2PrismaticJoint, b2PrismaticJointDef>(),
-        Kind<b2DistanceJoint, b2DistanceJointDef>(), Kind<b2PulleyJoint, b2PulleyJointDef>(),
-        Kind<b2MouseJoint, b2MouseJointDef>(),       Kind<b2GearJoint, b2GearJointDef>(),
-        Kind<b2WheelJoint, b2WheelJointDef>(),       Kind<b2WeldJoint, b2WeldJointDef>(),
-        Kind<b2FrictionJoint, b2FrictionJointDef>(), Kind<b2RopeJoint, b2RopeJointDef>(),
-        Kind<b2MotorJoint, b2MotorJointDef>(),
-    };
-    const int32 index = int32(type) - int32(e_revoluteJoint);
-    return 0 <= index && index < int32(std::size(kKinds)) ? &kKinds[index] : nullptr;
-}
 
 void PushEdge(b2JointEdge& edge, b2Joint& joint, b2Body& body, b2Body& other)
 {
@@ -106,18 +65,12 @@ b2Joint* World::CreateJoint(const b2JointDef& def)
     {
         return nullptr;
     }
-    b2Joint& joint = ConstructJoint(def);
+    b2Joint& joint = ConstructJoint(def, allocator);
     JointAccess::Number(joint) = jointNumber++;
     LinkJoint(joint);
     UpdateActivity(joint);
     FlagJointContacts(joint);
     return &joint;
-}
-
-b2Joint& World::ConstructJoint(const b2JointDef& def)
-{
-    const JointKind* kind = FindKind(def.type);
-    return *kind->construct(allocator.Allocate(kind->size), &def);
 }
 
 void World::LinkJoint(b2Joint& joint)
@@ -182,9 +135,7 @@ void World::DestroyJoint(b2Joint& joint)
             Refilter(*f);
         }
     }
-    const int32 size = FindKind(joint.GetType())->size;
-    JointAccess::Destruct(joint);
-    allocator.Free(&joint, size);
+    DestructJoint(joint, allocator);
 }
 
 // A joint that keeps its bodies from colliding ends the contacts they have.
