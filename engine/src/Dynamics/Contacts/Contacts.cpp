@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "Contacts.h"
+
+#include "../Islands/Sleep.h"
+#include "../State/Access.h"
+#include "../State/BodyPose.h"
 #include "../State/World.h"
 #include "Narrowphase.h"
 #include "ReadAhead.h"
@@ -126,7 +131,7 @@ b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureP
     const b2FixtureProxy& a = swap ? second : first;
     const b2FixtureProxy& b = swap ? first : second;
 
-    b2Contact& contact = world.AddContact(a, b);
+    b2Contact& contact = AddContact(world, a, b);
     ContactData& c = Data(contact);
     c.flags = kContactEnabled |
               (a.fixture->IsSensor() || b.fixture->IsSensor() ? kContactSensor : 0u) |
@@ -136,11 +141,19 @@ b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureP
     return &contact;
 }
 
+bool ShouldCollide(b2ContactFilter& filter, b2Fixture& fixtureA, b2Fixture& fixtureB)
+{
+    b2Body& a = *fixtureA.GetBody();
+    b2Body& b = *fixtureB.GetBody();
+    return &a != &b && (Data(a).IsDynamic() || Data(b).IsDynamic()) && !JointForbids(a, b) &&
+           filter.ShouldCollide(&fixtureA, &fixtureB);
+}
+
 } // namespace
 
-b2Contact& World::AddContact(const b2FixtureProxy& a, const b2FixtureProxy& b)
+b2Contact& AddContact(World& world, const b2FixtureProxy& a, const b2FixtureProxy& b)
 {
-    b2Contact* contact = new (allocator.Allocate(int32(sizeof(b2Contact)))) b2Contact();
+    b2Contact* contact = new (world.allocator.Allocate(int32(sizeof(b2Contact)))) b2Contact();
     ContactData& c = Data(*contact);
     c.fixtureA = a.fixture;
     c.fixtureB = b.fixture;
@@ -150,225 +163,54 @@ b2Contact& World::AddContact(const b2FixtureProxy& a, const b2FixtureProxy& b)
     c.bodyB = b.fixture->GetBody();
     PushEdge(c.edgeA, *contact, *c.bodyA, *c.bodyB);
     PushEdge(c.edgeB, *contact, *c.bodyB, *c.bodyA);
-    c.next = contactList;
-    if (contactList)
+    c.next = world.contactList;
+    if (world.contactList)
     {
-        Data(*contactList).prev = contact;
+        Data(*world.contactList).prev = contact;
     }
-    contactList = contact;
-    ++contactCount;
-    pairs.Insert(a.proxyId, b.proxyId);
+    world.contactList = contact;
+    ++world.contactCount;
+    world.pairs.Insert(a.proxyId, b.proxyId);
     return *contact;
 }
 
-bool World::ShouldCollide(b2Fixture& fixtureA, b2Fixture& fixtureB) const
+void FindNewContacts(World& world)
 {
-    b2Body& a = *fixtureA.GetBody();
-    b2Body& b = *fixtureB.GetBody();
-    return &a != &b && (Data(a).IsDynamic() || Data(b).IsDynamic()) && !JointForbids(a, b) &&
-           filter->ShouldCollide(&fixtureA, &fixtureB);
-}
-
-void World::FindNewContacts()
-{
-    const auto isKnown = [this](const b2FixtureProxy* a, const b2FixtureProxy* b) {
+    const auto isKnown = [&world](const b2FixtureProxy* a, const b2FixtureProxy* b) {
         return !CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
                !WaysMeet(Data(*a->fixture->GetBody()), *a->fixture->GetShape(), a->childIndex,
                          Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
-               pairs.Contains(a->proxyId, b->proxyId);
+               world.pairs.Contains(a->proxyId, b->proxyId);
     };
     // What the default filter would refuse every time is not looked for.
-    const bool filtersByCategory = filter == &defaultFilter;
-    const auto isWanted = [this, filtersByCategory](const b2FixtureProxy* moved,
-                                                    Mobility mobility) {
+    const bool filtersByCategory = world.filter == &world.defaultFilter;
+    const auto isWanted = [&world, filtersByCategory](const b2FixtureProxy* moved,
+                                                      Mobility mobility) {
         const b2Filter& own = moved->fixture->GetFilterData();
-        return !filtersByCategory || own.groupIndex != 0 || proxies.MayMeet(own.maskBits, mobility);
+        return !filtersByCategory || own.groupIndex != 0 ||
+               world.proxies.MayMeet(own.maskBits, mobility);
     };
-    proxies.FindPairs(
-        threads.get(), isWanted, isKnown, [this](b2FixtureProxy* a, b2FixtureProxy* b) {
-            if (!ShouldCollide(*a->fixture, *b->fixture))
+    world.proxies.FindPairs(
+        world.threads.get(), isWanted, isKnown, [&world](b2FixtureProxy* a, b2FixtureProxy* b) {
+            if (!ShouldCollide(*world.filter, *a->fixture, *b->fixture))
             {
                 return; // the filter is the program's, and asked on its thread
             }
-            b2Contact* contact = MakeContact(*this, *a, *b);
-            UpdateActivity(*contact);
+            b2Contact* contact = MakeContact(world, *a, *b);
+            UpdateActivity(world, *contact);
             // What was moved by hand into something asleep would else never be looked at.
             if (Data(*contact).awakeIndex == -1)
             {
-                Wake(*(Data(*a->fixture->GetBody()).IsDynamic() ? a : b)->fixture->GetBody());
+                Wake(world,
+                     *(Data(*a->fixture->GetBody()).IsDynamic() ? a : b)->fixture->GetBody());
             }
         });
 }
 
-void World::UpdateContacts()
+namespace
 {
-    if (filtersChanged)
-    {
-        filtersChanged = false;
-        for (b2Contact* contact = contactList; contact;)
-        {
-            b2Contact* next = contact->GetNext();
-            ContactData& c = Data(*contact);
-            if ((c.flags & kContactFilter) != 0 && !ShouldCollide(*c.fixtureA, *c.fixtureB))
-            {
-                DestroyContact(*contact);
-            }
-            else
-            {
-                c.flags &= ~std::uint32_t(kContactFilter);
-            }
-            contact = next;
-        }
-    }
-    // Without a listener most contacts need no more than the first part.
-    ComputeContacts() && listener == nullptr ? FinishContactsInNeed() : FinishContacts();
-}
 
-/// The first part of all updates, on all threads. With one thread and nobody who could see the
-/// difference each contact is done in its turn instead, and this returns false: the results are the
-/// same, for poses do not change meanwhile.
-bool World::ComputeContacts()
-{
-    const bool keepOld = listener != nullptr;
-    if (!threads && !keepOld)
-    {
-        return false;
-    }
-    oldManifolds.resize(keepOld ? awakeContacts.size() : 0);
-    attention.resize(awakeContacts.size());
-    ParallelFor(threads.get(), int32(awakeContacts.size()), kContactGrain,
-                [&](int32 begin, int32 end) {
-                    b2Manifold unused;
-                    for (int32 i = begin; i < end; ++i)
-                    {
-                        ReadAhead(awakeContacts, std::size_t(i));
-                        b2Contact& contact = *awakeContacts[std::size_t(i)];
-                        Data(contact).oldIndex = i;
-                        ComputeContact(contact, keepOld ? oldManifolds[std::size_t(i)] : unused);
-                        attention[std::size_t(i)] = NeedsAttention(contact);
-                    }
-                });
-    return true;
-}
-
-/// Whether more follows from the first part of an update than that the contact takes part in the
-/// step, when nobody listens.
-bool World::NeedsAttention(b2Contact& contact)
-{
-    ContactData& c = Data(contact);
-    const bool touching = (c.flags & kContactMeets) != 0;
-    if ((c.flags & kContactApart) != 0 || touching != c.IsTouching() || listener != nullptr ||
-        (touching && !c.IsSensor() && WakesNeighbours(Data(*c.bodyA), Data(*c.bodyB))))
-    {
-        return true;
-    }
-    c.flags |= kContactEnabled;
-    c.flags &= ~std::uint32_t(kContactComputed);
-    graph.NoteForm(c);
-    return false;
-}
-
-// In both of these the list changes under the loop: a contact that goes is replaced by the last
-// one, those that wake are appended and updated as well.
-
-void World::FinishContacts()
-{
-    b2Manifold old;
-    for (std::size_t i = 0; i < awakeContacts.size();)
-    {
-        ReadAhead(awakeContacts, i);
-        b2Contact* contact = awakeContacts[i];
-        ContactData& c = Data(*contact);
-        const bool computed = (c.flags & kContactComputed) != 0;
-        if (!computed)
-        {
-            ComputeContact(*contact, old);
-        }
-        if ((c.flags & kContactApart) != 0)
-        {
-            DestroyContact(*contact);
-            continue;
-        }
-        const bool kept = computed && !oldManifolds.empty();
-        FinishContact(*contact, kept ? oldManifolds[std::size_t(c.oldIndex)] : old);
-        ++i;
-    }
-}
-
-void World::FinishContactsInNeed()
-{
-    b2Manifold old;
-    for (std::size_t i = 0; i < awakeContacts.size();)
-    {
-        if (i < attention.size() && attention[i] == 0)
-        {
-            ++i;
-            continue;
-        }
-        b2Contact* contact = awakeContacts[i];
-        ContactData& c = Data(*contact);
-        if ((c.flags & kContactComputed) == 0)
-        {
-            ComputeContact(*contact, old);
-        }
-        if ((c.flags & kContactApart) == 0)
-        {
-            FinishContact(*contact, old);
-            ++i;
-            continue;
-        }
-        DestroyContact(*contact);
-        const std::size_t last = awakeContacts.size(); // where the one at i has come from
-        if (i < attention.size())
-        {
-            attention[i] = last < attention.size() ? attention[last] : 1;
-            attention.resize(b2Min(attention.size(), last));
-        }
-    }
-}
-
-/// Undoes the first part of an update, where a callback has left no place for the second.
-void World::ForgetUpdate(ContactData& c)
-{
-    if ((c.flags & kContactComputed) != 0)
-    {
-        c.flags &= ~std::uint32_t(kContactComputed | kContactApart | kContactKept);
-        c.manifold = oldManifolds[std::size_t(c.oldIndex)]; // only a listener can be the cause
-    }
-}
-
-void World::UpdateContact(b2Contact& contact)
-{
-    ContactData& c = Data(contact);
-    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
-    const b2Manifold old = c.manifold;
-    if (!IsKept(c, bInA))
-    {
-        ComputeManifold(c, bInA, old);
-    }
-    FinishContact(contact, old);
-}
-
-void World::ComputeContact(b2Contact& contact, b2Manifold& old)
-{
-    ContactData& c = Data(contact);
-    c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
-    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
-    old = c.manifold;
-    // What touched and has hardly moved still touches: fixtures and boxes are not even read.
-    if (IsKept(c, bInA))
-    {
-        return;
-    }
-    if (!b2TestOverlap(ProxyA(c).aabb, ProxyB(c).aabb))
-    {
-        c.flags |= kContactApart;
-        return;
-    }
-    ComputeManifold(c, bInA, old);
-}
-
-void World::ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old)
+void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old)
 {
     const b2Shape& shapeA = *c.fixtureA->GetShape();
     const b2Shape& shapeB = *c.fixtureB->GetShape();
@@ -393,34 +235,56 @@ void World::ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Man
     c.flags |= (touching ? kContactMeets : 0u) | (kept ? kContactKept : 0u);
 }
 
-void World::FinishContact(b2Contact& contact, const b2Manifold& old)
+/// What concerns this contact alone, with the manifold as it was left in `old`.
+void ComputeContact(b2Contact& contact, b2Manifold& old)
+{
+    ContactData& c = Data(contact);
+    c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
+    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
+    old = c.manifold;
+    // What touched and has hardly moved still touches: fixtures and boxes are not even read.
+    if (IsKept(c, bInA))
+    {
+        return;
+    }
+    if (!b2TestOverlap(ProxyA(c).aabb, ProxyB(c).aabb))
+    {
+        c.flags |= kContactApart;
+        return;
+    }
+    ComputeManifold(c, bInA, old);
+}
+
+/// What follows from the new manifold.
+void FinishContact(World& world, b2Contact& contact, const b2Manifold& old)
 {
     ContactData& c = Data(contact);
     const bool touching = (c.flags & kContactMeets) != 0;
     c.flags |= kContactEnabled;
     c.flags &= ~std::uint32_t(kContactComputed);
-    graph.NoteForm(c);
+    world.graph.NoteForm(c);
     if (touching != c.IsTouching())
     {
         c.flags ^= kContactTouching;
         if (!c.IsSensor())
         {
-            Wake(*c.bodyA);
-            Wake(*c.bodyB);
+            Wake(world, *c.bodyA);
+            Wake(world, *c.bodyB);
         }
-        UpdateActivity(contact);
-        if (listener)
+        UpdateActivity(world, contact);
+        if (world.listener)
         {
-            touching ? listener->BeginContact(&contact) : listener->EndContact(&contact);
+            touching ? world.listener->BeginContact(&contact)
+                     : world.listener->EndContact(&contact);
         }
     }
     if (touching && !c.IsSensor())
     {
-        WakeNeighbours(*c.bodyA, *c.bodyB);
-        if (listener)
+        WakeNeighbours(world, *c.bodyA, *c.bodyB);
+        if (world.listener)
         {
             const b2Manifold before = c.manifold;
-            listener->PreSolve(&contact, &old);
+            world.listener->PreSolve(&contact, &old);
             if (!IsSame(before, c.manifold))
             {
                 c.flags &= ~std::uint32_t(kContactKept); // what it changed lasts for one step
@@ -429,42 +293,186 @@ void World::FinishContact(b2Contact& contact, const b2Manifold& old)
     }
 }
 
-void World::DestroyContact(b2Contact& contact)
+/// Whether more follows from the first part of an update than that the contact takes part in the
+/// step, when nobody listens.
+bool NeedsAttention(World& world, b2Contact& contact)
+{
+    ContactData& c = Data(contact);
+    const bool touching = (c.flags & kContactMeets) != 0;
+    if ((c.flags & kContactApart) != 0 || touching != c.IsTouching() || world.listener != nullptr ||
+        (touching && !c.IsSensor() && WakesNeighbours(Data(*c.bodyA), Data(*c.bodyB))))
+    {
+        return true;
+    }
+    c.flags |= kContactEnabled;
+    c.flags &= ~std::uint32_t(kContactComputed);
+    world.graph.NoteForm(c);
+    return false;
+}
+
+/// The first part of all updates, on all threads. With one thread and nobody who could see the
+/// difference each contact is done in its turn instead, and this returns false: the results are the
+/// same, for poses do not change meanwhile.
+bool ComputeContacts(World& world)
+{
+    const bool keepOld = world.listener != nullptr;
+    if (!world.threads && !keepOld)
+    {
+        return false;
+    }
+    world.oldManifolds.resize(keepOld ? world.awakeContacts.size() : 0);
+    world.attention.resize(world.awakeContacts.size());
+    ParallelFor(world.threads.get(), int32(world.awakeContacts.size()), kContactGrain,
+                [&](int32 begin, int32 end) {
+                    b2Manifold unused;
+                    for (int32 i = begin; i < end; ++i)
+                    {
+                        ReadAhead(world.awakeContacts, std::size_t(i));
+                        b2Contact& contact = *world.awakeContacts[std::size_t(i)];
+                        Data(contact).oldIndex = i;
+                        ComputeContact(contact,
+                                       keepOld ? world.oldManifolds[std::size_t(i)] : unused);
+                        world.attention[std::size_t(i)] = NeedsAttention(world, contact);
+                    }
+                });
+    return true;
+}
+
+// In both of these the list changes under the loop: a contact that goes is replaced by the last
+// one, those that wake are appended and updated as well.
+
+void FinishContacts(World& world)
+{
+    b2Manifold old;
+    for (std::size_t i = 0; i < world.awakeContacts.size();)
+    {
+        ReadAhead(world.awakeContacts, i);
+        b2Contact* contact = world.awakeContacts[i];
+        ContactData& c = Data(*contact);
+        const bool computed = (c.flags & kContactComputed) != 0;
+        if (!computed)
+        {
+            ComputeContact(*contact, old);
+        }
+        if ((c.flags & kContactApart) != 0)
+        {
+            DestroyContact(world, *contact);
+            continue;
+        }
+        const bool kept = computed && !world.oldManifolds.empty();
+        FinishContact(world, *contact, kept ? world.oldManifolds[std::size_t(c.oldIndex)] : old);
+        ++i;
+    }
+}
+
+void FinishContactsInNeed(World& world)
+{
+    b2Manifold old;
+    for (std::size_t i = 0; i < world.awakeContacts.size();)
+    {
+        if (i < world.attention.size() && world.attention[i] == 0)
+        {
+            ++i;
+            continue;
+        }
+        b2Contact* contact = world.awakeContacts[i];
+        ContactData& c = Data(*contact);
+        if ((c.flags & kContactComputed) == 0)
+        {
+            ComputeContact(*contact, old);
+        }
+        if ((c.flags & kContactApart) == 0)
+        {
+            FinishContact(world, *contact, old);
+            ++i;
+            continue;
+        }
+        DestroyContact(world, *contact);
+        const std::size_t last = world.awakeContacts.size(); // where the one at i has come from
+        if (i < world.attention.size())
+        {
+            world.attention[i] = last < world.attention.size() ? world.attention[last] : 1;
+            world.attention.resize(b2Min(world.attention.size(), last));
+        }
+    }
+}
+
+} // namespace
+
+void UpdateContacts(World& world)
+{
+    if (world.filtersChanged)
+    {
+        world.filtersChanged = false;
+        for (b2Contact* contact = world.contactList; contact;)
+        {
+            b2Contact* next = contact->GetNext();
+            ContactData& c = Data(*contact);
+            if ((c.flags & kContactFilter) != 0 &&
+                !ShouldCollide(*world.filter, *c.fixtureA, *c.fixtureB))
+            {
+                DestroyContact(world, *contact);
+            }
+            else
+            {
+                c.flags &= ~std::uint32_t(kContactFilter);
+            }
+            contact = next;
+        }
+    }
+    // Without a listener most contacts need no more than the first part.
+    ComputeContacts(world) && world.listener == nullptr ? FinishContactsInNeed(world)
+                                                        : FinishContacts(world);
+}
+
+void UpdateContact(World& world, b2Contact& contact)
+{
+    ContactData& c = Data(contact);
+    const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
+    const b2Manifold old = c.manifold;
+    if (!IsKept(c, bInA))
+    {
+        ComputeManifold(c, bInA, old);
+    }
+    FinishContact(world, contact, old);
+}
+
+void DestroyContact(World& world, b2Contact& contact)
 {
     ContactData& c = Data(contact);
     if (c.IsTouching())
     {
-        if (listener)
+        if (world.listener)
         {
-            const Lock lock(*this);
-            listener->EndContact(&contact);
+            const Lock lock(world);
+            world.listener->EndContact(&contact);
         }
         c.flags &= ~std::uint32_t(kContactTouching);
         if (!c.IsSensor())
         {
-            Wake(*c.bodyA);
-            Wake(*c.bodyB);
+            Wake(world, *c.bodyA);
+            Wake(world, *c.bodyB);
         }
-        UpdateActivity(contact);
+        UpdateActivity(world, contact);
     }
     if (c.awakeIndex != -1)
     {
-        b2Contact* last = awakeContacts.back();
-        awakeContacts[std::size_t(c.awakeIndex)] = last;
+        b2Contact* last = world.awakeContacts.back();
+        world.awakeContacts[std::size_t(c.awakeIndex)] = last;
         Data(*last).awakeIndex = c.awakeIndex;
-        awakeContacts.pop_back();
+        world.awakeContacts.pop_back();
     }
-    pairs.Erase(ProxyA(c).proxyId, ProxyB(c).proxyId);
+    world.pairs.Erase(ProxyA(c).proxyId, ProxyB(c).proxyId);
     RemoveEdge(c.edgeA, *c.bodyA);
     RemoveEdge(c.edgeB, *c.bodyB);
-    (c.prev ? Data(*c.prev).next : contactList) = c.next;
+    (c.prev ? Data(*c.prev).next : world.contactList) = c.next;
     if (c.next)
     {
         Data(*c.next).prev = c.prev;
     }
-    --contactCount;
+    --world.contactCount;
     contact.~b2Contact();
-    allocator.Free(&contact, int32(sizeof(b2Contact)));
+    world.allocator.Free(&contact, int32(sizeof(b2Contact)));
 }
 
 } // namespace box2d

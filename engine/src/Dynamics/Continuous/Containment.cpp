@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Containment.h"
 
+#include "../Contacts/Boxes.h"
 #include "../Contacts/Sweeps.h"
 #include "../Energy/EnergyGuard.h"
 #include "../Solver/SolverMemory.h"
@@ -191,7 +192,7 @@ bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
     const float32 speed = b2Dot(body.linearVelocity - wallSpeed, normal);
     body.linearVelocity -= b2Min(speed, 0.0f) * normal;
     SynchronizePose(body);
-    m_world.UpdateProxies(body, true);
+    UpdateProxies(m_world.proxies, body, true);
     return true;
 }
 

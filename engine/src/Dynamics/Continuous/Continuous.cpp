@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "Continuous.h"
+
+#include "../Contacts/Boxes.h"
+#include "../Contacts/Contacts.h"
 #include "../Contacts/Narrowphase.h"
 #include "../Contacts/Sweeps.h"
 #include "../Energy/EnergyGuard.h"
+#include "../Islands/Sleep.h"
 #include "../Solver/SolverMemory.h"
 #include "../State/Access.h"
 #include "../State/World.h"
@@ -154,7 +159,7 @@ void ContinuousCollision::Run()
     (void)m_containment.Hold(m_joints);
     for (int32 i = 0; i < kMostRounds && m_joints.Close(); ++i)
     {
-        m_world.FindNewContacts();
+        FindNewContacts(m_world);
         if (!m_containment.Hold(m_joints))
         {
             break;
@@ -162,7 +167,7 @@ void ContinuousCollision::Run()
     }
     if (m_world.proxies.HasMoved())
     {
-        m_world.FindNewContacts(); // where that has put bodies, as after all that moves them
+        FindNewContacts(m_world); // where that has put bodies, as after all that moves them
     }
     if (any)
     {
@@ -425,7 +430,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     Advance(Data(bodyA), event.time);
     Advance(Data(bodyB), event.time);
     ++c.toiCount;
-    m_world.UpdateContact(*event.contact);
+    UpdateContact(m_world, *event.contact);
     if (!c.IsEnabled() || !c.IsTouching())
     {
         c.flags &= ~std::uint32_t(kContactEnabled); // for the rest of the step
@@ -433,8 +438,8 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
         Restore(backupB);
         return false;
     }
-    m_world.Wake(bodyA);
-    m_world.Wake(bodyB);
+    Wake(m_world, bodyA);
+    Wake(m_world, bodyB);
 
     m_bodies.assign({&bodyA, &bodyB});
     m_before.assign({backupA, backupB});
@@ -451,10 +456,10 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
             ++data.sweepVersion;
             m_joints.NoteStopped(data);
             m_containment.NoteTurn(data);
-            m_world.UpdateProxies(data, true);
+            UpdateProxies(m_world.proxies, data, true);
         }
     }
-    m_world.FindNewContacts();
+    FindNewContacts(m_world);
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
         if (HasNewWay(i))
@@ -504,7 +509,7 @@ void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
         {
             Advance(Data(other), time);
         }
-        m_world.UpdateContact(*contact);
+        UpdateContact(m_world, *contact);
         if (!c.IsEnabled() || !c.IsTouching())
         {
             if (!known)
@@ -524,9 +529,9 @@ void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
 
 } // namespace
 
-void World::SolveContinuous(float32 timeStep, int32 velocityIterations)
+void SolveContinuous(World& world, float32 timeStep, int32 velocityIterations)
 {
-    ContinuousCollision continuous(*this, timeStep, velocityIterations);
+    ContinuousCollision continuous(world, timeStep, velocityIterations);
     continuous.Run();
     continuous.PublishCounts();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ImpactJoints.h"
 
+#include "../Contacts/Boxes.h"
 #include "../Energy/EnergyGuard.h"
 #include "../Joints/JointEnergy.h"
 #include "../Solver/SolverMemory.h"
@@ -157,7 +158,7 @@ void ImpactJoints::Take(b2Body& body, const SolverBody& drawn, float32 share)
     data.linearVelocity *= share;
     data.angularVelocity *= share;
     SynchronizePose(data);
-    m_world.UpdateProxies(data, true);
+    UpdateProxies(m_world.proxies, data, true);
     if (guard.HasAccounts())
     {
         guard.NoteImpact(data, before);

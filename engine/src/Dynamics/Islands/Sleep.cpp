@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "Sleep.h"
+
 #include "../State/Access.h"
 #include "../State/World.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// Who is awake. A step looks at the lists of awake bodies, awake contacts and coloured constraints
-/// only; this file keeps those lists true.
 namespace box2d
 {
 
@@ -31,34 +31,44 @@ bool IsMovingPlatform(const BodyData& body)
 
 } // namespace
 
-void World::UpdateActivity(b2Body& body)
+void ForgetUpdate(World& world, ContactData& c)
+{
+    if ((c.flags & kContactComputed) != 0)
+    {
+        c.flags &= ~std::uint32_t(kContactComputed | kContactApart | kContactKept);
+        c.manifold =
+            world.oldManifolds[std::size_t(c.oldIndex)]; // only a listener can be the cause
+    }
+}
+
+void UpdateActivity(World& world, b2Body& body)
 {
     BodyData& data = Data(body);
     const bool listed = data.IsAwake() && data.IsActive() && data.mobility != Mobility::Static;
     if (listed && !IsListed(data))
     {
-        data.awakeIndex = int32(awakeBodies.size());
-        awakeBodies.push_back(&body);
+        data.awakeIndex = int32(world.awakeBodies.size());
+        world.awakeBodies.push_back(&body);
     }
     else if (!listed && IsListed(data))
     {
-        b2Body* last = awakeBodies.back();
-        awakeBodies[std::size_t(data.awakeIndex)] = last;
+        b2Body* last = world.awakeBodies.back();
+        world.awakeBodies[std::size_t(data.awakeIndex)] = last;
         Data(*last).awakeIndex = data.awakeIndex;
-        awakeBodies.pop_back();
+        world.awakeBodies.pop_back();
         data.awakeIndex = -1;
     }
     for (b2ContactEdge* edge = data.contactList; edge; edge = edge->next)
     {
-        UpdateActivity(*edge->contact);
+        UpdateActivity(world, *edge->contact);
     }
     for (b2JointEdge* edge = data.jointList; edge; edge = edge->next)
     {
-        UpdateActivity(*edge->joint);
+        UpdateActivity(world, *edge->joint);
     }
 }
 
-void World::UpdateActivity(b2Contact& contact)
+void UpdateActivity(World& world, b2Contact& contact)
 {
     ContactData& c = Data(contact);
     const BodyData& a = Data(*c.bodyA);
@@ -67,45 +77,45 @@ void World::UpdateActivity(b2Contact& contact)
     const bool awake = IsListed(a) || IsListed(b);
     if (awake && c.awakeIndex == -1)
     {
-        c.awakeIndex = int32(awakeContacts.size());
-        awakeContacts.push_back(&contact);
+        c.awakeIndex = int32(world.awakeContacts.size());
+        world.awakeContacts.push_back(&contact);
     }
     else if (!awake && c.awakeIndex != -1)
     {
-        b2Contact* last = awakeContacts.back();
-        awakeContacts[std::size_t(c.awakeIndex)] = last;
+        b2Contact* last = world.awakeContacts.back();
+        world.awakeContacts[std::size_t(c.awakeIndex)] = last;
         Data(*last).awakeIndex = c.awakeIndex;
-        awakeContacts.pop_back();
+        world.awakeContacts.pop_back();
         c.awakeIndex = -1;
         // A listener let a body sleep before the contact's turn in the present update has come:
         // then it has none.
-        ForgetUpdate(c);
+        ForgetUpdate(world, c);
     }
 
     const bool solved = c.IsTouching() && !c.IsSensor() && (IsPushed(a) || IsPushed(b));
     if (solved && c.color == -1)
     {
-        graph.Add(contact);
+        world.graph.Add(contact);
     }
     else if (!solved && c.color != -1)
     {
-        graph.Remove(contact);
+        world.graph.Remove(contact);
     }
 
     const bool linked = c.IsTouching() && !c.IsSensor() && a.island != -1 && b.island != -1;
     if (linked && (c.flags & kContactLinked) == 0)
     {
         c.flags |= kContactLinked;
-        islands.Link(*c.bodyA, *c.bodyB);
+        world.islands.Link(*c.bodyA, *c.bodyB);
     }
     else if (!linked && (c.flags & kContactLinked) != 0)
     {
         c.flags &= ~std::uint32_t(kContactLinked);
-        islands.Unlink(*c.bodyA, *c.bodyB);
+        world.islands.Unlink(*c.bodyA, *c.bodyB);
     }
 }
 
-void World::UpdateActivity(b2Joint& joint)
+void UpdateActivity(World& world, b2Joint& joint)
 {
     const BodyData& a = Data(*joint.GetBodyA());
     const BodyData& b = Data(*joint.GetBodyB());
@@ -114,35 +124,35 @@ void World::UpdateActivity(b2Joint& joint)
     const bool solved = active && (IsPushed(a) || IsPushed(b));
     if (solved && JointAccess::SolverIndex(joint) == -1)
     {
-        graph.Add(joint);
+        world.graph.Add(joint);
     }
     else if (!solved && JointAccess::SolverIndex(joint) != -1)
     {
-        graph.Remove(joint);
+        world.graph.Remove(joint);
     }
 
     const bool linked = active && a.island != -1 && b.island != -1;
     if (linked != JointAccess::Linked(joint))
     {
         JointAccess::Linked(joint) = linked;
-        linked ? islands.Link(*joint.GetBodyA(), *joint.GetBodyB())
-               : islands.Unlink(*joint.GetBodyA(), *joint.GetBodyB());
+        linked ? world.islands.Link(*joint.GetBodyA(), *joint.GetBodyB())
+               : world.islands.Unlink(*joint.GetBodyA(), *joint.GetBodyB());
     }
 }
 
-void World::Wake(b2Body& body)
+void Wake(World& world, b2Body& body)
 {
     BodyData& data = Data(body);
     if (data.IsAwake())
     {
         return;
     }
-    const auto wakeOne = [this](b2Body& one) {
+    const auto wakeOne = [&world](b2Body& one) {
         if (!Data(one).IsAwake())
         {
             Data(one).flags |= kBodyAwake;
             Data(one).sleepTime = 0.0f;
-            UpdateActivity(one);
+            UpdateActivity(world, one);
         }
     };
     if (data.island == -1)
@@ -150,7 +160,7 @@ void World::Wake(b2Body& body)
         wakeOne(body);
         return;
     }
-    for (b2Body* member = islands.At(data.island).first; member;)
+    for (b2Body* member = world.islands.At(data.island).first; member;)
     {
         b2Body* next = Data(*member).islandNext;
         wakeOne(*member);
@@ -158,7 +168,7 @@ void World::Wake(b2Body& body)
     }
 }
 
-void World::PutToSleep(b2Body& body)
+void PutToSleep(World& world, b2Body& body)
 {
     BodyData& data = Data(body);
     if (!data.IsAwake())
@@ -173,49 +183,49 @@ void World::PutToSleep(b2Body& body)
     data.angularVelocity = 0.0f;
     data.force.SetZero();
     data.torque = 0.0f;
-    UpdateActivity(body);
+    UpdateActivity(world, body);
 }
 
-void World::PutToSleep(int32 island)
+void PutToSleep(World& world, int32 island)
 {
-    for (b2Body* member = islands.At(island).first; member; member = Data(*member).islandNext)
+    for (b2Body* member = world.islands.At(island).first; member; member = Data(*member).islandNext)
     {
-        PutToSleep(*member);
+        PutToSleep(world, *member);
     }
 }
 
-void World::WakeAttached(b2Body& body)
+void WakeAttached(World& world, b2Body& body)
 {
     const BodyData& data = Data(body);
     for (b2ContactEdge* edge = data.contactList; edge; edge = edge->next)
     {
-        Wake(*edge->other);
-        Wake(body);
+        Wake(world, *edge->other);
+        Wake(world, body);
     }
     for (b2JointEdge* edge = data.jointList; edge; edge = edge->next)
     {
-        Wake(*edge->other);
-        Wake(body);
+        Wake(world, *edge->other);
+        Wake(world, body);
     }
 }
 
-bool World::WakesNeighbours(const BodyData& a, const BodyData& b)
+bool WakesNeighbours(const BodyData& a, const BodyData& b)
 {
     return (a.IsDynamic() && !a.IsAwake()) || (b.IsDynamic() && !b.IsAwake()) ||
            IsMovingPlatform(a) || IsMovingPlatform(b);
 }
 
-void World::WakeNeighbours(b2Body& bodyA, b2Body& bodyB)
+void WakeNeighbours(World& world, b2Body& bodyA, b2Body& bodyB)
 {
     BodyData& a = Data(bodyA);
     BodyData& b = Data(bodyB);
     if (a.IsDynamic() && !a.IsAwake() && (IsPushed(b) || IsMovingPlatform(b)))
     {
-        Wake(bodyA);
+        Wake(world, bodyA);
     }
     if (b.IsDynamic() && !b.IsAwake() && (IsPushed(a) || IsMovingPlatform(a)))
     {
-        Wake(bodyB);
+        Wake(world, bodyB);
     }
     // A moving platform never lets what it carries fall asleep.
     if (IsMovingPlatform(a))

@@ -5,6 +5,8 @@
 #include "References.h"
 
 #include "../State/World.h"
+#include "../World/Bodies.h"
+#include "../World/Fixtures.h"
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
@@ -99,7 +101,7 @@ void VisitFixtureOf(Archive& archive, World& world, b2Body& body, b2Fixture* fix
     {
         Shape shape;
         archive(shape);
-        VisitFixture(archive, world, world.AddFixture(body, shape));
+        VisitFixture(archive, world, AddFixture(world, body, shape));
     }
     else
     {
@@ -180,7 +182,7 @@ void VisitBodies(Archive& archive, World& world)
     {
         if constexpr (Archive::kReads)
         {
-            bodies[std::size_t(i)] = &world.AddBody();
+            bodies[std::size_t(i)] = &AddBody(world);
         }
         b2Body& body = *bodies[std::size_t(i)];
         archive(Data(body));

@@ -4,6 +4,7 @@
 #include "BroadPhaseState.h"
 #include "References.h"
 
+#include "../Contacts/Contacts.h"
 #include "../State/World.h"
 
 namespace box2d
@@ -42,7 +43,7 @@ void VisitContact(Archive& archive, World& world, b2Contact*& contact)
         {
             return;
         }
-        contact = &world.AddContact(*world.proxies.Get(a), *world.proxies.Get(b));
+        contact = &AddContact(world, *world.proxies.Get(a), *world.proxies.Get(b));
     }
     archive(Data(*contact));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../Joints/JointKinds.h"
+#include "../World/Joints.h"
 #include "BodyState.h"
 
 /// Joints of all kinds: their settings, and the impulses and directions of the last step.
@@ -68,7 +69,7 @@ b2Joint* VisitKind(Archive& archive, World& world, b2Joint* joint)
         }
         joint = &ConstructJoint(def, world.allocator);
         JointAccess::Snapshot::SetBodies(*joint, def.bodyA, def.bodyB);
-        world.LinkJoint(*joint);
+        LinkJoint(world, *joint);
     }
     JointAccess::Snapshot::VisitBase(archive, *joint);
     Kind::Visit(archive, static_cast<Joint&>(*joint));

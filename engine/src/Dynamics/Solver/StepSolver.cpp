@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "StepSolver.h"
 
+#include "../Contacts/Boxes.h"
+#include "../Islands/Sleep.h"
 #include "../Joints/JointKinds.h"
 #include "../State/Access.h"
 
@@ -45,7 +47,7 @@ void StepSolver::WakeJointNeighbours()
     for (std::size_t i = 0; i < m_world.graph.Joints().size(); ++i)
     {
         b2Joint* joint = m_world.graph.Joints()[i];
-        m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
+        WakeNeighbours(m_world, *joint->GetBodyA(), *joint->GetBodyB());
         KeepDrivenAwake(*joint);
     }
     // A joint between a platform and something asleep is in no list.
@@ -57,7 +59,7 @@ void StepSolver::WakeJointNeighbours()
         {
             if (edge->joint->IsActive())
             {
-                m_world.WakeNeighbours(*body, *edge->other);
+                WakeNeighbours(m_world, *body, *edge->other);
             }
         }
     }
@@ -377,7 +379,7 @@ void StepSolver::WriteBack()
     {
         if (m_memory.left[i] != 0)
         {
-            m_world.MoveProxies(Data(*m_world.awakeBodies[i]));
+            MoveProxies(m_world.proxies, Data(*m_world.awakeBodies[i]));
         }
     }
     m_world.proxies.EndMoves();
@@ -416,7 +418,7 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
         body.room = room - way; // no shape can have left its box
         return false;
     }
-    return World::RefreshBoxes(body, fast);
+    return RefreshBoxes(body, fast);
 }
 
 void StepSolver::LetRest()
@@ -432,12 +434,12 @@ void StepSolver::LetRest()
         m_world.islands.ReportSleepTime(data);
         if (data.mobility == Mobility::Kinematic && data.sleepTime >= b2_timeToSleep)
         {
-            m_world.PutToSleep(*body);
+            PutToSleep(m_world, *body);
         }
     }
     for (const int32 island : m_world.islands.FindSleepy(b2_timeToSleep))
     {
-        m_world.PutToSleep(island);
+        PutToSleep(m_world, island);
     }
 }
 

@@ -7,7 +7,7 @@
 namespace box2d
 {
 
-/// The stages of solving one step, in the order in which World::SolveAwake calls them, over arrays
+/// The stages of solving one step, in the order in which SolveAwake calls them, over arrays
 /// that the world lends.
 class StepSolver
 {

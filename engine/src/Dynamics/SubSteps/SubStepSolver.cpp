@@ -138,25 +138,26 @@ void TakeTotals(ContactBlock& block, const BlockTotals& totals)
 
 } // namespace
 
-void World::SolveInSubSteps(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
+                     int32 positionIterations)
 {
-    const int32 count = subStepCount;
+    const int32 count = world.subStepCount;
     const float32 h = timeStep / float32(count);
     const int32 velocitySweeps = b2IterationsOfASubStep(velocityIterations, count);
     const int32 positionSweeps = b2IterationsOfASubStep(positionIterations, count);
     // Overlaps go at the same pace whatever the number of small steps: faster throws things about.
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
-    SubStepSolver solve(*this, timeStep);
+    SubStepSolver solve(world, timeStep);
     const auto kick = [&](float32 duration, float32 share) {
-        ProfileScope velocity(profiling, profile.solveVelocity);
+        ProfileScope velocity(world.profiling, world.profile.solveVelocity);
         solve.Kick(duration, share, velocitySweeps);
     };
     {
-        ProfileScope init(profiling, profile.solveInit);
+        ProfileScope init(world.profiling, world.profile.solveInit);
         solve.WakeJointNeighbours();
         solve.Begin(count);
-        energyGuard->Begin(*this, *solver, timeStep);
+        world.energyGuard->Begin(world, *world.solver, timeStep);
     }
     const bool together = solve.AnyTogether();
     if (together)
@@ -166,7 +167,7 @@ void World::SolveInSubSteps(float32 timeStep, int32 velocityIterations, int32 po
     for (int32 i = 1; i <= count && together; ++i)
     {
         {
-            ProfileScope position(profiling, profile.solvePosition);
+            ProfileScope position(world.profiling, world.profile.solvePosition);
             solve.Drift(h, velocitySweeps);
             solve.MoveApart(h, positionSweeps, rate);
             solve.CloseAfterPushes();
@@ -175,13 +176,14 @@ void World::SolveInSubSteps(float32 timeStep, int32 velocityIterations, int32 po
         // From half a kick to a whole one, and back.
         kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
     }
-    sweepsTurned = velocitySweeps > 1 ? (count % 2 == 0) != sweepsTurned : !sweepsTurned;
+    world.sweepsTurned =
+        velocitySweeps > 1 ? (count % 2 == 0) != world.sweepsTurned : !world.sweepsTurned;
     {
-        ProfileScope position(profiling, profile.solvePosition);
+        ProfileScope position(world.profiling, world.profile.solvePosition);
         solve.End();
     }
     solve.NoteImpulses();
-    energyGuard->Balance(*this, *solver);
+    world.energyGuard->Balance(world, *world.solver);
     solve.WriteBack();
     solve.LetRest();
     solve.ReportImpulses();

@@ -7,7 +7,7 @@
 namespace box2d
 {
 
-/// The stages of solving one step in sub-steps, in the order in which World::SolveInSubSteps calls
+/// The stages of solving one step in sub-steps, in the order in which SolveInSubSteps calls
 /// them.
 class SubStepSolver : public StepSolver
 {
@@ -35,5 +35,9 @@ private:
     SubStepMemory& m_subSteps;
     int32 m_kick = 0; ///< number of the next
 };
+
+/// The step of a world with a sub-step count above 1.
+void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
+                     int32 positionIterations);
 
 } // namespace box2d

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "Bodies.h"
+
+#include "../Contacts/Boxes.h"
+#include "../Contacts/Contacts.h"
+#include "../Islands/Sleep.h"
 #include "../State/Access.h"
 #include "../State/BodyPose.h"
 #include "../State/Reach.h"
 #include "../State/World.h"
+#include "Fixtures.h"
+#include "Joints.h"
 
 #include "../../Collision/MassProperties.h"
 
@@ -14,50 +21,6 @@
 
 namespace box2d
 {
-
-void SynchronizePose(BodyData& body)
-{
-    body.pose =
-        Pose{WithinReach(body.pose.x), WithinReach(body.pose.y), WithinReach(body.pose.angle)};
-    double sine = 0.0;
-    double cosine = 1.0;
-    SinCos(body.pose.angle, &sine, &cosine);
-    body.rotation.s = float32(sine);
-    body.rotation.c = float32(cosine);
-    const double lx = body.localCenter.x;
-    const double ly = body.localCenter.y;
-    body.transform.q = body.rotation;
-    body.transform.p = b2Vec2(float32(body.pose.x - (cosine * lx - sine * ly)),
-                              float32(body.pose.y - (sine * lx + cosine * ly)));
-    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
-    body.room = 0.0f;
-}
-
-void SynchronizePlace(BodyData& body)
-{
-    if (body.localCenter != b2Vec2(0.0f, 0.0f))
-    {
-        SynchronizePose(body); // with sine and cosine in double precision
-        return;
-    }
-    body.pose.x = WithinReach(body.pose.x);
-    body.pose.y = WithinReach(body.pose.y);
-    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
-    body.transform.q = body.rotation;
-    body.transform.p = body.worldCenter;
-}
-
-b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
-{
-    return b2Vec2(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
-}
-
-b2Transform RelativeTransform(const BodyData& a, const BodyData& b)
-{
-    const b2Vec2 originOffset = CenterOffset(a, b) - b2Mul(b.rotation, b.localCenter);
-    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter,
-                       b2MulT(a.rotation, b.rotation));
-}
 
 namespace
 {
@@ -132,76 +95,76 @@ bool IsSound(const b2BodyDef& def)
 
 } // namespace
 
-b2Body* World::CreateBody(const b2BodyDef& def)
+b2Body* CreateBody(World& world, const b2BodyDef& def)
 {
     (void)IsSound(def); // with asserts off, Fill replaces what is unsound
-    b2Body& body = AddBody();
+    b2Body& body = AddBody(world);
     BodyData& data = Data(body);
-    data.number = bodyNumber++;
-    hasBullets = hasBullets || def.bullet;
+    data.number = world.bodyNumber++;
+    world.hasBullets = world.hasBullets || def.bullet;
     Fill(data, def);
-    inactiveCount += data.IsActive() ? 0 : 1;
+    world.inactiveCount += data.IsActive() ? 0 : 1;
     if (data.IsDynamic() && data.IsActive())
     {
-        islands.Add(body);
+        world.islands.Add(body);
     }
     if (def.awake)
     {
-        Wake(body);
+        Wake(world, body);
     }
     return &body;
 }
 
-b2Body& World::AddBody()
+b2Body& AddBody(World& world)
 {
-    b2Body* body = new (allocator.Allocate(int32(sizeof(b2Body)))) b2Body();
+    b2Body* body = new (world.allocator.Allocate(int32(sizeof(b2Body)))) b2Body();
     BodyData& data = Data(*body);
-    data.world = this;
-    data.next = bodyList;
-    if (bodyList)
+    data.world = &world;
+    data.next = world.bodyList;
+    if (world.bodyList)
     {
-        Data(*bodyList).prev = body;
+        Data(*world.bodyList).prev = body;
     }
-    bodyList = body;
-    ++bodyCount;
+    world.bodyList = body;
+    ++world.bodyCount;
     return *body;
 }
 
-void World::DestroyBody(b2Body& body)
+void DestroyBody(World& world, b2Body& body)
 {
     BodyData& data = Data(body);
     while (data.jointList)
     {
-        DestroyJointImplicitly(*data.jointList->joint);
+        DestroyJointImplicitly(world, *data.jointList->joint);
     }
     while (data.contactList)
     {
-        DestroyContact(*data.contactList->contact);
+        DestroyContact(world, *data.contactList->contact);
     }
     while (data.fixtureList)
     {
         b2Fixture* fixture = data.fixtureList;
-        if (destructionListener)
+        if (world.destructionListener)
         {
-            const Lock lock(*this);
-            destructionListener->SayGoodbye(fixture);
+            const Lock lock(world);
+            world.destructionListener->SayGoodbye(fixture);
         }
-        DestroyFixture(body, *fixture);
+        DestroyFixture(world, body, *fixture);
     }
-    PutToSleep(body);
-    islands.Remove(body);
-    (data.prev ? Data(*data.prev).next : bodyList) = data.next;
+    PutToSleep(world, body);
+    world.islands.Remove(body);
+    (data.prev ? Data(*data.prev).next : world.bodyList) = data.next;
     if (data.next)
     {
         Data(*data.next).prev = data.prev;
     }
-    --bodyCount;
-    inactiveCount -= data.IsActive() ? 0 : 1;
+    --world.bodyCount;
+    world.inactiveCount -= data.IsActive() ? 0 : 1;
     body.~b2Body();
-    allocator.Free(&body, int32(sizeof(b2Body)));
+    world.allocator.Free(&body, int32(sizeof(b2Body)));
 }
 
-void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
+void SetTransform(World& world, b2Body& body, const b2Vec2& position, float32 angle)
 {
     BodyData& data = Data(body);
     double sine = 0.0;
@@ -214,9 +177,9 @@ void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
     data.previous = data.pose;
     SynchronizePose(data);
     data.transform.p = position; // exactly what was asked for
-    data.movedAt = stepNumber;
-    ResetProxies(data);
-    WakeAttached(body);
+    data.movedAt = world.stepNumber;
+    ResetProxies(world.proxies, data);
+    WakeAttached(world, body);
 }
 
 namespace
@@ -260,9 +223,8 @@ void Include(const b2Shape& shape, BodyData& body)
     }
 }
 
-} // namespace
-
-void World::MeasureExtents(BodyData& body)
+/// How far the shapes reach from the centre of mass, and how thin they are.
+void MeasureExtents(BodyData& body)
 {
     ForgetExtents(body);
     body.minExtent = b2_maxFloat;
@@ -273,7 +235,9 @@ void World::MeasureExtents(BodyData& body)
     }
 }
 
-void World::MeasureNewest(BodyData& body)
+} // namespace
+
+void MeasureNewest(BodyData& body)
 {
     if (body.fixtureCount == 1)
     {
@@ -317,7 +281,7 @@ MassProperties Sum(const MassProperties& a, const MassProperties& b)
 
 } // namespace
 
-void World::SetMassData(BodyData& body, const b2MassData& massData)
+void SetMassData(BodyData& body, const b2MassData& massData)
 {
     if (!body.IsDynamic())
     {
@@ -345,7 +309,7 @@ void ForgetManifolds(BodyData& body)
 
 } // namespace
 
-void World::ResetMassData(BodyData& body)
+void ResetMassData(BodyData& body)
 {
     body.flags &= ~std::uint32_t(kBodyMassSet);
     ForgetManifolds(body);
@@ -373,16 +337,16 @@ void World::ResetMassData(BodyData& body)
     MeasureExtents(body);
 }
 
-void World::SetMobility(b2Body& body, Mobility mobility)
+void SetMobility(World& world, b2Body& body, Mobility mobility)
 {
     BodyData& data = Data(body);
     // Everything that was built on the old mobility goes; contacts come back in the next step.
     while (data.contactList)
     {
-        DestroyContact(*data.contactList->contact);
+        DestroyContact(world, *data.contactList->contact);
     }
     const bool wasActive = data.IsActive();
-    SetActive(body, false);
+    SetActive(world, body, false);
     data.mobility = mobility;
     data.previous = data.pose;
     data.sweepStart = 0.0f;
@@ -395,47 +359,47 @@ void World::SetMobility(b2Body& body, Mobility mobility)
     data.force.SetZero();
     data.torque = 0.0f;
     ResetMassData(data);
-    SetActive(body, wasActive);
-    Wake(body);
+    SetActive(world, body, wasActive);
+    Wake(world, body);
 }
 
-void World::SetActive(b2Body& body, bool active)
+void SetActive(World& world, b2Body& body, bool active)
 {
     BodyData& data = Data(body);
     if (active == data.IsActive())
     {
         return;
     }
-    inactiveCount += active ? -1 : 1;
+    world.inactiveCount += active ? -1 : 1;
     if (active)
     {
         data.flags |= kBodyActive;
         for (b2Fixture* f = data.fixtureList; f; f = f->GetNext())
         {
-            CreateProxies(*f);
+            CreateProxies(world.proxies, *f);
         }
         if (data.IsDynamic())
         {
-            islands.Add(body);
+            world.islands.Add(body);
         }
     }
     else
     {
         while (data.contactList)
         {
-            DestroyContact(*data.contactList->contact);
+            DestroyContact(world, *data.contactList->contact);
         }
         for (b2Fixture* f = data.fixtureList; f; f = f->GetNext())
         {
-            DestroyProxies(*f);
+            DestroyProxies(world.proxies, *f);
         }
-        WakeAttached(body); // what hung from it falls
+        WakeAttached(world, body); // what hung from it falls
         data.force.SetZero();
         data.torque = 0.0f;
         data.flags &= ~std::uint32_t(kBodyActive);
-        islands.Remove(body);
+        world.islands.Remove(body);
     }
-    UpdateActivity(body);
+    UpdateActivity(world, body);
 }
 
 } // namespace box2d

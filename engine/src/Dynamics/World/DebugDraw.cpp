@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "DebugDraw.h"
+
 #include "../Joints/JointKinds.h"
 #include "../State/World.h"
 #include "SeenShapes.h"
@@ -117,7 +119,7 @@ public:
         }
         else if (draw.GetFlags() & (b2Draw::e_shapeBit | b2Draw::e_aabbBit))
         {
-            m_seen = world.FindSeen(m_view);
+            m_seen = FindSeen(world, m_view);
         }
     }
 
@@ -278,7 +280,7 @@ void Drawing::DrawCenters()
 
 } // namespace
 
-void World::Draw(b2Draw& draw) const
+void Draw(const World& world, b2Draw& draw)
 {
     constexpr struct
     {
@@ -289,8 +291,8 @@ void World::Draw(b2Draw& draw) const
                   {b2Draw::e_pairBit, &Drawing::DrawPairs},
                   {b2Draw::e_aabbBit, &Drawing::DrawBoxes},
                   {b2Draw::e_centerOfMassBit, &Drawing::DrawCenters}};
-    const Lock lock(*this);
-    Drawing drawing(*this, draw);
+    const Lock lock(world);
+    Drawing drawing(world, draw);
     for (const auto& layer : layers)
     {
         if (draw.GetFlags() & layer.flag)

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "Joints.h"
+
+#include "../Islands/Sleep.h"
 #include "../Joints/JointKinds.h"
 #include "../State/Access.h"
 #include "../State/World.h"
+#include "Fixtures.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -55,91 +59,8 @@ b2Joint* FindGear(b2Joint& joint)
     return nullptr;
 }
 
-} // namespace
-
-b2Joint* World::CreateJoint(const b2JointDef& def)
-{
-    if (!IsSound(def) ||
-        !B2_REQUIRE(Data(*def.bodyA).world == this && Data(*def.bodyB).world == this,
-                    "A joint needs two bodies of this world."))
-    {
-        return nullptr;
-    }
-    b2Joint& joint = ConstructJoint(def, allocator);
-    JointAccess::Number(joint) = jointNumber++;
-    LinkJoint(joint);
-    UpdateActivity(joint);
-    FlagJointContacts(joint);
-    return &joint;
-}
-
-void World::LinkJoint(b2Joint& joint)
-{
-    JointAccess::Next(joint) = jointList;
-    if (jointList)
-    {
-        JointAccess::Prev(*jointList) = &joint;
-    }
-    jointList = &joint;
-    ++jointCount;
-    gearCount += joint.GetType() == e_gearJoint;
-    b2Body& bodyA = *joint.GetBodyA();
-    b2Body& bodyB = *joint.GetBodyB();
-    PushEdge(JointAccess::EdgeA(joint), joint, bodyA, bodyB);
-    PushEdge(JointAccess::EdgeB(joint), joint, bodyB, bodyA);
-}
-
-void World::DestroyJointImplicitly(b2Joint& joint)
-{
-    if (destructionListener)
-    {
-        const Lock lock(*this);
-        destructionListener->SayGoodbye(&joint);
-    }
-    DestroyJoint(joint);
-}
-
-void World::DestroyJoint(b2Joint& joint)
-{
-    while (b2Joint* gear = gearCount > 0 ? FindGear(joint) : nullptr)
-    {
-        DestroyJointImplicitly(*gear);
-    }
-    gearCount -= joint.GetType() == e_gearJoint;
-    b2Body& a = *joint.GetBodyA();
-    b2Body& b = *joint.GetBodyB();
-    Wake(a);
-    Wake(b);
-    if (JointAccess::SolverIndex(joint) != -1)
-    {
-        graph.Remove(joint);
-    }
-    if (JointAccess::Linked(joint))
-    {
-        islands.Unlink(a, b);
-    }
-    RemoveEdge(JointAccess::EdgeA(joint), a);
-    RemoveEdge(JointAccess::EdgeB(joint), b);
-    (JointAccess::Prev(joint) ? JointAccess::Next(*JointAccess::Prev(joint)) : jointList) =
-        joint.GetNext();
-    if (joint.GetNext())
-    {
-        JointAccess::Prev(*joint.GetNext()) = JointAccess::Prev(joint);
-    }
-    --jointCount;
-    // The bodies may collide from now on.
-    if (!joint.GetCollideConnected())
-    {
-        for (b2Fixture* f = a.GetFixtureList(); f; f = f->GetNext())
-        {
-            Refilter(*f);
-        }
-    }
-    DestructJoint(joint, allocator);
-}
-
-// A joint that keeps its bodies from colliding ends the contacts they have.
-void World::FlagJointContacts(b2Joint& joint)
+/// A joint that keeps its bodies from colliding ends the contacts they have.
+void FlagJointContacts(World& world, b2Joint& joint)
 {
     if (joint.GetCollideConnected())
     {
@@ -150,9 +71,92 @@ void World::FlagJointContacts(b2Joint& joint)
         if (edge->other == joint.GetBodyA())
         {
             Data(*edge->contact).flags |= kContactFilter;
-            filtersChanged = true;
+            world.filtersChanged = true;
         }
     }
+}
+
+} // namespace
+
+b2Joint* CreateJoint(World& world, const b2JointDef& def)
+{
+    if (!IsSound(def) ||
+        !B2_REQUIRE(Data(*def.bodyA).world == &world && Data(*def.bodyB).world == &world,
+                    "A joint needs two bodies of this world."))
+    {
+        return nullptr;
+    }
+    b2Joint& joint = ConstructJoint(def, world.allocator);
+    JointAccess::Number(joint) = world.jointNumber++;
+    LinkJoint(world, joint);
+    UpdateActivity(world, joint);
+    FlagJointContacts(world, joint);
+    return &joint;
+}
+
+void LinkJoint(World& world, b2Joint& joint)
+{
+    JointAccess::Next(joint) = world.jointList;
+    if (world.jointList)
+    {
+        JointAccess::Prev(*world.jointList) = &joint;
+    }
+    world.jointList = &joint;
+    ++world.jointCount;
+    world.gearCount += joint.GetType() == e_gearJoint;
+    b2Body& bodyA = *joint.GetBodyA();
+    b2Body& bodyB = *joint.GetBodyB();
+    PushEdge(JointAccess::EdgeA(joint), joint, bodyA, bodyB);
+    PushEdge(JointAccess::EdgeB(joint), joint, bodyB, bodyA);
+}
+
+void DestroyJointImplicitly(World& world, b2Joint& joint)
+{
+    if (world.destructionListener)
+    {
+        const Lock lock(world);
+        world.destructionListener->SayGoodbye(&joint);
+    }
+    DestroyJoint(world, joint);
+}
+
+void DestroyJoint(World& world, b2Joint& joint)
+{
+    while (b2Joint* gear = world.gearCount > 0 ? FindGear(joint) : nullptr)
+    {
+        DestroyJointImplicitly(world, *gear);
+    }
+    world.gearCount -= joint.GetType() == e_gearJoint;
+    b2Body& a = *joint.GetBodyA();
+    b2Body& b = *joint.GetBodyB();
+    Wake(world, a);
+    Wake(world, b);
+    if (JointAccess::SolverIndex(joint) != -1)
+    {
+        world.graph.Remove(joint);
+    }
+    if (JointAccess::Linked(joint))
+    {
+        world.islands.Unlink(a, b);
+    }
+    RemoveEdge(JointAccess::EdgeA(joint), a);
+    RemoveEdge(JointAccess::EdgeB(joint), b);
+    (JointAccess::Prev(joint) ? JointAccess::Next(*JointAccess::Prev(joint)) : world.jointList) =
+        joint.GetNext();
+    if (joint.GetNext())
+    {
+        JointAccess::Prev(*joint.GetNext()) = JointAccess::Prev(joint);
+    }
+    --world.jointCount;
+    // The bodies may collide from now on.
+    if (!joint.GetCollideConnected())
+    {
+        for (b2Fixture* f = a.GetFixtureList(); f; f = f->GetNext())
+        {
+            Refilter(world, *f);
+        }
+    }
+    DestructJoint(joint, world.allocator);
 }
 
 } // namespace box2d

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "Queries.h"
+
+#include "../Contacts/Boxes.h"
 #include "../State/Access.h"
+#include "../State/BodyPose.h"
 #include "../State/World.h"
 
 #include <Box2D/Dynamics/b2Body.h>
@@ -39,16 +43,17 @@ struct RayVisitor
 
 } // namespace
 
-void World::Query(b2QueryCallback& callback, const b2AABB& box) const
+void Query(const World& world, b2QueryCallback& callback, const b2AABB& box)
 {
-    const Lock lock(*this);
-    proxies.Query(box,
-                  [&](b2FixtureProxy* proxy) { return callback.ReportFixture(proxy->fixture); });
+    const Lock lock(world);
+    world.proxies.Query(
+        box, [&](b2FixtureProxy* proxy) { return callback.ReportFixture(proxy->fixture); });
 }
 
-void World::RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2Vec2& point2) const
+void RayCast(const World& world, b2RayCastCallback& callback, const b2Vec2& point1,
+             const b2Vec2& point2)
 {
-    const Lock lock(*this);
+    const Lock lock(world);
     float32 maxFraction = 1.0f;
     for (const Mobility mobility : {Mobility::Static, Mobility::Kinematic, Mobility::Dynamic})
     {
@@ -56,7 +61,7 @@ void World::RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2V
         input.p1 = point1;
         input.p2 = point2;
         input.maxFraction = maxFraction;
-        RayVisitor visitor{&proxies.TreeOf(mobility), &callback, maxFraction};
+        RayVisitor visitor{&world.proxies.TreeOf(mobility), &callback, maxFraction};
         visitor.tree->RayCast(&visitor, input);
         maxFraction = visitor.maxFraction;
         if (maxFraction == 0.0f)
@@ -66,9 +71,9 @@ void World::RayCast(b2RayCastCallback& callback, const b2Vec2& point1, const b2V
     }
 }
 
-void World::ShiftOrigin(const b2Vec2& newOrigin)
+void ShiftOrigin(World& world, const b2Vec2& newOrigin)
 {
-    for (b2Body* b = bodyList; b; b = b->GetNext())
+    for (b2Body* b = world.bodyList; b; b = b->GetNext())
     {
         BodyData& body = Data(*b);
         for (Pose* pose : {&body.pose, &body.previous})
@@ -87,15 +92,15 @@ void World::ShiftOrigin(const b2Vec2& newOrigin)
             }
         }
     }
-    for (b2Joint* joint = jointList; joint; joint = joint->GetNext())
+    for (b2Joint* joint = world.jointList; joint; joint = joint->GetNext())
     {
         joint->ShiftOrigin(newOrigin);
     }
-    proxies.ShiftOrigin(newOrigin);
+    world.proxies.ShiftOrigin(newOrigin);
     // Boxes are in single precision: where the shift was rounded, a shape may look out of its own.
-    for (b2Body* b = bodyList; b; b = b->GetNext())
+    for (b2Body* b = world.bodyList; b; b = b->GetNext())
     {
-        UpdateProxies(Data(*b), false);
+        UpdateProxies(world.proxies, Data(*b), false);
     }
 }
 

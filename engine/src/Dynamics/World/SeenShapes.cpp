@@ -71,16 +71,15 @@ void AddInactive(const b2Body& body, const b2AABB& view, Array<SeenChild>& seen)
 
 } // namespace
 
-/// Oldest body first, the fixtures of each in the order of its list.
-Array<SeenChild> World::FindSeen(const b2AABB& view) const
+Array<SeenChild> FindSeen(const World& world, const b2AABB& view)
 {
     Array<SeenChild> seen;
-    proxies.Query(view, [&](b2FixtureProxy* proxy) {
+    world.proxies.Query(view, [&](b2FixtureProxy* proxy) {
         seen.push_back(
             {Data(*proxy->fixture->GetBody()).number, proxy->fixture, proxy->childIndex});
         return true;
     });
-    for (const b2Body* b = inactiveCount > 0 ? bodyList : nullptr; b; b = b->GetNext())
+    for (const b2Body* b = world.inactiveCount > 0 ? world.bodyList : nullptr; b; b = b->GetNext())
     {
         if (!b->IsActive())
         {

@@ -9,11 +9,16 @@
 namespace box2d
 {
 
+class World;
+
 struct SeenChild
 {
     int32 body = 0; ///< its number
     const b2Fixture* fixture = nullptr;
     int32 child = 0;
 };
+
+/// Oldest body first, the fixtures of each in the order of its list.
+Array<SeenChild> FindSeen(const World& world, const b2AABB& view);
 
 } // namespace box2d

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "Step.h"
+
+#include "../Contacts/Contacts.h"
+#include "../Continuous/Continuous.h"
 #include "../Energy/EnergyGuard.h"
 #include "../Solver/StepSolver.h"
-
 #include "../State/ProfileScope.h"
+#include "../SubSteps/SubStepSolver.h"
 
 #include <Box2D/Dynamics/b2Body.h>
 
-/// One step of the world: find and update contacts, solve velocities, move, solve positions, look
-/// for impacts that the discrete step would miss, and let rest what has come to rest.
 namespace box2d
 {
 
@@ -44,11 +46,57 @@ private:
     ThreadPool* m_threads;
 };
 
+void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
+    if (world.subStepCount > 1)
+    {
+        SolveInSubSteps(world, timeStep, velocityIterations, positionIterations);
+        return;
+    }
+    world.lastSubSteps = 1;
+    StepSolver solve(world, timeStep);
+    {
+        ProfileScope init(world.profiling, world.profile.solveInit);
+        solve.WakeJointNeighbours();
+        solve.IntegrateVelocities();
+        world.energyGuard->Begin(world, *world.solver, timeStep);
+        solve.PrepareContacts();
+        solve.WarmStart();
+    }
+    {
+        ProfileScope velocity(world.profiling, world.profile.solveVelocity);
+        solve.SolveVelocities(velocityIterations);
+        solve.NoteImpulses();
+    }
+    {
+        ProfileScope position(world.profiling, world.profile.solvePosition);
+        solve.IntegratePositions();
+        solve.SolvePositions(positionIterations);
+    }
+    world.energyGuard->Balance(world, *world.solver);
+    solve.WriteBack();
+    solve.LetRest();
+    solve.ReportImpulses(); // last, so that a listener may push, wake or stop bodies
+}
+
+void Solve(World& world, float32 timeStep, int32 velocityIterations, int32 positionIterations)
+{
+    if (!world.awakeBodies.empty())
+    {
+        SolveAwake(world, timeStep, velocityIterations, positionIterations);
+    }
+    if (world.proxies.HasMoved())
+    {
+        ProfileScope broadphase(world.profiling, world.profile.broadphase);
+        FindNewContacts(world);
+    }
+}
+
 } // namespace
 
-void World::Step(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+void Step(World& world, float32 timeStep, int32 velocityIterations, int32 positionIterations)
 {
-    if (!B2_REQUIRE(!locked, "b2World::Step must not be called from inside a callback.") ||
+    if (!B2_REQUIRE(!world.locked, "b2World::Step must not be called from inside a callback.") ||
         !B2_REQUIRE(b2IsValid(timeStep) && timeStep >= 0.0f,
                     "The time step must be finite and not negative."))
     {
@@ -58,96 +106,50 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
     (void)B2_REQUIRE(velocityIterations >= 0 && positionIterations >= 0,
                      "The numbers of iterations must not be negative.");
     timeStep = timeStep < kShortestStep ? 0.0f : b2Min(timeStep, kLongestStep);
-    profile = b2Profile();
-    ProfileScope step(profiling, profile.step);
-    const Lock lock(*this);
-    const ThreadsReady ready(threads.get());
-    if (proxies.HasMoved())
+    world.profile = b2Profile();
+    ProfileScope step(world.profiling, world.profile.step);
+    const Lock lock(world);
+    const ThreadsReady ready(world.threads.get());
+    if (world.proxies.HasMoved())
     {
-        ProfileScope broadphase(profiling, profile.broadphase);
-        FindNewContacts();
+        ProfileScope broadphase(world.profiling, world.profile.broadphase);
+        FindNewContacts(world);
     }
     {
-        ProfileScope collide(profiling, profile.collide);
-        UpdateContacts();
+        ProfileScope collide(world.profiling, world.profile.collide);
+        UpdateContacts(world);
     }
     if (timeStep > 0.0f)
     {
         // Only impacts can be left of a step, so without continuous collision nothing is.
-        stepComplete = stepComplete || !continuousPhysics;
-        if (stepComplete)
+        world.stepComplete = world.stepComplete || !world.continuousPhysics;
+        if (world.stepComplete)
         {
-            ProfileScope solve(profiling, profile.solve);
-            Solve(timeStep, velocityIterations, positionIterations);
+            ProfileScope solve(world.profiling, world.profile.solve);
+            Solve(world, timeStep, velocityIterations, positionIterations);
         }
-        if (continuousPhysics)
+        if (world.continuousPhysics)
         {
-            ProfileScope solveTOI(profiling, profile.solveTOI);
-            SolveContinuous(timeStep, velocityIterations);
+            ProfileScope solveTOI(world.profiling, world.profile.solveTOI);
+            SolveContinuous(world, timeStep, velocityIterations);
         }
-        inverseStep = 1.0f / timeStep;
-        ++stepNumber;
+        world.inverseStep = 1.0f / timeStep;
+        ++world.stepNumber;
     }
-    if (autoClearForces)
+    if (world.autoClearForces)
     {
-        ClearForces();
+        ClearForces(world);
     }
 }
 
-void World::Solve(float32 timeStep, int32 velocityIterations, int32 positionIterations)
+void ClearForces(World& world)
 {
-    if (!awakeBodies.empty())
-    {
-        SolveAwake(timeStep, velocityIterations, positionIterations);
-    }
-    if (proxies.HasMoved())
-    {
-        ProfileScope broadphase(profiling, profile.broadphase);
-        FindNewContacts();
-    }
-}
-
-void World::SolveAwake(float32 timeStep, int32 velocityIterations, int32 positionIterations)
-{
-    if (subStepCount > 1)
-    {
-        SolveInSubSteps(timeStep, velocityIterations, positionIterations);
-        return;
-    }
-    lastSubSteps = 1;
-    StepSolver solve(*this, timeStep);
-    {
-        ProfileScope init(profiling, profile.solveInit);
-        solve.WakeJointNeighbours();
-        solve.IntegrateVelocities();
-        energyGuard->Begin(*this, *solver, timeStep);
-        solve.PrepareContacts();
-        solve.WarmStart();
-    }
-    {
-        ProfileScope velocity(profiling, profile.solveVelocity);
-        solve.SolveVelocities(velocityIterations);
-        solve.NoteImpulses();
-    }
-    {
-        ProfileScope position(profiling, profile.solvePosition);
-        solve.IntegratePositions();
-        solve.SolvePositions(positionIterations);
-    }
-    energyGuard->Balance(*this, *solver);
-    solve.WriteBack();
-    solve.LetRest();
-    solve.ReportImpulses(); // last, so that a listener may push, wake or stop bodies
-}
-
-void World::ClearForces()
-{
-    if (!forcesApplied)
+    if (!world.forcesApplied)
     {
         return;
     }
-    forcesApplied = false;
-    for (b2Body* body : awakeBodies)
+    world.forcesApplied = false;
+    for (b2Body* body : world.awakeBodies)
     {
         Data(*body).force.SetZero();
         Data(*body).torque = 0.0f;

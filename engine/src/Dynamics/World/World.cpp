@@ -6,6 +6,7 @@
 #include "../Solver/SolverMemory.h"
 #include "../State/Access.h"
 #include "../SubSteps/SubStepMemory.h"
+#include "Fixtures.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -30,7 +31,7 @@ World::~World()
         for (b2Fixture* fixture = body->GetFixtureList(); fixture;)
         {
             b2Fixture* nextFixture = fixture->GetNext();
-            FreeFixture(*fixture);
+            FreeFixture(allocator, *fixture);
             fixture = nextFixture;
         }
         body->~b2Body();

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/b2Body.h>
 
+#include "../Islands/Sleep.h"
 #include "../State/Access.h"
 #include "../State/Reach.h"
 #include "../State/Solver.h"
 #include "../State/World.h"
+#include "Bodies.h"
+#include "Fixtures.h"
 
 #include <Box2D/Dynamics/b2Fixture.h>
 #include <Box2D/Dynamics/b2World.h>
@@ -61,7 +64,7 @@ b2Fixture* b2Body::CreateFixture(const b2FixtureDef* def)
     {
         return nullptr;
     }
-    return m_data.world->CreateFixture(*this, *def);
+    return box2d::CreateFixture(*m_data.world, *this, *def);
 }
 
 b2Fixture* b2Body::CreateFixture(const b2Shape* shape, float32 density)
@@ -77,7 +80,7 @@ void b2Body::DestroyFixture(b2Fixture* fixture)
     if (IsUnlocked(m_data) && B2_REQUIRE(fixture != nullptr && fixture->GetBody() == this,
                                          "b2Body::DestroyFixture needs a fixture of this body."))
     {
-        m_data.world->DestroyFixture(*this, *fixture);
+        box2d::DestroyFixture(*m_data.world, *this, *fixture);
     }
 }
 
@@ -89,7 +92,7 @@ bool b2Body::SetTransform(const b2Vec2& position, float32 angle)
     {
         return false;
     }
-    m_data.world->SetTransform(*this, position, angle);
+    box2d::SetTransform(*m_data.world, *this, position, angle);
     return true;
 }
 
@@ -188,13 +191,13 @@ void b2Body::SetMassData(const b2MassData* data)
                    "b2Body::SetMassData needs a mass and an inertia that are finite and not "
                    "negative, and a finite centre of mass."))
     {
-        m_data.world->SetMassData(m_data, *data);
+        box2d::SetMassData(m_data, *data);
     }
 }
 
 void b2Body::ResetMassData()
 {
-    m_data.world->ResetMassData(m_data);
+    box2d::ResetMassData(m_data);
 }
 
 b2Vec2 b2Body::GetLinearVelocityFromWorldPoint(const b2Vec2& worldPoint) const
@@ -238,7 +241,7 @@ void b2Body::SetType(b2BodyType type)
                           "b2_dynamicBody.") &&
         type != GetType() && IsUnlocked(m_data))
     {
-        m_data.world->SetMobility(*this, static_cast<box2d::Mobility>(type));
+        box2d::SetMobility(*m_data.world, *this, static_cast<box2d::Mobility>(type));
     }
 }
 
@@ -262,14 +265,14 @@ void b2Body::SetSleepingAllowed(bool flag)
 
 void b2Body::SetAwake(bool flag)
 {
-    flag ? m_data.world->Wake(*this) : m_data.world->PutToSleep(*this);
+    flag ? box2d::Wake(*m_data.world, *this) : box2d::PutToSleep(*m_data.world, *this);
 }
 
 void b2Body::SetActive(bool flag)
 {
     if (IsUnlocked(m_data))
     {
-        m_data.world->SetActive(*this, flag);
+        box2d::SetActive(*m_data.world, *this, flag);
     }
 }
 

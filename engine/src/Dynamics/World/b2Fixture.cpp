@@ -2,6 +2,7 @@
 #include <Box2D/Dynamics/b2Fixture.h>
 
 #include "../State/World.h"
+#include "Fixtures.h"
 
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
@@ -14,7 +15,7 @@ void b2Fixture::SetSensor(bool sensor)
     if (sensor != m_isSensor)
     {
         m_isSensor = sensor;
-        box2d::Data(*m_body).world->UpdateSensor(*this);
+        box2d::UpdateSensor(*box2d::Data(*m_body).world, *this);
     }
 }
 
@@ -26,7 +27,7 @@ void b2Fixture::SetFilterData(const b2Filter& filter)
 
 void b2Fixture::Refilter()
 {
-    box2d::Data(*m_body).world->Refilter(*this);
+    box2d::Refilter(*box2d::Data(*m_body).world, *this);
 }
 
 bool b2Fixture::TestPoint(const b2Vec2& p) const

@@ -4,6 +4,11 @@
 #include "../State/Access.h"
 #include "../State/Reach.h"
 #include "../State/World.h"
+#include "Bodies.h"
+#include "DebugDraw.h"
+#include "Joints.h"
+#include "Queries.h"
+#include "Step.h"
 
 #include <Box2D/Collision/b2Collision.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -49,7 +54,7 @@ b2Body* b2World::CreateBody(const b2BodyDef* def)
     {
         return nullptr;
     }
-    return m_world->CreateBody(*def);
+    return box2d::CreateBody(*m_world, *def);
 }
 
 void b2World::DestroyBody(b2Body* body)
@@ -59,7 +64,7 @@ void b2World::DestroyBody(b2Body* body)
         B2_REQUIRE(body != nullptr && body->GetWorld() == this,
                    "b2World::DestroyBody needs a body of this world."))
     {
-        m_world->DestroyBody(*body);
+        box2d::DestroyBody(*m_world, *body);
     }
 }
 
@@ -71,7 +76,7 @@ b2Joint* b2World::CreateJoint(const b2JointDef* def)
     {
         return nullptr;
     }
-    return m_world->CreateJoint(*def);
+    return box2d::CreateJoint(*m_world, *def);
 }
 
 void b2World::DestroyJoint(b2Joint* joint)
@@ -81,25 +86,25 @@ void b2World::DestroyJoint(b2Joint* joint)
         B2_REQUIRE(joint != nullptr && joint->GetBodyA()->GetWorld() == this,
                    "b2World::DestroyJoint needs a joint of this world."))
     {
-        m_world->DestroyJoint(*joint);
+        box2d::DestroyJoint(*m_world, *joint);
     }
 }
 
 void b2World::Step(float32 timeStep, int32 velocityIterations, int32 positionIterations)
 {
-    m_world->Step(timeStep, velocityIterations, positionIterations);
+    box2d::Step(*m_world, timeStep, velocityIterations, positionIterations);
 }
 
 void b2World::ClearForces()
 {
-    m_world->ClearForces();
+    box2d::ClearForces(*m_world);
 }
 
 void b2World::DrawDebugData()
 {
     if (m_world->debugDraw)
     {
-        m_world->Draw(*m_world->debugDraw);
+        box2d::Draw(*m_world, *m_world->debugDraw);
     }
 }
 
@@ -107,7 +112,7 @@ void b2World::QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const
 {
     if (B2_REQUIRE(callback != nullptr, "b2World::QueryAABB needs a callback."))
     {
-        m_world->Query(*callback, aabb);
+        box2d::Query(*m_world, *callback, aabb);
     }
 }
 
@@ -115,7 +120,7 @@ void b2World::RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b
 {
     if (B2_REQUIRE(callback != nullptr, "b2World::RayCast needs a callback."))
     {
-        m_world->RayCast(*callback, point1, point2);
+        box2d::RayCast(*m_world, *callback, point1, point2);
     }
 }
 
@@ -324,7 +329,7 @@ void b2World::ShiftOrigin(const b2Vec2& newOrigin)
         B2_REQUIRE(box2d::IsWithinReach(newOrigin),
                    "b2World::ShiftOrigin needs a finite point within 1e15 m."))
     {
-        m_world->ShiftOrigin(newOrigin);
+        box2d::ShiftOrigin(*m_world, newOrigin);
     }
 }
 

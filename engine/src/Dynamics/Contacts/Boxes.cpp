@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "Boxes.h"
+
+#include "../State/Access.h"
+#include "../State/BodyPose.h"
+#include "../State/Proxies.h"
+#include "Sweeps.h"
+
+#include <Box2D/Collision/Shapes/b2CircleShape.h>
+#include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2Fixture.h>
+
+namespace box2d
+{
+
+namespace
+{
+
+/// How far a box may move before the tree has to change [m]: the manual's margin for what is a few
+/// metres large, less for smaller shapes, whose margins would else touch all their neighbours'.
+float32 Margin(const b2AABB& box)
+{
+    const b2Vec2 half = box.GetExtents();
+    return b2Min(b2_aabbExtension, 0.25f * b2Max(half.x, half.y));
+}
+
+b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
+{
+    const float32 margin = Margin(box);
+    const b2Vec2 ahead = b2_aabbMultiplier * displacement;
+    b2AABB fat;
+    fat.lowerBound = box.lowerBound - b2Vec2(margin, margin) + b2Min(ahead, b2Vec2(0.0f, 0.0f));
+    fat.upperBound = box.upperBound + b2Vec2(margin, margin) + b2Max(ahead, b2Vec2(0.0f, 0.0f));
+    return fat;
+}
+
+/// The box of a bullet's way: what it hits after the present step does not matter.
+b2AABB Widen(const b2AABB& box, float32 minExtent)
+{
+    const float32 margin = b2Min(b2_aabbExtension, 0.25f * minExtent);
+    b2AABB wide;
+    wide.lowerBound = box.lowerBound - b2Vec2(margin, margin);
+    wide.upperBound = box.upperBound + b2Vec2(margin, margin);
+    return wide;
+}
+
+/// A circle about the centre of mass and nothing else looks the same however it is turned.
+bool IsRound(const BodyData& body)
+{
+    const b2Fixture* f = body.fixtureList;
+    return f != nullptr && f->GetNext() == nullptr && f->GetType() == b2Shape::e_circle &&
+           static_cast<const b2CircleShape*>(f->GetShape())->m_p == b2Vec2(0.0f, 0.0f) &&
+           body.localCenter == b2Vec2(0.0f, 0.0f);
+}
+
+/// The body's transform at the start of its way, as far as its boxes need it.
+b2Transform TransformBefore(const BodyData& body)
+{
+    if (IsRound(body))
+    {
+        const b2Vec2 center(float32(body.previous.x), float32(body.previous.y));
+        return b2Transform(center, body.rotation);
+    }
+    BodyData start;
+    start.pose = body.previous;
+    start.localCenter = body.localCenter;
+    SynchronizePose(start);
+    return start.transform;
+}
+
+/// The box of a shape now and, if there is one, at an earlier transform. A corner that turns far
+/// comes out of both.
+b2AABB BoxOnItsWay(const b2Shape& shape, int32 child, const BodyData& body,
+                   const b2Transform* before)
+{
+    if (before != nullptr && !IsRound(body) && IsWide(body.pose.angle - body.previous.angle))
+    {
+        return BoxOfWay(b2Mul(*before, body.localCenter), body.worldCenter, body.maxExtent);
+    }
+    b2AABB box;
+    shape.ComputeAABB(&box, body.transform, child);
+    if (before != nullptr)
+    {
+        b2AABB boxBefore;
+        shape.ComputeAABB(&boxBefore, *before, child);
+        box.Combine(boxBefore);
+    }
+    return box;
+}
+
+/// How far the inner box may move in any direction without leaving the outer one [m].
+float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
+{
+    const b2Vec2 below = inner.lowerBound - outer.lowerBound;
+    const b2Vec2 above = outer.upperBound - inner.upperBound;
+    const b2Vec2 least = b2Min(below, above);
+    return b2Min(least.x, least.y);
+}
+
+/// At most this much may boxes in single precision differ from those of the exact pose, then and
+/// later, each of a few operations rounded [m].
+float32 BoxRounding(const BodyData& body)
+{
+    constexpr float32 operations = 16.0f;
+    const float32 farthest = b2Abs(body.worldCenter.x) + b2Abs(body.worldCenter.y) + body.maxExtent;
+    return operations * b2_epsilon * farthest;
+}
+
+/// After an impact: the boxes also hold what is left of the way.
+void GrowBoxes(Proxies& proxies, BodyData& body)
+{
+    const b2Transform before = TransformBefore(body);
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            proxy.aabb.Combine(
+                Widen(BoxOnItsWay(*f->GetShape(), child, body, &before), body.minExtent));
+            proxies.Grow(proxy.proxyId, proxy.aabb);
+        }
+    }
+}
+
+} // namespace
+
+void CreateProxies(Proxies& proxies, b2Fixture& fixture)
+{
+    BodyData& body = Data(*fixture.GetBody());
+    body.room = 0.0f;
+    b2Shape* shape = fixture.GetShape();
+    for (int32 child = 0; child < shape->GetChildCount(); ++child)
+    {
+        b2FixtureProxy& proxy = FixtureAccess::Proxies(fixture)[child];
+        proxy.fixture = &fixture;
+        proxy.childIndex = child;
+        b2AABB box;
+        shape->ComputeAABB(&box, body.transform, child);
+        proxy.aabb = Fatten(box, b2Vec2(0.0f, 0.0f));
+        proxy.proxyId =
+            proxies.Create(proxy.aabb, body.mobility, &proxy, fixture.GetFilterData().categoryBits);
+    }
+    FixtureAccess::ProxyCount(fixture) = shape->GetChildCount();
+}
+
+void DestroyProxies(Proxies& proxies, b2Fixture& fixture)
+{
+    for (int32 child = 0; child < FixtureAccess::ProxyCount(fixture); ++child)
+    {
+        b2FixtureProxy& proxy = FixtureAccess::Proxies(fixture)[child];
+        proxies.Destroy(proxy.proxyId);
+        proxy.proxyId = -1;
+    }
+    FixtureAccess::ProxyCount(fixture) = 0;
+}
+
+void UpdateProxies(Proxies& proxies, BodyData& body, bool swept)
+{
+    if (swept && (body.flags & kBodySwept) != 0)
+    {
+        GrowBoxes(proxies, body);
+    }
+    else if (RefreshBoxes(body, swept))
+    {
+        MoveProxies(proxies, body);
+    }
+}
+
+bool RefreshBoxes(BodyData& body, bool swept)
+{
+    const bool bullet = swept && (body.flags & kBodyBullet) != 0;
+    // The boxes of a bullet's way serve for one step.
+    const bool anew = bullet || (body.flags & kBodySwept) != 0;
+    bool left = anew;
+    b2Transform before;
+    float32 room = b2_maxFloat;
+    b2Vec2 displacement(0.0f, 0.0f);
+    displacement.x = float32(body.pose.x - body.previous.x);
+    displacement.y = float32(body.pose.y - body.previous.y);
+    if (swept)
+    {
+        before = TransformBefore(body);
+    }
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            const b2AABB box = BoxOnItsWay(*f->GetShape(), child, body, swept ? &before : nullptr);
+            if (anew || !proxy.aabb.Contains(box))
+            {
+                proxy.aabb = bullet ? Widen(box, body.minExtent) : Fatten(box, displacement);
+                left = true;
+            }
+            room = b2Min(room, RoomIn(proxy.aabb, box));
+        }
+    }
+    body.flags = bullet ? body.flags | kBodySwept : body.flags & ~std::uint32_t(kBodySwept);
+    body.room = bullet ? 0.0f : room - BoxRounding(body);
+    return left;
+}
+
+void MoveProxies(Proxies& proxies, BodyData& body)
+{
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            const b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            const b2AABB& known = proxies.FatBox(proxy.proxyId);
+            if (known.lowerBound != proxy.aabb.lowerBound ||
+                known.upperBound != proxy.aabb.upperBound)
+            {
+                proxies.Move(proxy.proxyId, proxy.aabb);
+            }
+        }
+    }
+}
+
+void ResetProxies(Proxies& proxies, BodyData& body)
+{
+    body.flags &= ~std::uint32_t(kBodySwept);
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
+            b2AABB box;
+            f->GetShape()->ComputeAABB(&box, body.transform, child);
+            proxy.aabb = Fatten(box, b2Vec2(0.0f, 0.0f));
+            proxies.Move(proxy.proxyId, proxy.aabb);
+        }
+    }
+}
+
+} // namespace box2d

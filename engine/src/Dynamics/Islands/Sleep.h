@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Settings.h>
+
+class b2Body;
+class b2Contact;
+class b2Joint;
+
+/// Who is awake. A step looks at the lists of awake bodies, awake contacts and coloured constraints
+/// only; these functions keep those lists true.
+namespace box2d
+{
+
+struct BodyData;
+struct ContactData;
+class World;
+
+/// Wakes the body and its island.
+void Wake(World& world, b2Body& body);
+/// This one only.
+void PutToSleep(World& world, b2Body& body);
+void PutToSleep(World& world, int32 island);
+/// Puts it into the lists of what a step looks at, or takes it out, as follows from the state of
+/// its body or bodies. To be called after any change of that.
+void UpdateActivity(World& world, b2Body& body);
+void UpdateActivity(World& world, b2Contact& contact);
+void UpdateActivity(World& world, b2Joint& joint);
+/// Undoes the first part of an update, where a callback has left no place for the second.
+void ForgetUpdate(World& world, ContactData& c);
+/// Wakes what is held by a contact or joint with something that moves.
+void WakeNeighbours(World& world, b2Body& bodyA, b2Body& bodyB);
+/// False when WakeNeighbours would do nothing.
+bool WakesNeighbours(const BodyData& a, const BodyData& b);
+/// After a user change: wakes the body with everything it has contacts or joints with, for contacts
+/// between sleeping bodies are not looked at. One that has none sleeps on.
+void WakeAttached(World& world, b2Body& body);
+
+} // namespace box2d

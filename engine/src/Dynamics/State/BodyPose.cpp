@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "BodyPose.h"
+
+#include "Reach.h"
+
+namespace box2d
+{
+
+void SynchronizePose(BodyData& body)
+{
+    body.pose =
+        Pose{WithinReach(body.pose.x), WithinReach(body.pose.y), WithinReach(body.pose.angle)};
+    double sine = 0.0;
+    double cosine = 1.0;
+    SinCos(body.pose.angle, &sine, &cosine);
+    body.rotation.s = float32(sine);
+    body.rotation.c = float32(cosine);
+    const double lx = body.localCenter.x;
+    const double ly = body.localCenter.y;
+    body.transform.q = body.rotation;
+    body.transform.p = b2Vec2(float32(body.pose.x - (cosine * lx - sine * ly)),
+                              float32(body.pose.y - (sine * lx + cosine * ly)));
+    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
+    body.room = 0.0f;
+}
+
+void SynchronizePlace(BodyData& body)
+{
+    if (body.localCenter != b2Vec2(0.0f, 0.0f))
+    {
+        SynchronizePose(body); // with sine and cosine in double precision
+        return;
+    }
+    body.pose.x = WithinReach(body.pose.x);
+    body.pose.y = WithinReach(body.pose.y);
+    body.worldCenter = b2Vec2(float32(body.pose.x), float32(body.pose.y));
+    body.transform.q = body.rotation;
+    body.transform.p = body.worldCenter;
+}
+
+b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
+{
+    return b2Vec2(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
+}
+
+b2Transform RelativeTransform(const BodyData& a, const BodyData& b)
+{
+    const b2Vec2 originOffset = CenterOffset(a, b) - b2Mul(b.rotation, b.localCenter);
+    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter,
+                       b2MulT(a.rotation, b.rotation));
+}
+
+} // namespace box2d
