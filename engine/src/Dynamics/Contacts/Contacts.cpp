@@ -3,6 +3,7 @@
 
 #include "../Islands/Sleep.h"
 #include "../State/Access.h"
+#include "../State/BodyEdges.h"
 #include "../State/BodyPose.h"
 #include "../State/World.h"
 #include "Narrowphase.h"
@@ -23,29 +24,7 @@ namespace
 
 constexpr int32 kContactGrain = 32; ///< contacts that one thread takes at a time
 
-void PushEdge(b2ContactEdge& edge, b2Contact& contact, b2Body& body, b2Body& other)
-{
-    BodyData& data = Data(body);
-    edge.contact = &contact;
-    edge.other = &other;
-    edge.next = data.contactList;
-    if (data.contactList)
-    {
-        data.contactList->prev = &edge;
-    }
-    data.contactList = &edge;
-}
-
-void RemoveEdge(b2ContactEdge& edge, b2Body& body)
-{
-    (edge.prev ? edge.prev->next : Data(body).contactList) = edge.next;
-    if (edge.next)
-    {
-        edge.next->prev = edge.prev;
-    }
-}
-
-/// A joint between them says whether its two bodies collide.
+/// True if a joint keeps its two bodies from colliding.
 bool JointForbids(b2Body& a, const b2Body& b)
 {
     for (b2JointEdge* edge = a.GetJointList(); edge; edge = edge->next)
@@ -88,16 +67,16 @@ void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
     }
 }
 
-/// A manifold is computed anew when a body has moved so far relative to the other since it was
+/// A manifold is computed again when a body has moved so far relative to the other since it was
 /// computed [m]. What it holds is kept in the bodies' own frames: its points stay where they are on
-/// their face, and overlap and normal are those of the present pose whatever its age. Far below the
+/// their face, and overlap and normal are those of the present pose at any age. Far below the
 /// slop, and not more than a small share of a small body.
 constexpr float32 kStill = 0.1f * b2_linearSlop;
 constexpr float32 kStillShare = 0.005f;
 
 bool IsKept(const ContactData& c, const b2Transform& bInA)
 {
-    if ((c.flags & kContactKept) == 0 || c.manifold.pointCount == 0) // somebody has emptied it
+    if ((c.flags & kContactKept) == 0 || c.manifold.pointCount == 0) // a listener has emptied it
     {
         return false;
     }
@@ -161,8 +140,11 @@ b2Contact& AddContact(World& world, const b2FixtureProxy& a, const b2FixtureProx
     c.childB = b.childIndex;
     c.bodyA = a.fixture->GetBody();
     c.bodyB = b.fixture->GetBody();
-    PushEdge(c.edgeA, *contact, *c.bodyA, *c.bodyB);
-    PushEdge(c.edgeB, *contact, *c.bodyB, *c.bodyA);
+    c.edgeA.contact = c.edgeB.contact = contact;
+    c.edgeA.other = c.bodyB;
+    c.edgeB.other = c.bodyA;
+    PushEdge(Data(*c.bodyA).contactList, c.edgeA);
+    PushEdge(Data(*c.bodyB).contactList, c.edgeB);
     c.next = world.contactList;
     if (world.contactList)
     {
@@ -198,7 +180,7 @@ void FindNewContacts(World& world)
             }
             b2Contact* contact = MakeContact(world, *a, *b);
             UpdateActivity(world, *contact);
-            // What was moved by hand into something asleep would else never be looked at.
+            // Otherwise a body that the user moved into a sleeping one would never be looked at.
             if (Data(*contact).awakeIndex == -1)
             {
                 Wake(world,
@@ -294,7 +276,7 @@ void FinishContact(World& world, b2Contact& contact, const b2Manifold& old)
 }
 
 /// Whether more follows from the first part of an update than that the contact takes part in the
-/// step, when nobody listens.
+/// step, when there is no listener.
 bool NeedsAttention(World& world, b2Contact& contact)
 {
     ContactData& c = Data(contact);
@@ -310,9 +292,9 @@ bool NeedsAttention(World& world, b2Contact& contact)
     return false;
 }
 
-/// The first part of all updates, on all threads. With one thread and nobody who could see the
-/// difference each contact is done in its turn instead, and this returns false: the results are the
-/// same, for poses do not change meanwhile.
+/// The first part of all updates, on all threads. With one thread and no listener that
+/// could see the difference each contact is done in its turn instead, and this returns false: the
+/// results are the same, for poses do not change meanwhile.
 bool ComputeContacts(World& world)
 {
     const bool keepOld = world.listener != nullptr;
@@ -463,8 +445,8 @@ void DestroyContact(World& world, b2Contact& contact)
         world.awakeContacts.pop_back();
     }
     world.pairs.Erase(ProxyA(c).proxyId, ProxyB(c).proxyId);
-    RemoveEdge(c.edgeA, *c.bodyA);
-    RemoveEdge(c.edgeB, *c.bodyB);
+    RemoveEdge(Data(*c.bodyA).contactList, c.edgeA);
+    RemoveEdge(Data(*c.bodyB).contactList, c.edgeB);
     (c.prev ? Data(*c.prev).next : world.contactList) = c.next;
     if (c.next)
     {

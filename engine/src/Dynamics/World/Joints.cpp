@@ -4,6 +4,7 @@
 #include "../Islands/Sleep.h"
 #include "../Joints/JointKinds.h"
 #include "../State/Access.h"
+#include "../State/BodyEdges.h"
 #include "../State/World.h"
 #include "Fixtures.h"
 
@@ -16,30 +17,8 @@ namespace box2d
 namespace
 {
 
-void PushEdge(b2JointEdge& edge, b2Joint& joint, b2Body& body, b2Body& other)
-{
-    BodyData& data = Data(body);
-    edge.joint = &joint;
-    edge.other = &other;
-    edge.next = data.jointList;
-    if (data.jointList)
-    {
-        data.jointList->prev = &edge;
-    }
-    data.jointList = &edge;
-}
-
-void RemoveEdge(b2JointEdge& edge, b2Body& body)
-{
-    (edge.prev ? edge.prev->next : Data(body).jointList) = edge.next;
-    if (edge.next)
-    {
-        edge.next->prev = edge.prev;
-    }
-}
-
-/// A gear that is made of this joint, null when there is none. It hangs on one of the joint's
-/// bodies.
+/// A gear that is made of this joint, null when there is none. It is in the list of one of the
+/// joint's bodies.
 b2Joint* FindGear(b2Joint& joint)
 {
     for (b2Body* body : {joint.GetBodyB(), joint.GetBodyA()})
@@ -104,10 +83,13 @@ void LinkJoint(World& world, b2Joint& joint)
     world.jointList = &joint;
     ++world.jointCount;
     world.gearCount += joint.GetType() == e_gearJoint;
-    b2Body& bodyA = *joint.GetBodyA();
-    b2Body& bodyB = *joint.GetBodyB();
-    PushEdge(JointAccess::EdgeA(joint), joint, bodyA, bodyB);
-    PushEdge(JointAccess::EdgeB(joint), joint, bodyB, bodyA);
+    b2JointEdge& edgeA = JointAccess::EdgeA(joint);
+    b2JointEdge& edgeB = JointAccess::EdgeB(joint);
+    edgeA.joint = edgeB.joint = &joint;
+    edgeA.other = joint.GetBodyB();
+    edgeB.other = joint.GetBodyA();
+    PushEdge(Data(*joint.GetBodyA()).jointList, edgeA);
+    PushEdge(Data(*joint.GetBodyB()).jointList, edgeB);
 }
 
 void DestroyJointImplicitly(World& world, b2Joint& joint)
@@ -139,8 +121,8 @@ void DestroyJoint(World& world, b2Joint& joint)
     {
         world.islands.Unlink(a, b);
     }
-    RemoveEdge(JointAccess::EdgeA(joint), a);
-    RemoveEdge(JointAccess::EdgeB(joint), b);
+    RemoveEdge(Data(a).jointList, JointAccess::EdgeA(joint));
+    RemoveEdge(Data(b).jointList, JointAccess::EdgeB(joint));
     (JointAccess::Prev(joint) ? JointAccess::Next(*JointAccess::Prev(joint)) : world.jointList) =
         joint.GetNext();
     if (joint.GetNext())
