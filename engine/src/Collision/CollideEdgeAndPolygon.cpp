@@ -271,13 +271,13 @@ void TouchCorner(b2Manifold* manifold, const Oriented& o, const b2Vec2& normalIn
     manifold->points[0].id.cf.typeB = b2ContactFeature::e_vertex;
 }
 
-// What an edge has to say by itself: its manifold, or which neighbour's push it is.
+// The answer of an edge alone: its manifold, or the neighbour that has to answer.
 struct Answer
 {
     Oriented oriented;
     b2Vec2 normalInB;
     Share share = Share::e_own;
-    uint8 neighbour = 0; ///< the end whose neighbour answers, if share says so
+    uint8 neighbour = 0; ///< the end whose neighbour answers, if it is the neighbour's
 };
 
 Answer CollideAlone(b2Manifold* manifold, const b2EdgeShape& edgeA, const b2PolygonShape& polygonB,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The tree built anew, from the top: at each node the leaves are parted along an axis where the
+// The tree built again, from the top: at each node the leaves are parted along an axis where the
 // perimeters of the two parts, each times its number of leaves, add up to the least (Wald 2007 for
 // the heuristic's use in full builds). They are sorted along both axes once; parting keeps the
 // order of either (Wald and Havran 2006), so that a level of the tree costs a pass and no sorting.

@@ -12,7 +12,7 @@ constexpr int32 kEagerLooks = 200;
 
 constexpr int32 kNoItem = INT32_MAX;
 
-/// A thread's share is cut in so many parts, for others to help with.
+/// Number of parts of a thread's share, so that others can help with it.
 constexpr int32 kPartsOfShare = 4;
 
 void Relax(int32 looks)

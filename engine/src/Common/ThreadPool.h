@@ -76,7 +76,7 @@ private:
     alignas(kApart) std::atomic<int32> m_left{0}; ///< items not done
 };
 
-/// On the pool's threads, or on this one where there is none or little to do.
+/// On the pool's threads, or on this one where there is no pool or little to do.
 template <class Body>
 void ParallelFor(ThreadPool* pool, int32 count, int32 grain, const Body& body)
 {

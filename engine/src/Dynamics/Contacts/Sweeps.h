@@ -64,7 +64,7 @@ inline b2AABB BoxOfWay(const b2Vec2& from, const b2Vec2& to, float32 radius)
 }
 
 /// Whether a turn [rad] takes a shape far out of the boxes of its start and of its end: more than a
-/// quarter, which only small steps allow.
+/// quarter, which only sub-steps allow.
 inline bool IsWide(double turn)
 {
     return std::abs(turn) > 1.01 * double(b2_maxRotation);
@@ -145,7 +145,7 @@ inline bool CirclesMeet(const BodyData& a, const Pose& fromA, const BodyData& b,
     return IsWithin(nearest, Reach(a, b));
 }
 
-/// A circle about the centre of mass: it goes straight on, and nobody sees it turn.
+/// A circle about the centre of mass: it goes straight on, and its turn changes nothing.
 inline bool IsRoundAbout(const BodyData& body, const b2Shape& shape)
 {
     return shape.GetType() == b2Shape::e_circle &&
@@ -237,8 +237,8 @@ inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& 
 }
 
 /// Whether two children that might have a contact could touch during the step or at its end. Only a
-/// bullet that is asked about again in the next step may be told no, and only about what stands
-/// still or is such a bullet too: else nobody would ask when the other moves.
+/// bullet that is asked about again in the next step may be refused, and only against what stands
+/// still or is such a bullet too: otherwise no query would follow when the other moves.
 inline bool WaysMeet(const BodyData& a, const b2Shape& shapeA, int32 childA, const BodyData& b,
                      const b2Shape& shapeB, int32 childB)
 {

@@ -259,7 +259,7 @@ bool ContinuousCollision::Sinks(const ContactData& c) const
     return false;
 }
 
-/// Of a candidate, as a fraction of the step; 1 when there is none.
+/// Of a candidate, as a fraction of the step; 1 without an impact.
 float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& counts) const
 {
     const BodyData& a = Data(*c.bodyA);
@@ -309,9 +309,9 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& co
 }
 
 /// Whether bodies that overlap already go so much deeper on their ways that they could come out on
-/// the other side: sweeps have not held a light body off that something heavy drives, or what turns
-/// comes out with one end while the other goes in. What comes out of an overlap, or sinks slowly,
-/// is for the next step.
+/// the other side: iterations have not held a light body off that something heavy drives, or what
+/// turns comes out with one end while the other goes in. What comes out of an overlap, or sinks
+/// slowly, is for the next step.
 bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA,
                                      const b2Sweep& sweepB)
 {

@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr int32 kMostRounds = 8;
-/// How many times the fastest that there was a solution may be, for levers: sweeps, from which it
-/// starts, have found most of what they do.
+/// How many times the fastest that there was a solution may be, for levers: iterations, from which
+/// it starts, have found most of what they do.
 constexpr double kBurst = 30.0;
 
 /// Limits that differ by less than this share are the same.

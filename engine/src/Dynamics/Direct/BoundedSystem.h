@@ -6,9 +6,9 @@
 /// Constraints that can give only so much: contacts do not pull, friction drags no more than it
 /// can. The impulses that hold where they may and are at a bound where they may not make an energy
 /// least (Moreau, 1966; Lotstedt, "Mechanical Systems of Rigid Bodies Subject to Unilateral
-/// Constraints", 1982). From a start that sweeps have found, the rows that are inside their bounds
-/// are solved as if they had none; what then meets a bound stays there, and the rest is solved
-/// again (subspace minimisation after projected Gauss-Seidel: Silcowitz, Niebe, Erleben, "A
+/// Constraints", 1982). From a start that iterations have found, the rows that are inside their
+/// bounds are solved as if they had none; what then meets a bound stays there, and the rest is
+/// solved again (subspace minimisation after projected Gauss-Seidel: Silcowitz, Niebe, Erleben, "A
 /// Nonsmooth Newton Method and Subspace Minimization for Interactive Rigid Body Dynamics", 2010).
 /// The energy never rises, so that however soon it is broken off, the result is better than the
 /// start.

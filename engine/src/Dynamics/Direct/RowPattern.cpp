@@ -121,7 +121,7 @@ void Elimination::Connect(int32 body1, int32 body2)
     }
 }
 
-/// All that hangs together with it.
+/// Its connected component.
 void Elimination::Gather(int32 seed)
 {
     m_component.assign(1, seed);

@@ -58,7 +58,7 @@ struct RowPattern
         int32 item;                    ///< which of the list
         int32 firstSide, firstMeeting; ///< the next one's end them
     };
-    /// What hangs together.
+    /// A connected component.
     struct Component
     {
         int32 firstColumn, firstItem; ///< the next one's end them
@@ -86,7 +86,7 @@ class Elimination
 {
 public:
     /// Bodies are eliminated by minimum degree (Davis, "Direct Methods for Sparse Linear Systems",
-    /// 2006, 7.1), so that chains and trees fill in nothing. What hangs together and costs more
+    /// 2006, 7.1), so that chains and trees fill in nothing. A component that costs more
     /// than `mostUpdates` a body is left out. Uses BodyData::jointLevel for itself.
     void Run(const Array<RowSides>& constraints, int32 mostUpdates, RowPattern& pattern);
 

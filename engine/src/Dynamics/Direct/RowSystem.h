@@ -48,7 +48,7 @@ public:
     bool IsExact() const { return m_pattern.swept.empty(); }
     /// All that are moved.
     const Array<const BodyData*>& Bodies() const { return m_pattern.bodies; }
-    /// What hangs together and can be solved by itself, from any thread.
+    /// A connected component, which can be solved by itself, from any thread.
     int32 Components() const { return int32(m_pattern.components.size()) - 1; }
     template <class Function>
     void ForItems(int32 component, Function&& function) const
@@ -76,7 +76,7 @@ public:
     /// Whether an item is solved exactly, and not swept over.
     bool IsExact(std::size_t item) const { return m_exact[item] != 0; }
 
-    /// Which rows of an item are to hold, a bit each; all, unless said since Build.
+    /// Which rows of an item are to hold, a bit each [all, after Build].
     void SetActive(std::size_t item, uint8 rows) { m_active[item] = rows; }
 
     /// The largest, of a body that turns back and forth, or sways between the lines that hold it,

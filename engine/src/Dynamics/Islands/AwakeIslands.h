@@ -19,7 +19,7 @@ public:
     void Find(const World& world);
 
     int32 Count() const { return int32(m_islands.size()); }
-    /// The number of an island of Islands; -1: it sleeps, or is none.
+    /// The number of an island of Islands; -1 for one that sleeps or does not exist.
     int32 NumberOf(int32 island) const
     {
         return std::size_t(island) < m_numberOf.size() ? m_numberOf[std::size_t(island)] : -1;

@@ -12,7 +12,7 @@
 /// Joints of one kind that share no moving body, eight at a time or alone. What the solver reads of
 /// them are numbers, one row of lanes after the other: first the inverse masses and inertias of A
 /// and of B, then those of the kind's lanes (Joints/*Lanes.h). A kind is solved by one source at
-/// every width, so that nobody can tell how many were solved together.
+/// every width, so the bits do not depend on how many are solved together.
 namespace box2d
 {
 

@@ -12,7 +12,7 @@ namespace box2d
 namespace
 {
 
-/// Whether a point is more than so many radii of gyration from the centre of mass.
+/// True if a point is more than `radii` of gyration from the centre of mass.
 bool IsFarOut(const b2Body& body, const b2Vec2& point, float32 radii)
 {
     const BodyData& data = Data(body);
@@ -39,7 +39,7 @@ bool IsAtRisk(const b2Joint& joint)
 {
     constexpr float32 kMostRatio = 10.0f; // of masses
     constexpr float32 kLongLever = 4.0f;  // in radii of gyration
-    // A pull along a line turns a body straight within a small step, and is not foreseen.
+    // A pull along a line turns a body straight within a sub-step, and is not foreseen.
     constexpr float32 kLongLeverOfLine = 2.0f;
     const BodyData& a = Data(*joint.GetBodyA());
     const BodyData& b = Data(*joint.GetBodyB());

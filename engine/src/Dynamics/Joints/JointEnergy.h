@@ -9,8 +9,8 @@
 
 #include <limits>
 
-/// What a joint stores, and what it may give in a step, told from its settings and where its bodies
-/// are, not from what a solver says that it did.
+/// The energy that a joint stores and may give in a step. It follows from the joint's settings and
+/// the poses of its bodies, not from the impulses of a solver.
 namespace box2d
 {
 
@@ -85,9 +85,9 @@ inline double StiffnessOf(double inverseMass, float32 hz)
 /// changes with the pose. Counted at most, at whichever end it counts less [J].
 double StoredBetween(const SpringState& before, const SpringState& after);
 
-/// Whether sweeps may win energy over the joint without end: beyond what the manual advises, masses
-/// of 10:1 and bodies on levers much longer than they are, half as long where a rod or a rope
-/// pulls.
+/// Whether iterations may add energy over the joint without bound: beyond what the manual advises,
+/// masses of 10:1 and bodies on levers much longer than they are, half as long where a rod or a
+/// rope pulls.
 bool IsAtRisk(const b2Joint& joint);
 /// Whether that depends on the pose too.
 bool HasChangingLevers(const b2Joint& joint);
@@ -101,7 +101,7 @@ bool HasSpring(const b2Joint& joint);
 /// when nothing has.
 SpringState SpringOf(const b2Joint& joint, const SolverBody* bodies);
 
-/// Whether there is a motor, of any kind, to ask for.
+/// True if it has a motor that is on.
 bool HasMotor(const b2Joint& joint);
 /// What it can do at most in a step of so many small ones, as things are at present: what goes
 /// forward as fast as it wants it to is not pushed any more [J].

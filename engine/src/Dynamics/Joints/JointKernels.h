@@ -66,7 +66,7 @@ struct PairKernels
             StoreNumbers<Impulses, Joints, F>(own, joints);
         });
     }
-    /// Those that velocities are solved with; all, unless the kind says which.
+    /// The features that velocities are solved with [all].
     static constexpr uint8 VelocityFeatures()
     {
         if constexpr (requires { Joints::kVelocityFeatures; })

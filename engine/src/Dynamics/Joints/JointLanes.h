@@ -95,7 +95,7 @@ template <class F>
 struct MovingPair : PairMasses<F>
 {
     Vector<F> vA;
-    F wA, angleA; // the angle is along for the ride
+    F wA, angleA; // the angle is kept as it is
     Vector<F> vB;
     F wB, angleB;
 
@@ -145,7 +145,7 @@ struct PlacedPair : PairMasses<F>
 {
     struct Place
     {
-        F speed[3]; // along for the ride
+        F speed[3]; // kept as they are
         F angle;
         Vector<F> d;
         F s, c;
@@ -278,7 +278,7 @@ template <class F>
 BOX2D_INLINE MovingPair<F> LoadMoving(const int32* a, const int32* b, const float32* masses,
                                       const float32* bodies)
 {
-    F rows[4]; // vx, vy, w; the angle is along for the ride
+    F rows[4]; // vx, vy, w; the angle is kept as it is
     MovingPair<F> pair;
     static_cast<PairMasses<F>&>(pair) = LoadNumbers<PairMasses<F>, F>(masses);
     LoadRows(bodies, kBodyStride, a, rows);

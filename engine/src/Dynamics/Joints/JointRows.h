@@ -3,7 +3,7 @@
 
 #include "JointFrame.h"
 
-/// What a joint does to its bodies in small steps, as rows of a linear system: for each row its
+/// What a joint does to its bodies in sub-steps, as rows of a linear system: for each row its
 /// derivative J by the velocities of the bodies. What holds rigidly comes first, with an error C at
 /// the present pose whose rate is J v. Motors, limits, springs and friction follow: they give way,
 /// each to its own law. The impulses change the velocities by M^-1 J^T lambda.
@@ -264,7 +264,7 @@ struct RowFiller
         return of(a, f.a) + of(b, f.b);
     }
 
-    /// Share of what is beyond a limit that a small step takes back: more would throw it off the
+    /// Share of what is beyond a limit that a sub-step takes back: more would throw it off the
     /// limit, less leaves it there for long.
     static constexpr float32 kReturn = 0.2f;
     static constexpr float32 kFastestReturn = 2.0f; ///< [m/s], [rad/s]

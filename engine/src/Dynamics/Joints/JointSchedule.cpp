@@ -38,7 +38,7 @@ private:
     {
         for (b2Body* body : {joint.GetBodyA(), joint.GetBodyB()})
         {
-            if (Data(*body).IsDynamic()) // whatever stays where it is can be shared
+            if (Data(*body).IsDynamic()) // a body that does not move can be shared
             {
                 bodies[count++] = body;
             }

@@ -5,7 +5,7 @@
 
 /// The order in which joints are solved, and what of it can be done at once. Joints are solved in
 /// the order of their creation, each with what those before it have left of its bodies: in a chain
-/// an impulse then runs along all links in one sweep. Two joints that share no body
+/// an impulse then runs along all links in one iteration. Two joints that share no body
 /// that moves do not notice each other's turn, so they are sorted into levels: a joint is one level
 /// above the last of its bodies' earlier joints (level scheduling of triangular solves; Anderson
 /// and Saad, 1989). Within a level all can be solved at the same time; the result is that of one
@@ -26,11 +26,11 @@ public:
     Array<Array<b2Joint*>> Levels() const;
 
     void Prepare(const SolverContext& context, ThreadPool* threads);
-    /// One sweep.
+    /// One iteration.
     void SolveVelocities(const SolverContext& context, ThreadPool* threads);
     /// Puts the impulses back into the joints.
     void StoreImpulses(ThreadPool* threads);
-    /// One sweep; whether all errors were below the tolerance.
+    /// One iteration; whether all errors were below the tolerance.
     bool SolvePositions(const SolverContext& context, ThreadPool* threads);
 
 private:

@@ -16,7 +16,7 @@
 namespace
 {
 
-/// Share of the body's turning that is taken away each second, in small steps.
+/// Share of the body's turning that is taken away each second, in sub-steps.
 constexpr float32 kSpinLoss = 1.2f;
 
 } // namespace

@@ -16,7 +16,7 @@ class b2Body;
 class b2Contact;
 class b2Joint;
 
-/// Both ways of a snapshot. What is saved of a structure is said once, by a function
+/// Saving and restoring. What is saved of a structure stands in one function
 /// Visit(archive, structure); with a SnapshotWriter it saves and with a SnapshotReader it restores,
 /// so that the two cannot differ. Numbers are written one by one, little end first, never as images
 /// of memory: those hold padding and pointers, and change with every member.
@@ -131,7 +131,7 @@ public:
         m_left = m_left.subspan(sizeof(Number));
         return number;
     }
-    /// Of things that follow, each of at least so many bytes.
+    /// The number of items that follow, each of at least `leastBytes`.
     void Count(int32& count, std::size_t leastBytes)
     {
         count = TakeNumber<int32>();
@@ -208,7 +208,7 @@ void Visit(Archive& archive, Array<Number>& numbers)
     }
 }
 
-// Bindings name every member of a structure, so that one more does not compile until it is said
+// Bindings name every member of a structure, so that one more does not compile until it is decided
 // here what becomes of it.
 
 template <class Archive>
@@ -265,7 +265,7 @@ void Visit(Archive& archive, b2Manifold& manifold)
     archive(normal, place);
     archive.Within(type, b2Manifold::e_circles, b2Manifold::e_faceB);
     archive.Within(count, 0, int32(b2_maxManifoldPoints));
-    for (int32 i = 0; i < count; ++i) // nobody reads what is left of others
+    for (int32 i = 0; i < count; ++i) // the rest is not read
     {
         archive(points[i]);
     }

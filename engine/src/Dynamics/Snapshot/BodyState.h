@@ -129,7 +129,7 @@ void VisitFixture(Archive& archive, World& world, b2Body& body, b2Fixture* fixtu
     }
 }
 
-/// The body's own; lists say in which of them it is.
+/// The body's own data. The lists that it is in are saved as lists.
 template <class Archive>
 void Visit(Archive& archive, BodyData& body)
 {

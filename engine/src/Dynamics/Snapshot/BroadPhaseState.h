@@ -11,7 +11,7 @@
 namespace box2d
 {
 
-/// What belongs to a leaf is not known to the tree; its fixture says so.
+/// A tree does not know what belongs to a leaf. The fixture does.
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, b2DynamicTree& tree)
 {

@@ -10,8 +10,8 @@
 namespace box2d
 {
 
-/// The contact's own; its proxies and lists say the rest. The form that it was solved as is found
-/// anew, and the place of its old manifold means something within an update only.
+/// The contact's own data. The rest follows from its proxies and lists. The form that it was solved
+/// as is found again, and the place of its old manifold means something within an update only.
 template <class Archive>
 void Visit(Archive& archive, ContactData& contact)
 {

@@ -11,7 +11,7 @@ namespace box2d
 
 struct JointAccess::Snapshot
 {
-    /// What all joints have. The lists say in which of them it is.
+    /// What all joints have. The lists that it is in are saved as lists.
     template <class Archive>
     static void VisitBase(Archive& archive, b2Joint& j)
     {

@@ -8,7 +8,7 @@
 #include "../State/Islands.h"
 
 /// The lists that bodies, contacts and joints are in, in their order, which is that in which they
-/// are solved and events are told.
+/// are solved and events are reported.
 namespace box2d
 {
 
@@ -53,7 +53,7 @@ void SnapshotAccess::Visit(Archive& archive, Islands& islands)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, ConstraintGraph& graph)
 {
-    // Forms are looked at anew after restoring.
+    // Forms are looked at again after restoring.
     auto& [contacts, contactsChanged, formsChanged, joints, jointVersion, sorted] = graph;
     for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
     {

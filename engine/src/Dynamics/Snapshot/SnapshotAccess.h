@@ -23,7 +23,7 @@ class World;
 
 /// The snapshot's door to what the parts of the engine keep private. Each visitor is in the header
 /// of its part, beside this one; all of them name every member of their part, so that one more does
-/// not compile until it is said what becomes of it.
+/// not compile until it is decided what becomes of it.
 struct SnapshotAccess
 {
     static std::unique_ptr<World>& Of(b2World& world) { return world.m_world; }

@@ -9,7 +9,7 @@
 #include "../State/World.h"
 #include "../SubSteps/SubStepMemory.h"
 
-/// What the solver's memory leaves to the next step. Most of it is filled anew in each step; what
+/// What the solver's memory leaves to the next step. Most of it is filled again in each step; what
 /// is made when joints or contacts come or go follows from the lists, but not all of it:
 ///  - contacts stay in their blocks in an order that places of bodies had in the past;
 ///  - joints keep what of them gives way, and how stiff the last step's forces made them;
@@ -18,11 +18,11 @@
 namespace box2d
 {
 
-/// Contacts by their place in the colour. A colour that has changed is sorted anew anyway.
+/// Contacts by their place in the colour. A colour that has changed is sorted again anyway.
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, ContactBlocks& blocks, const World& world, int32 color)
 {
-    // Blocks are given out and prepared anew.
+    // Blocks are given out and prepared again.
     auto& [sorted, buckets, contactBlocks, overlapBlocks, totals, blockCount] = blocks;
     const ConstraintGraph& graph = world.graph;
     if (graph.ChangeOf(color) == ConstraintGraph::Change::Contacts)
@@ -56,7 +56,7 @@ void VisitReferences(Archive& archive, Array<const b2Joint*>& joints)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& world)
 {
-    // Springs and motors, and what goes with them, are listed anew in each step; in one that has
+    // Springs and motors, and what goes with them, are listed again in each step; in one that has
     // been broken off the springs have been charged.
     auto& [risky, sliding, version, accountOf, accounts, springs, motors, gravity, leastFall,
            timeStep, subSteps] = guard;
@@ -97,7 +97,7 @@ void Visit(Archive& archive, JointRows& rows)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
-    // All else is made anew with the pattern, or filled before it is read.
+    // All else is made again with the pattern, or filled before it is read.
     auto& [pattern, rows, active, weights, lack, found, sides, exact, stiffness, x, diagonal,
            entries, ballast, own] = system;
     constexpr std::size_t leastBytes = 69;

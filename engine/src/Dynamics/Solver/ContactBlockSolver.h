@@ -30,7 +30,7 @@ struct BlockSolver
 {
     ContactBlock& block;
     int lane;     // the first
-    F a[4], b[4]; // of a body vx, vy, w; the angle is along for the ride
+    F a[4], b[4]; // of a body vx, vy, w; the angle is not used
     Vector<F> normal;
     F invMassA, invInertiaA, invMassB, invInertiaB, invMass;
     MotionLanes<F> m;

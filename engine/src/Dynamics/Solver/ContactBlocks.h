@@ -60,7 +60,7 @@ struct alignas(kCacheLine) OverlapBlock
     uint8 movesA, movesB; ///< as in ContactBlock
 };
 
-/// What only small steps keep of a block: the impulses of the whole step, and those that the last
+/// What only sub-steps keep of a block: the impulses of the whole step, and those that the last
 /// kick began with.
 struct BlockTotals
 {
@@ -123,7 +123,7 @@ private:
 /// Fills both sides of a block, line by line what PrepareContact does.
 void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context);
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies);
-/// One iteration. False when no impulse changed: when none of all contacts does, no other sweep
+/// One iteration. False when no impulse changed: when none of all contacts does, no other iteration
 /// over them would change one.
 bool SolveBlock(ContactBlock& block, SolverBody* bodies);
 /// One iteration of moving apart; see SolveOverlaps.

@@ -18,10 +18,10 @@ namespace
 {
 
 /// Impulses grow with the step as long as they come from forces that last. Those of hits do not:
-/// after a very short step this much of them, and no more, is carried over.
+/// after a very short step this much of them, and no more, is used for the warm start.
 constexpr float32 kMostStepRatio = 10.0f;
 
-/// Of two polygons' skins and a slop [m]: nobody sees such an overlap, nor that it stays.
+/// Of two polygons' skins and a slop [m]: such an overlap is not visible.
 constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
 constexpr float32 kLeftOverlap = 3.0f * b2_linearSlop; ///< what pushing may leave of any [m]
 /// What is pushed out of skins faster than so many times what slow means does not rest.
@@ -43,7 +43,7 @@ StepSolver::StepSolver(World& world, float32 timeStep)
 
 void StepSolver::WakeJointNeighbours()
 {
-    // Waking adds joints to the list, so it is read anew each time.
+    // Waking adds joints to the list, so it is read again each time.
     for (std::size_t i = 0; i < m_world.graph.Joints().size(); ++i)
     {
         b2Joint* joint = m_world.graph.Joints()[i];
@@ -191,7 +191,7 @@ void StepSolver::SolveVelocities(int32 iterations)
     {
         m_memory.joints.SolveVelocities(m_context, m_threads);
         const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
-        // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
+        // After an iteration that changed nothing, none changes anything. Joints do not report it.
         if (!changed && m_memory.joints.IsEmpty())
         {
             break;
@@ -250,8 +250,8 @@ void StepSolver::SolvePositions(int32 iterations)
 }
 
 /// A correction of poses turns to first order: by the arc tangent of the angle that is counted. Far
-/// out on a lever such angles are large, and a body that ends elsewhere than where the sweeps saw
-/// it is turned again in the next step, and on and on.
+/// out on a lever such angles are large, and a body that ends elsewhere than where the iterations
+/// saw it is turned again in the next step, and on and on.
 void StepSolver::TurnAsSeen()
 {
     constexpr float32 kSmallTurn = 0.25f; // [rad], then it is out by 0.005
@@ -335,7 +335,7 @@ bool StepSolver::IsPushedOut(const BodyData& body) const
 
 // Slow means slow in both velocity and what position correction did: something that is still being
 // pushed out of an overlap does not sleep, unless the overlap is only one of skins. A platform is
-// told how to move: it stays awake however slow it is.
+// moved by the user: it stays awake at any speed but zero.
 float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
 {
     const float32 h = m_context.timeStep;

@@ -6,7 +6,7 @@
 
 class b2Body;
 
-/// Which dynamic bodies hang together through touching contacts and joints, so that they fall
+/// Which dynamic bodies are connected through touching contacts and joints, so that they fall
 /// asleep and wake together. Islands live from step to step: a new link merges two of them at once,
 /// a lost link is only counted, and the island is taken apart when one of its bodies is ready to
 /// sleep. Static and kinematic bodies belong to none.

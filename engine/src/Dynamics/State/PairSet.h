@@ -14,7 +14,7 @@ namespace box2d
 class PairSet
 {
 public:
-    /// Room for so many pairs, of a set that is empty.
+    /// Reserves room for `count` pairs in an empty set.
     void Reserve(std::size_t count);
     /// False when the pair was there already.
     bool Insert(std::int32_t proxyA, std::int32_t proxyB);

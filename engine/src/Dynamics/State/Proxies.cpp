@@ -10,7 +10,7 @@ namespace
 /// Small trees are good enough as they grow.
 constexpr int32 kLeastAdded = 1000;
 
-/// A move costs more than a leaf's part of a tree that is built anew when there are so many, and
+/// A move costs more than a leaf's part of a tree that is built again when there are so many, and
 /// they are at least this share of all.
 constexpr int32 kLeastMoved = 16;
 constexpr int32 kMovedShare = 8;

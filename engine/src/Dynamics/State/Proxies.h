@@ -27,7 +27,7 @@ public:
     /// An id holds the tree's node and, in its lowest two bits, the mobility.
     static Mobility MobilityOf(int32 proxyId) { return static_cast<Mobility>(proxyId & 3); }
 
-    /// `categories`: bits for MayMeet; all unless said.
+    /// `categories`: bits for MayMeet [all].
     int32 Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy,
                  uint16 categories = 0xFFFF);
     void Destroy(int32 proxyId);
@@ -36,7 +36,7 @@ public:
     /// The same where the box has only grown and soon is another anyway: cheaper.
     void Grow(int32 proxyId, const b2AABB& fatBox);
     /// Between these two so many proxies of dynamic bodies are moved: when that is a good part of
-    /// them, the tree is built anew at the end. Nothing may be asked meanwhile.
+    /// them, the tree is built again at the end. No query is allowed meanwhile.
     void BeginMoves(int32 count);
     void EndMoves();
     /// Marks it as moved, so that its pairs are looked for again.
@@ -83,7 +83,7 @@ private:
     const b2DynamicTree& Tree(int32 proxyId) const { return m_trees[proxyId & 3]; }
     b2DynamicTree& Tree(int32 proxyId) { return m_trees[proxyId & 3]; }
     bool HasMoved(int32 proxyId) const;
-    /// Builds the static tree anew when it has grown by half since that was done last, and by so
+    /// Builds the static tree again when it has grown by half since that was done last, and by so
     /// many that it pays: a query looks at nearly half as many nodes then. All of it takes no
     /// longer than the insertions did.
     void RebuildStatic();
@@ -130,9 +130,9 @@ private:
     Array<int32> m_moved;              // ids, in the order they moved; some may be destroyed since
     Array<Found> m_found;              // by the threads
     int32 m_count = 0;
-    int32 m_staticAdded = 0; // to the static tree since it was built anew
+    int32 m_staticAdded = 0; // to the static tree since it was last built
     bool m_rebuilds = false; // the dynamic tree, at the end of the present moves
-    int32 m_refits = 0;      // since the dynamic tree was built anew, plus 1
+    int32 m_refits = 0;      // since the dynamic tree was last built, plus 1
     bool m_rebuilt = false;  // it was, since pairs were last looked for
 };
 

@@ -43,8 +43,8 @@ public:
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// For so many steps what the program has moved by hand counts as moved: corrections of poses
-    /// take a fifth of what they find in each, so a tenth of it is left then.
+    /// Steps for which a body counts as moved after a user change. Corrections of poses take a
+    /// fifth of an error in each, so a tenth of it is left then.
     static constexpr std::uint32_t kHandLasts = 10;
     /// Whether it did so in the last of these, by the number of the step then.
     bool IsRecent(std::uint32_t step) const { return stepNumber - step < kHandLasts; }
@@ -85,7 +85,7 @@ public:
     b2DestructionListener* destructionListener = nullptr;
     b2Draw* debugDraw = nullptr;
 
-    int32 subStepCount = 1;                ///< small steps of a step
+    int32 subStepCount = 1;                ///< of a step
     int32 lastSubSteps = 1;                ///< of the last step in which anything was solved
     float32 inverseStep = 0.0f;            ///< of the last step [1/s], 0 before the first
     std::uint32_t stepNumber = kHandLasts; ///< of steps that take time

@@ -3,7 +3,7 @@
 
 #include "../State/Solver.h"
 
-/// What all that is no constraint does to a body, in small steps: gravity, forces, damping.
+/// What gravity, forces and damping do to a body in sub-steps.
 namespace box2d
 {
 

@@ -6,8 +6,8 @@
 /// Whether the impulses that a kick starts with, those of the last, have done harm. Sweeps that
 /// start from nothing only lower the kinetic energy that the kick has left. Those that start from
 /// the impulses of an impact, which the present kick does not ask for, first have to take them
-/// back, and where joints stand between contacts the few sweeps of a kick do not: bodies come out
-/// faster than they went in. Such islands are to be solved again from nothing.
+/// back, and where joints stand between contacts the few iterations of a kick do not: bodies come
+/// out faster than they went in. Such islands are to be solved again from nothing.
 namespace box2d
 {
 
@@ -19,7 +19,7 @@ class CarryGuard
 public:
     /// Once a step, before its first kick, when the awake islands have been found.
     void Begin(SolverMemory& solver, const JointSystem& joints);
-    /// Bodies having been kicked, before anything is carried over.
+    /// After the kick of the bodies, before the warm start.
     void Note(const World& world, const SolverMemory& solver);
     /// Whether an island has won energy that neither its motors and springs nor what moves by
     /// itself can have given.

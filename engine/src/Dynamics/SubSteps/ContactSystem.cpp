@@ -34,8 +34,8 @@ constexpr double kHeld = 1e-3;
 /// and stops its weight, whose speed in a kick is so many tolerances.
 constexpr double kMostLoad = 10.0;
 constexpr double kTolerancesOfWeight = 100.0;
-/// Overlaps that sweeps leave above the one are brought to the other [m]: under any load less than
-/// a slop is left.
+/// Overlaps that iterations leave above the one are brought to the other [m]: under any load less
+/// than a slop is left.
 constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
 constexpr float32 kOverlap = 0.8f * b2_linearSlop;
 constexpr float32 kAllPushes = 1.01f; ///< of contacts in a row, a little more than their sum
@@ -387,7 +387,7 @@ void ContactSystem::FindRoom(Pile& pile)
     }
 }
 
-/// Builds the system anew if it was for others. Whether there is one.
+/// Builds the system again if it was for other contacts. True if there is one.
 bool ContactSystem::Follow(Pile& pile, SolverMemory& solver, JointSystem& joints)
 {
     if (!pile.followed)

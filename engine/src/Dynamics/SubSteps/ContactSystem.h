@@ -4,10 +4,10 @@
 #include "../Direct/BoundedSystem.h"
 #include "../Solver/ContactBlocks.h"
 
-/// Piles that sweeps do not bring to rest, solved exactly, in small steps: where a body lies on
-/// another that lies on another, a sweep carries a load one contact further, and half of a heavy
-/// one. For islands of so few contacts and joints, and of so few loops, that this costs little more
-/// than sweeps do, and only where these have left something to do.
+/// Piles that iterations do not bring to rest, solved exactly, in sub-steps: where a body lies on
+/// another that lies on another, an iteration carries a load one contact further, and half of a
+/// heavy one. For islands of so few contacts and joints, and of so few loops, that this costs
+/// little more than iterations do, and only where these have left something to do.
 namespace box2d
 {
 
@@ -24,8 +24,8 @@ public:
     void Begin(SolverMemory& solver, JointSystem& joints);
     /// How many are.
     std::size_t Count() const { return m_used.size(); }
-    /// After sweeps over all contacts: the velocities of the islands in which a contact's normal
-    /// speed is off by more than `tolerance` [m/s].
+    /// After iterations over all contacts: the velocities of the islands in which a contact's
+    /// normal speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                          float32 tolerance);
     /// The same of overlaps.

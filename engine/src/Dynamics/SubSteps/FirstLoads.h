@@ -15,7 +15,7 @@ struct SolverMemory;
 class FirstLoads
 {
 public:
-    /// Of contacts that have been in no small step yet, between bodies at rest: their impulses in a
+    /// Of contacts that have been in no sub-step yet, between bodies at rest: their impulses in a
     /// kick of `duration` [s]. After the blocks have been prepared.
     void Find(const World& world, SolverMemory& arrays, float32 duration);
 

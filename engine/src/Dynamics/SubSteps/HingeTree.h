@@ -8,7 +8,7 @@ class b2RevoluteJoint;
 
 /// Bodies that nothing but hinges holds together, without loops: pendulums, chains, trees that may
 /// be tied down once. What a JointSystem does with any rows is done here with the hinges' own
-/// numbers, at a tenth of the cost: a body, with all that hangs from it, is felt at its hinge like
+/// numbers, at a tenth of the cost: a body with its subtree acts on its hinge like
 /// a mass that differs by direction, a matrix of 2 x 2, and these are gathered from the tips to the
 /// root (the articulated-body algorithm: Featherstone, "Rigid Body Dynamics Algorithms", 2008,
 /// chapter 7). A hinge's lever t is its arm turned by a quarter: a point at it moves with v - w t.
@@ -48,12 +48,12 @@ private:
     {
         double m11, m12, m22, x, y, turning;
     };
-    /// A body, and the hinge at which it hangs from its parent.
+    /// A body, and the hinge that connects it to its parent.
     struct Link
     {
         // While the joints stay the same.
         const BodyData* body = nullptr;
-        const BodyData* above = nullptr; ///< what it hangs from, nullptr: nothing
+        const BodyData* above = nullptr; ///< its parent, nullptr: none
         b2RevoluteJoint* joint = nullptr;
         int32 parent = -1;        ///< place, -1: nothing that moves
         float32 direction = 1.0f; ///< of its impulses: -1 when it is the joint's first body
@@ -74,7 +74,7 @@ private:
         Pair lever, aboveLever;
         b2Vec2 open;          ///< of the hinge [m]
         Inertia inertia;      ///< of the body and all below, about its centre of mass
-        double k11, k12, k22; ///< what the hinge feels of it, and
+        double k11, k12, k22; ///< its mass at the hinge, and
         Pair turn;            ///< how much it turns when that moves,
         double ease;          ///< or when it is turned
 
@@ -82,7 +82,7 @@ private:
         Pair lack;              ///< of the hinge's speed
         Pair given;             ///< to the body from below: impulse, and
         double givenTurn = 0.0; ///< its moment
-        double load = 0.0;      ///< its own mass and all that hangs from it
+        double load = 0.0;      ///< the mass of its subtree
         double pull = 0.0;      ///< what turns the body back [N m]
         Pair change;            ///< of velocity
         double changeTurn = 0.0;

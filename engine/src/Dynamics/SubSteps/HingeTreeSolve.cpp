@@ -119,7 +119,7 @@ void HingeTree::FactorAtHinge(Link& link)
     link.k22 = m.m22 - ay * turn.y;
 }
 
-/// To what the link hangs from, about whose centre of mass K has the lever t.
+/// To the parent of the link, about whose centre of mass K has the lever t.
 void HingeTree::AddInertia(const Link& link, Inertia& parent)
 {
     const Pair t = link.aboveLever;

@@ -422,7 +422,7 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
     }
 }
 
-/// By sweeps, only the poses are changed too.
+/// By iterations that change only the poses, too.
 void JointSystem::CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps)
 {
     if (m_system.Swept().empty())

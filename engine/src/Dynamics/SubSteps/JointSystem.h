@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-/// All that joints do, in small steps. What they hold rigidly is a RowSystem. Motors and limits
+/// All that joints do in sub-steps. What they hold rigidly is a RowSystem. Motors and limits
 /// take part in it as long as their forces do what they should; which do is found by trying (block
 /// pivoting: Judice and Pires, "A block principal pivoting algorithm for large-scale strictly
-/// monotone linear complementarity problems", 1994). What hangs together in too many loops is swept
+/// monotone linear complementarity problems", 1994). A component with too many loops is iterated
 /// over.
 namespace box2d
 {
@@ -170,7 +170,7 @@ private:
         float32 within[JointRows::kMostRows] = {};
         float32 beyond[JointRows::kMostRows] = {};
     };
-    /// What hangs together.
+    /// A connected component.
     struct Part
     {
         bool touched = false; ///< by contacts
@@ -233,7 +233,8 @@ private:
     void SolvePart(int32 part, const SolverContext& context);
     void Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted);
 
-    /// What an impact has stopped weighs so many times what hangs together with it.
+    /// How many times as heavy a body that an impact has stopped counts as the rest of its
+    /// component.
     static constexpr double kHeldShare = 20.0;
     /// But its turn only up to this angle [rad]: an impact, which does not know what hangs on a
     /// light body, may throw it into a spin that its joints would never have let it have.

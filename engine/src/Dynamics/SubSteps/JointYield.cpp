@@ -116,7 +116,7 @@ b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
 
 } // namespace
 
-/// What a joint was told since the last kick may have made impossible.
+/// A change of a joint's settings since the last kick may have made it impossible.
 void JointSystem::Validate(const JointRows& rows, Yields& yields)
 {
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)

@@ -28,14 +28,14 @@ namespace
 /// Sweeps have done enough for a pile when its contacts come together by less than this share of
 /// what weight does in a kick.
 constexpr float32 kRestTolerance = 0.01f;
-constexpr int32 kSweepsFromNothing = 8; ///< at least, where nothing is carried over
-constexpr int32 kMostBounces = 64;      ///< sweeps over what bounces in a row
+constexpr int32 kSweepsFromNothing = 8; ///< at least, without a warm start
+constexpr int32 kMostBounces = 64;      ///< iterations over what bounces in a row
 /// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
 /// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
 constexpr float32 kPushSpeed = 3.0f;
 
-/// As in a whole step the sweeps of a kick turn once, and the next kick goes on the way that this
-/// one ended. A kick of one sweep turns with every second kick, which is the same.
+/// As in a whole step the iterations of a kick turn once, and the next kick goes on the way that
+/// this one ended. A kick of one iteration turns with every second kick, which is the same.
 Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
 {
     if (count > 1)
@@ -91,10 +91,10 @@ void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
     }
 }
 
-/// From a kick to one that is `share` times as long. What sweeps change stops what came together
-/// before the kick as well as what the kick itself brought, and the former does not grow with its
-/// length. So the change passes on as it is: twice as large after the half kick at the start it
-/// would be over-relaxed by 2, beyond which sweeps diverge, and tall piles did.
+/// From a kick to one that is `share` times as long. What iterations change stops what came
+/// together before the kick as well as what the kick itself brought, and the former does not grow
+/// with its length. So the change passes on as it is: twice as large after the half kick at the
+/// start it would be over-relaxed by 2, beyond which iterations diverge, and tall piles did.
 void ScaleImpulses(ContactBlock& block, BlockTotals& totals, float32 share)
 {
     const auto scale = [share](float32& impulse, float32& first) {
@@ -145,7 +145,7 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     const float32 h = timeStep / float32(count);
     const int32 velocitySweeps = b2IterationsOfASubStep(velocityIterations, count);
     const int32 positionSweeps = b2IterationsOfASubStep(positionIterations, count);
-    // Overlaps go at the same pace whatever the number of small steps: faster throws things about.
+    // Overlaps go at the same pace for every number of sub-steps: a faster one adds energy.
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
     SubStepSolver solve(world, timeStep);
@@ -273,7 +273,7 @@ bool SubStepSolver::AnyHeld() const
     return m_memory.colorCount > 0 || m_subSteps.joints.HasRows();
 }
 
-/// Whether anything goes small step by small step.
+/// True if any body takes the common sub-steps.
 bool SubStepSolver::AnyTogether() const
 {
     return AnyHeld() || std::find(m_subSteps.ways.begin(), m_subSteps.ways.end(),
@@ -394,7 +394,7 @@ void SubStepSolver::Drift(float32 timeStep, int32 sweeps)
 void SubStepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
 {
     m_subSteps.beforePushes = m_memory.bodies;
-    // The sweeps and the solution after them take equal parts of the way.
+    // The iterations and the solution after them take equal parts of the way.
     const float32 most = b2Min(kPushSpeed * timeStep / float32(sweeps + 1), b2_maxLinearCorrection);
     float32 deepest = 0.0f;
     for (int32 i = 0; i < sweeps; ++i)

@@ -66,7 +66,7 @@ void Fill(BodyData& body, const b2BodyDef& def)
         body.linearVelocity = Finite(def.linearVelocity);
         body.angularVelocity = Finite(def.angularVelocity, 0.0f);
     }
-    // Infinity is a damping: nothing moves. Not a number is none.
+    // Infinity is a damping: nothing moves. NaN counts as 0.
     body.linearDamping = def.linearDamping >= 0.0f ? def.linearDamping : 0.0f;
     body.angularDamping = def.angularDamping >= 0.0f ? def.angularDamping : 0.0f;
     body.gravityScale = Finite(def.gravityScale, 1.0f);

@@ -105,7 +105,7 @@ b2Fixture* CreateFixture(World& world, b2Body& body, const b2FixtureDef& def)
     {
         CreateProxies(world.proxies, *fixture);
     }
-    // What weighs nothing changes no mass, so one that was set by hand lasts.
+    // Without a density it changes no mass, so one that SetMassData has set stays.
     fixture->GetDensity() > 0.0f ? ResetMassData(data) : MeasureNewest(data);
     return fixture;
 }

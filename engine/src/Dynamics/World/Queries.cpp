@@ -97,7 +97,8 @@ void ShiftOrigin(World& world, const b2Vec2& newOrigin)
         joint->ShiftOrigin(newOrigin);
     }
     world.proxies.ShiftOrigin(newOrigin);
-    // Boxes are in single precision: where the shift was rounded, a shape may look out of its own.
+    // Boxes are in single precision: where the shift was rounded, a shape may be outside of its
+    // box.
     for (b2Body* b = world.bodyList; b; b = b->GetNext())
     {
         UpdateProxies(world.proxies, Data(*b), false);

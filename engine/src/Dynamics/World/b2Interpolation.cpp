@@ -21,7 +21,7 @@ double Distance(const Pose& a, const Pose& b)
     return std::sqrt(x * x + y * y);
 }
 
-/// Equal ends have nothing between them, whatever the rounding.
+/// Equal ends give themselves: no rounding.
 double Mix(double from, double to, double fraction)
 {
     return from == to ? to : from + fraction * (to - from);
@@ -37,7 +37,7 @@ Pose Between(const Pose& before, const Pose& now, double fraction)
             Mix(before.angle, now.angle, fraction)};
 }
 
-/// By the program's hand, not by a step; what it moves by little is meant to glide.
+/// By a user change, not by a step. A small change is interpolated.
 bool HasJumped(const box2d::BodyData& body, const Pose& before, std::uint32_t step)
 {
     return body.movedAt >= step && Distance(before, body.pose) > double(b2_maxTranslation);
