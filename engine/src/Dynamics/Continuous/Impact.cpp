@@ -34,6 +34,11 @@ constexpr int32 kCornerIterations = 64;
 /// What rounding adds to a kinetic energy, as a share of it.
 constexpr double kRounding = 1e-5;
 
+bool IsWithGround(const ContactData& c)
+{
+    return !Data(*c.bodyA).IsDynamic() || !Data(*c.bodyB).IsDynamic();
+}
+
 bool Bounces(const ContactConstraint& c)
 {
     return std::any_of(c.points, c.points + c.pointCount,
@@ -74,6 +79,18 @@ bool Impact::IsSpent(b2Body& body)
         }
     }
     return false;
+}
+
+/// What presses a light body into a wall outweighs it, and a few sweeps over all contacts leave it
+/// there, on its way farther in. So the contacts with what no impulse moves are solved again at the
+/// end, by themselves: it is the heavy body that overlaps then. Whole steps did not need it.
+void Impact::PutGroundLast()
+{
+    const auto ground =
+        std::stable_partition(m_contacts.begin(), m_contacts.end(),
+                              [](b2Contact* contact) { return !IsWithGround(Data(*contact)); });
+    const bool mixed = ground != m_contacts.begin();
+    m_ground = mixed ? std::size_t(ground - m_contacts.begin()) : m_contacts.size();
 }
 
 void Impact::LoadBodies()
@@ -200,9 +217,26 @@ void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
     }
 }
 
+void Impact::PushApart(std::span<const OverlapConstraint> overlaps) const
+{
+    for (int32 i = 0; i < kImpactPositionIterations; ++i)
+    {
+        if (SolveOverlaps(overlaps, m_context.bodies, {b2_toiBaugarte}, DirectionOf(i)) >=
+            -1.5f * b2_linearSlop)
+        {
+            break;
+        }
+    }
+}
+
 /// Only the two bodies of the impact may be moved.
 void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 {
+    m_ground = m_contacts.size();
+    if (m_world.subStepCount > 1)
+    {
+        PutGroundLast();
+    }
     Prepare();
     NoteDepths();
     const int32 indexA = Data(bodyA).SolverIndex();
@@ -218,14 +252,8 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
             o.invMassB = o.invInertiaB = 0.0f;
         }
     }
-    for (int32 i = 0; i < kImpactPositionIterations; ++i)
-    {
-        if (SolveOverlaps(m_memory.overlaps, m_context.bodies, {b2_toiBaugarte}, DirectionOf(i)) >=
-            -1.5f * b2_linearSlop)
-        {
-            break;
-        }
-    }
+    PushApart(m_memory.overlaps);
+    PushApart(std::span(m_memory.overlaps).subspan(m_ground));
     for (b2Body* body : {&bodyA, &bodyB})
     {
         BodyData& data = Data(*body);
@@ -258,11 +286,16 @@ bool Impact::IsInCorner() const
 
 void Impact::Sweep()
 {
-    const int32 count =
-        IsInCorner() ? b2Max(m_velocityIterations, kCornerIterations) : m_velocityIterations;
+    Sweep(m_memory.impulses,
+          IsInCorner() ? b2Max(m_velocityIterations, kCornerIterations) : m_velocityIterations);
+    Sweep(std::span(m_memory.impulses).subspan(m_ground), m_velocityIterations);
+}
+
+void Impact::Sweep(std::span<ContactConstraint> contacts, int32 count) const
+{
     for (int32 i = 0; i < count; ++i)
     {
-        if (!SolveContactVelocities(m_memory.impulses, m_context.bodies, DirectionOf(i)))
+        if (!SolveContactVelocities(contacts, m_context.bodies, DirectionOf(i)))
         {
             break;
         }

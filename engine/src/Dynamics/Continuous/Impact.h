@@ -36,6 +36,7 @@ public:
 
 private:
     static bool IsSpent(b2Body& body);
+    void PutGroundLast();
     void LoadBodies();
     void Prepare();
     float32 DepthOf(std::size_t contact, int32 point) const;
@@ -46,7 +47,9 @@ private:
     template <class Function>
     void ForMoved(Function&& function) const;
     bool IsInCorner() const;
+    void PushApart(std::span<const OverlapConstraint> overlaps) const;
     void Sweep();
+    void Sweep(std::span<ContactConstraint> contacts, int32 count) const;
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
     void BounceLess(double most);
@@ -64,6 +67,7 @@ private:
     Array<b2Contact*>& m_contacts;
     Array<SolverBody>& m_bounced; // scratch of BounceLess: by body
     Array<ContactConstraint>& m_bouncedImpulses;
+    std::size_t m_ground = 0; // the first contact with the ground, if that comes after others
     Array<float32>& m_depths; // two of each contact, when they matter
 };
 
