@@ -82,8 +82,8 @@ bool Impact::IsSpent(b2Body& body)
 }
 
 /// What presses a light body into a wall outweighs it, and a few sweeps over all contacts leave it
-/// there, on its way farther in. So the contacts with what no impulse moves are solved again at the
-/// end, by themselves: it is the heavy body that overlaps then. Whole steps did not need it.
+/// there. So overlaps with what no impulse moves are solved again at the end, by themselves: it is
+/// the heavy body that overlaps then. Whole steps did not need it.
 void Impact::PutGroundLast()
 {
     const auto ground =
@@ -286,16 +286,11 @@ bool Impact::IsInCorner() const
 
 void Impact::Sweep()
 {
-    Sweep(m_memory.impulses,
-          IsInCorner() ? b2Max(m_velocityIterations, kCornerIterations) : m_velocityIterations);
-    Sweep(std::span(m_memory.impulses).subspan(m_ground), m_velocityIterations);
-}
-
-void Impact::Sweep(std::span<ContactConstraint> contacts, int32 count) const
-{
+    const int32 count =
+        IsInCorner() ? b2Max(m_velocityIterations, kCornerIterations) : m_velocityIterations;
     for (int32 i = 0; i < count; ++i)
     {
-        if (!SolveContactVelocities(contacts, m_context.bodies, DirectionOf(i)))
+        if (!SolveContactVelocities(m_memory.impulses, m_context.bodies, DirectionOf(i)))
         {
             break;
         }

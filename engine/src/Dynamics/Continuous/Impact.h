@@ -49,7 +49,6 @@ private:
     bool IsInCorner() const;
     void PushApart(std::span<const OverlapConstraint> overlaps) const;
     void Sweep();
-    void Sweep(std::span<ContactConstraint> contacts, int32 count) const;
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
     void BounceLess(double most);
