@@ -81,14 +81,20 @@ bool Impact::IsSpent(b2Body& body)
     return false;
 }
 
-/// What presses a light body into a wall outweighs it, and a few sweeps over all contacts leave it
-/// there. So overlaps with what no impulse moves are solved again at the end, by themselves: it is
-/// the heavy body that overlaps then. Whole steps did not need it.
+/// A heavy body that presses a light one into a wall outweighs it, and a few iterations over all
+/// contacts leave it there. So overlaps with bodies that cannot be moved are solved again at the
+/// end, alone: the heavy body overlaps then. Used with sub-steps only.
 void Impact::PutGroundLast()
 {
-    const auto ground =
-        std::stable_partition(m_contacts.begin(), m_contacts.end(),
-                              [](b2Contact* contact) { return !IsWithGround(Data(*contact)); });
+    auto ground = m_contacts.begin(); // a stable partition without memory of its own
+    for (auto it = ground; it != m_contacts.end(); ++it)
+    {
+        if (!IsWithGround(Data(**it)))
+        {
+            std::rotate(ground, it, it + 1);
+            ++ground;
+        }
+    }
     const bool mixed = ground != m_contacts.begin();
     m_ground = mixed ? std::size_t(ground - m_contacts.begin()) : m_contacts.size();
 }

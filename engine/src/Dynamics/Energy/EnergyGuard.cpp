@@ -421,8 +421,8 @@ void EnergyGuard::ChargeImpacts()
         BodyData& b = Data(*spring.joint->GetBodyB());
         BodyData& body = b.IsDynamic() ? b : Data(*spring.joint->GetBodyA());
         const SpringState end = SpringOf(*spring.joint, nullptr);
-        Charge(body, float32(StoredBetween(spring.before, end) -
-                             StoredBetween(spring.before, spring.after)));
+        body.energyOwed +=
+            float32(StoredBetween(spring.before, end) - StoredBetween(spring.before, spring.after));
     }
     m_springs.clear(); // a joint may be gone before the next step begins
 }
