@@ -45,6 +45,13 @@ TEST_F(JointMisuse, OfDistanceJoints)
         ExpectMisuse("frequency", [&] { joint->SetFrequency(bad); });
         ExpectMisuse("damping", [&] { joint->SetDampingRatio(bad); });
     }
+    for (const float32 bad : {kNaN, kInfinity, 2e15f})
+    {
+        ExpectMisuse("limits", [&] { joint->SetMinLength(bad); });
+        ExpectMisuse("limits", [&] { joint->SetMaxLength(bad); });
+    }
+    EXPECT_EQ(joint->GetMinLength(), 0.0f);
+    EXPECT_EQ(joint->GetMaxLength(), b2_maxFloat);
     EXPECT_EQ(joint->GetLength(), 1.0f);
     EXPECT_EQ(joint->GetFrequency(), 0.0f);
     EXPECT_EQ(joint->GetDampingRatio(), 0.0f);

@@ -91,10 +91,7 @@ bool IsSoundKind(const b2PrismaticJointDef& d)
 bool IsSoundKind(const b2DistanceJointDef& d)
 {
     return AreAnchors(d.localAnchorA, d.localAnchorB) && IsLength(d.length) &&
-           IsSpring(d.frequencyHz, d.dampingRatio) && IsLength(d.minLength) &&
-           IsMaxLength(d.maxLength) &&
-           B2_REQUIRE(d.minLength <= d.maxLength,
-                      "A distance joint's minimum length must not exceed its maximum length.");
+           IsSpring(d.frequencyHz, d.dampingRatio) && AreLengthLimits(d.minLength, d.maxLength);
 }
 
 bool IsSoundKind(const b2PulleyJointDef& d)
