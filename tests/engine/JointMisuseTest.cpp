@@ -197,6 +197,15 @@ TEST_F(JointMisuse, OfGearJoints)
     ExpectMisuse("ratio", [&] { gear->SetRatio(kInfinity); });
     EXPECT_EQ(gear->GetRatio(), 1.0f);
     gear->SetRatio(0.0f); // lets the second one go
+    b2Body* foreign = scene.Load(9.0f, 0.0f);
+    for (b2Body** named : {&def.bodyA, &def.bodyB})
+    {
+        b2Body* const sound = *named;
+        *named = foreign;
+        ExpectMisuse("bodyA and bodyB", [&] { scene.world.CreateJoint(&def); });
+        *named = sound;
+    }
+    EXPECT_EQ(scene.world.GetJointCount(), 3);
 }
 
 } // namespace
