@@ -186,7 +186,7 @@ void GlyphWriter::Add(const b2DistanceJoint& joint)
         pen.Line({0.0, -2.5}, {length, -2.5});
         pen.Line({0.0, 2.5}, {length, 2.5});
     }
-    AddStop(pen, joint.GetMinLength(), joint.GetMinLength() > 0.0f);
+    AddStop(pen, joint.GetMinLength(), joint.GetMinLength() > b2_linearSlop);
     AddStop(pen, joint.GetMaxLength(), joint.GetMaxLength() < b2_maxFloat);
     AddPins(a, b);
 }

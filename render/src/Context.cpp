@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Context.h"
 
+#include "ContextLibrary.h"
+
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>
 
@@ -124,6 +126,10 @@ Result<std::unique_ptr<Context>> CreateContext(Backend backend, const ContextLib
     {
         ASSIGN_OR_RETURN(const Backend chosen, FromVariable());
         backend = chosen;
+    }
+    if (backend != Backend::EglGpu)
+    {
+        RETURN_IF_ERROR(CheckVectorWidth());
     }
     std::string failures;
     for (const Backend candidate :

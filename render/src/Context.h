@@ -59,7 +59,8 @@ struct ContextLibraries
 };
 
 /// The back end that was asked for, or the first that works. When none does, an Error (Absent) with
-/// a line for each that was tried: its library, what went wrong, the remedy.
+/// a line for each that was tried: its library, what went wrong, the remedy. An Error (Unusable)
+/// for an environment variable that names no back end or stops Mesa.
 Result<std::unique_ptr<Context>> CreateContext(Backend backend,
                                                const ContextLibraries& libraries = {});
 

@@ -9,6 +9,10 @@
 namespace boxreel
 {
 
+/// An Error (Unusable) when LP_NATIVE_VECTOR_WIDTH asks llvmpipe, Mesa's software renderer, for
+/// vectors that it cannot compile: it would stop the process without a word.
+Result<void> CheckVectorWidth();
+
 /// `packages` are Debian's, for the Error (Absent).
 Result<SharedLibrary> OpenContextLibrary(const std::string& library, const std::string& packages);
 

@@ -129,22 +129,23 @@ void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& usu
 {
     CLI::Option* preset =
         AddValue(command, "--preset", "NAME", choice.preset, CompareSettings::Preset,
-                 "exact, same-machine, cross-machine\n(" + usualPreset + ")");
+                 "Set the limits below: exact, same-machine, cross-machine\n(" + usualPreset + ")");
     Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
-    AddValue(command, "--tolerance", "DISTANCE", choice.tolerance,
-             NumberBetween(0.0, 1.0, "must be an OKLab distance from 0 to 1, such as 0.01"),
-             "By which one pixel may differ: 0 any bit counts,\n1 black from white (the preset's)");
+    AddValue(
+        command, "--tolerance", "DISTANCE", choice.tolerance,
+        NumberBetween(0.0, 1.0, "must be an OKLab distance from 0 to 1, such as 0.01"),
+        "Allow a pixel this difference, from 0 (equal) to 1\n(black and white) (the preset's)");
     AddValue(command, "--edge-shift", "PX", choice.edgeShift,
              NumberBetween(0.0, 0.45, "must be a number of pixels from 0 to 0.45, such as 0.2"),
-             "How far an edge may lie from where it was\n(the preset's)");
+             "Allow edges to move this far (the preset's)");
     AddValue(command, "--max-pixels", "N", choice.maxPixels, WholeBetween(0, kMostPixels),
-             "How many pixels may differ by more (the preset's)");
+             "Allow this many pixels to differ by more (the preset's)");
     AddValue(command, "--max-ratio", "SHARE", choice.maxRatio, ParseShare,
-             "And which share of all, such as 0.1% (the preset's)");
+             "Allow this share of all pixels to differ by more, such as\n0.1% (the preset's)");
     AddValue(command, "--max-in-window", "N", choice.maxInWindow, WholeBetween(0, kMostPixels),
-             "And how many in any window (the preset's)");
+             "Allow this many of them in a square window (the preset's)");
     AddValue(command, "--window", "PX", choice.window, WholeBetween(1, kLargestSide),
-             "Side of that window (16)");
+             "Set the side of that window (16)");
     const auto readRectangles = [&choice](const std::vector<std::string>& texts) {
         for (const std::string& text : texts)
         {

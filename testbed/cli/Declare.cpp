@@ -84,9 +84,9 @@ void AddStats(CLI::App& command, bool& stats)
 
 CLI::Option* AddBackend(CLI::App& command, Backend& backend)
 {
-    CLI::Option* option =
-        AddValue(command, "--backend", "NAME", backend, ParseBackend,
-                 ListedWords(BackendNames()) + " (auto: $BOXREEL_BACKEND, or what works)");
+    CLI::Option* option = AddValue(command, "--backend", "NAME", backend, ParseBackend,
+                                   "Draw with " + ListedWords(BackendNames()) +
+                                       "\n(auto: $BOXREEL_BACKEND, or what works)");
     return Completes(option, {Completion::Kind::Words, BackendNames()});
 }
 

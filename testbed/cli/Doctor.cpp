@@ -229,10 +229,11 @@ CLI::App* Declare(CLI::App& program, DoctorOptions&)
 {
     CLI::App* command = program.add_subcommand("doctor", "Test what works on this machine");
     command->footer(
-        "Draws, films and computes a little of each kind. What does not work is said with "
-        "what helps.\nExit code 0: all works (one of the back ends is enough), 2: the "
-        "engine computes otherwise than\nelsewhere, 3: something is not installed, 4: no "
-        "room or no right to write here.\n\n"
+        "Draws, films and computes a little of each kind. A line that fails says what helps.\n"
+        "Exit code 0: all works (one of the back ends is enough), 1: an environment variable is\n"
+        "unusable, 2: the engine computes otherwise than elsewhere, 3: something is not "
+        "installed,\n"
+        "4: no room or no right to write here.\n\n"
         "Examples:\n"
         "  boxreel doctor");
     return command;

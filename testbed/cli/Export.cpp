@@ -44,20 +44,21 @@ CLI::App* Declare(CLI::App& program, ExportOptions& options)
     CLI::App* command = program.add_subcommand("export", "Write a scene as a scene file");
     AddScene(*command, options.scene);
     AddPath(*command, "-o,--output", "FILE", options.output,
-            "The scene file, .json; - for the standard output", {".json"});
+            "Write the scene file here: .json, or - for the standard output", {".json"});
     AddForce(*command, options.force);
     AddValue(*command, "--at", "TIME", options.at, ParseDuration,
              "Export after this simulated time: 3s, 500ms, 2.5 (0s)");
     AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
              "Export after N steps instead");
     AddValue(*command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
-             "Simulation steps a second (60)");
+             "Set simulation steps per second (60)");
     AddValue(*command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
-             "Of the scene's random numbers (1)");
+             "Seed the scene's random numbers (1)");
     command->footer(
-        "Bodies, shapes, joints and names come back bit by bit, also by `boxreel record "
-        "FILE`. What a scene\ndoes by itself, steering, new bodies, is no part of a "
-        "scene file, nor are the impulses of contacts\nthat touch.\n\n"
+        "`boxreel record FILE` and the other commands read bodies, shapes, joints and names back "
+        "bit by bit.\nA scene file does not hold what a scene does while it runs, such as steering "
+        "or "
+        "new bodies,\nnor the impulses of touching contacts.\n\n"
         "Examples:\n"
         "  boxreel export pyramid -o pyramid.json\n"
         "  boxreel export bridge --at 2s -o sagging.json");

@@ -290,18 +290,19 @@ struct GoldenFilterChoice
 
 void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
 {
-    AddPath(action, "--film", "FILE", golden.film,
-            "A film's contact sheet instead of scenes; NAMES is\nwhat it is called (films/FILE)",
-            VideoEnds());
+    AddPath(
+        action, "--film", "FILE", golden.film,
+        "Compare the contact sheet of a film instead of scenes;\nNAMES is its name (films/FILE)",
+        VideoEnds());
     AddValue(action, "--every", "STEPS", golden.sheet.every, WholeBetween(1, 1'000'000),
-             "Steps from one picture of the sheet to the next (30)");
+             "Set the steps between two pictures of the sheet (30)");
     AddValue(
         action, "--hz", "RATE", golden.sheet.stepsPerSecond,
         [](const std::string& option, const std::string& text) -> Result<double> {
             const Result<Rational> rate = RatioBetween(1.0, 100000.0)(option, text);
             return rate ? Result<double>(rate->ToDouble()) : Result<double>(rate.GetError());
         },
-        "Simulation steps in a second of the film (60)");
+        "Set the simulation steps per second of the film (60)");
 }
 
 } // namespace
@@ -321,7 +322,7 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
     for (CLI::App* action : {verify, accept})
     {
         CLI::Option* names = action->add_option(
-            "NAMES", golden.names, "Such as pyramid or pyramid/2s; all when none is given");
+            "NAMES", golden.names, "Scenes or moments, such as pyramid or pyramid/2s (all)");
         Completes(names->type_name(""), {Completion::Kind::Scenes, {}});
         AddPath(*action, "--references", "DIR", golden.references,
                 "Read references from here (golden/references)");
@@ -343,13 +344,16 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
     AddCompare(*verify, golden.compare,
                "cross-machine where another renderer drew the\nreference, else same-machine");
     AddIgnoredBodies(*verify, golden.compare);
-    verify->footer("Exit code 0: all match, 2: something differs or has no reference.\n\n"
-                   "Examples:\n"
-                   "  boxreel golden verify\n"
-                   "  boxreel golden verify pyramid --output /tmp/failures\n"
-                   "  boxreel golden verify --report report.html\n"
-                   "  boxreel golden verify pyramid --against ../before/build/release/boxreel\n"
-                   "  boxreel golden verify menu --film menu.mp4 --preset cross-machine");
+    verify->footer(
+        "Exit code 0: all match, 2: something differs or has no reference.\n"
+        "For --against, `git worktree add ../before HEAD~1` checks out an older version; its\n"
+        "script ../before/boxreel builds it when it is run.\n\n"
+        "Examples:\n"
+        "  boxreel golden verify\n"
+        "  boxreel golden verify pyramid --output /tmp/failures\n"
+        "  boxreel golden verify --report report.html\n"
+        "  boxreel golden verify pyramid --against ../before/boxreel\n"
+        "  boxreel golden verify menu --film menu.mp4 --preset cross-machine");
     accept->footer("Look at the pictures before they are committed, and say in the commit why they "
                    "changed.\n\n"
                    "Examples:\n"
@@ -358,14 +362,14 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
                    "  boxreel golden accept --only missing\n"
                    "  boxreel golden accept menu --film menu.mp4");
     AddPath(*verify, "--against", "FILE", golden.against,
-            "Another build of boxreel: compare each step's state with\n"
-            "what it does, instead of with what was approved");
+            "Compare the state of each step with another build of\n"
+            "boxreel instead of with the references");
     AddValue(*accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
              "Accept all, changed, missing (all)");
     AddFlag(*accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
-            "Only pictures drawn by the same renderer are compared with these");
-    AddPath(*verify, "--report", "FILE", golden.report,
-            "A page of what was verified, for a browser", {".html"});
+            "Keep the references for this renderer only");
+    AddPath(*verify, "--report", "FILE", golden.report, "Write an HTML report of what was verified",
+            {".html"});
     return command;
 }
 

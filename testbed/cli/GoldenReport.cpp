@@ -107,24 +107,26 @@ CLI::App* Declare(CLI::App& program, GoldenReportOptions& options)
         options.folders.assign(texts.begin(), texts.end());
     };
     CLI::Option* folders = AddTexts(*command, "FOLDERS", read,
-                                    "That tests wrote to, one a shard (build/golden-output)");
+                                    "Output folders of tests, one per shard (build/golden-output)");
     Completes(folders->type_name(""), {Completion::Kind::Folders, {}});
     AddPath(*command, "-o,--output", "FILE", options.output,
-            "The page (report.html in the first folder)", {".html"});
+            "Write the page here (report.html in the first folder)", {".html"});
     AddPath(*command, "--against", "FILE", options.against,
-            "Another build of boxreel: its pictures of the steps\n"
-            "around the first that differs, too");
+            "Also show what another build of boxreel draws around the\n"
+            "first step that differs");
     AddBackend(*command, options.backend);
     AddForce(*command, options.force);
     command->footer(
         "One file that needs no other: summary, filter, and for each moment that differs "
         "expected,\n"
         "actual, difference, blink, slider, the outlines of both worlds and the first step that\n"
-        "differs. Exit code 0 when it is written, whatever it says.\n\n"
+        "differs. Exit code 0 when it is written, whatever it says. For --against,\n"
+        "`git worktree add ../before HEAD~1` checks out an older version; its script\n"
+        "../before/boxreel builds it when it is run.\n\n"
         "Examples:\n"
         "  boxreel golden report\n"
         "  boxreel golden report shard-0 shard-1 -o report.html\n"
-        "  boxreel golden report --against ../before/build/release/boxreel");
+        "  boxreel golden report --against ../before/boxreel");
     return command;
 }
 

@@ -128,7 +128,7 @@ CLI::App* Declare(CLI::App& program, GoldenStateOptions& options)
 {
     CLI::App* command = program.get_subcommand("golden")->add_subcommand(
         "state", "Print a scene's state at a step, body by body");
-    CLI::Option* scene = command->add_option("SCENE", options.scene, "Such as pyramid");
+    CLI::Option* scene = command->add_option("SCENE", options.scene, "A name from `boxreel list`");
     Completes(scene->type_name(""), {Completion::Kind::Scenes, {}});
     AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
              "Set the step since the start (300)");

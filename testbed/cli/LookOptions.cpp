@@ -41,7 +41,8 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
         }
         look.theme = *theme;
     };
-    CLI::Option* option = AddText(command, "--theme", read, ListedWords(names) + " (classic)");
+    CLI::Option* option =
+        AddText(command, "--theme", read, "Set the colours: " + ListedWords(names) + " (classic)");
     Completes(option->type_name("NAME")->group("Picture"), {Completion::Kind::Words, names});
 }
 
@@ -67,15 +68,17 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
     AddSize(command, look);
     AddTheme(command, look, bothThemes);
     AddValue(command, "--camera", "VIEW", look.view, ParseView,
-             "scene: as the scene prefers, else fit (the default); fit: what moves\n"
-             "stays in view; fit:world: everything; fit:3,17: these bodies;\n"
-             "follow:3,17 or follow:17:HEIGHT: these in the middle; X,Y,HEIGHT in\n"
-             "metres: fixed; from key to key: \"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
+             "Choose what is in view (scene: what the scene prefers, else fit).\n"
+             "fit: keep all moving bodies in view; fit:world: all bodies;\n"
+             "fit:3,17: these bodies. follow:3,17 or follow:17:HEIGHT: keep these\n"
+             "in the middle. X,Y,HEIGHT: fix middle and height, in metres.\n"
+             "\"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\": move from key to key")
         ->group("Picture");
     CLI::Option* draw =
         AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
-                 "Any of shapes,joints,aabbs,pairs,centers,masses,contacts,normals,\n"
-                 "impulses,friction,velocities,forces,names,glyphs (shapes,joints)");
+                 "Draw these layers (shapes,joints). All: shapes,joints,aabbs,pairs,\n"
+                 "centers,masses,contacts,normals,impulses,friction,velocities,\n"
+                 "forces,names,glyphs");
     Completes(draw->group("Picture"), {Completion::Kind::List, LayerNames()});
     AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
              NumberBetween(1e-6, 1e6, "must be seconds from 1e-6 to 1e6, such as 0.2"),
@@ -84,8 +87,9 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
     AddValue(
         command, "--force-scale", "M", look.arrows.metersPerNewton,
         NumberBetween(1e-12, 1e12, "must be metres per newton from 1e-12 to 1e12, such as 0.01"),
-        "Metres a newton, of forces, friction and impulses, each a mean of a\n"
-        "step (the mean weight: 1/8 of the mean size, of contacts 1/3)")
+        "Draw M metres per newton for forces, friction and impulses, each\n"
+        "averaged over a step (so that the mean weight of a body is 1/8 of\n"
+        "the mean size, and 1/3 for contacts)")
         ->group("Picture");
     AddFlag(command, "--labels", look.labels, "Show the number of each body")->group("Picture");
     AddFlag(command, "--hud", look.hud, "Show a panel with time, step, bodies, contacts")
@@ -104,10 +108,10 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "Seed the scene's random numbers (1)")
         ->group("Simulation");
     AddValue(command, "--velocity-iterations", "N", look.velocityIterations, WholeBetween(1, 1000),
-             "Of the solver, a step (8)")
+             "Set the solver's velocity iterations per step (8)")
         ->group("Simulation");
     AddValue(command, "--position-iterations", "N", look.positionIterations, WholeBetween(1, 1000),
-             "Of the solver, a step (3)")
+             "Set the solver's position iterations per step (3)")
         ->group("Simulation");
 }
 

@@ -17,7 +17,7 @@ namespace boxreel
 namespace
 {
 
-/// A part and what its manifest say.
+/// A part and what its manifest says.
 struct NamedPart
 {
     std::filesystem::path path;
@@ -214,6 +214,11 @@ Result<void> Check(MergeOptions& options)
     if (options.parts.empty())
     {
         return Missing("merge", "PARTS", "boxreel merge a.mkv b.mkv -o film.mkv");
+    }
+    if (std::any_of(options.parts.begin(), options.parts.end(),
+                    [](const std::filesystem::path& part) { return part.empty(); }))
+    {
+        return Error{ErrorKind::Unusable, "\"\"", "is empty", "give a path"};
     }
     if (options.output.empty())
     {

@@ -32,7 +32,7 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
 {
     MotionLook& look = shot.motion;
     AddValue(command, "--at", "TIME[,...]", shot.at, ParseMoments,
-             "Simulated time: 3s, 500ms, 2.5; several, such as 0s,1s,2s,\n"
+             "Set the simulated time: 3s, 500ms, 2.5. Several, such as 0s,1s,2s,\n"
              "make a grid of pictures with their times")
         ->group("Time");
     AddValue(command, "--step", "N[,...]", shot.steps, ParseSteps,
@@ -53,12 +53,12 @@ void AddMotion(CLI::App& command, ShotOptions& shot)
              "Show only the last part of the trail (all)")
         ->group("Motion");
     AddValue(command, "--strobe", "EVERY[:BODIES]", look.strobe, ParseStrobe,
-             "Poses from the start, fainter: every 250ms or 15steps, of what\n"
-             "moves or, such as 250ms:3,17, of these")
+             "Draw earlier poses fainter: one every 250ms or 15steps from the\n"
+             "start, of all moving bodies. 250ms:3,17: only these bodies")
         ->group("Motion");
     AddValue(command, "--onion", "N[:EVERY]", look.onion, ParseOnion,
-             "The last N poses, fading; 100ms apart, or 5:50ms, 5:3steps;\n"
-             "of these bodies: 5:50ms:3,17")
+             "Draw the last N poses, fading. They are 100ms apart; 5:50ms or\n"
+             "5:3steps sets the time between them. 5:50ms:3,17: only these bodies")
         ->group("Motion");
     AddFlag(command, "--axes", look.axes, "Draw axes in metres beside the picture; mark the origin")
         ->group("Annotations");

@@ -523,17 +523,15 @@ CLI::App* Declare(CLI::App& program, PlayOptions& play)
 {
     CLI::App* command =
         program.add_subcommand("play", "Play a script: check it, make films and pictures");
-    AddPath(*command, "SCRIPT", "", play.script, "A text file; below is what it holds", {".play"});
+    AddPath(*command, "SCRIPT", "", play.script, "A text file, described below", {".play"});
     AddPath(*command, "--into", "DIR", play.into, "Write files to this folder (the current one)");
     AddFlag(*command, "--check", play.check,
             "Only check that the script can be played; simulate nothing");
     AddFlag(*command, "--test", play.test,
-            "Only look at what it expects and at what was approved; makes no\nfilms and "
-            "shots");
-    AddFlag(*command, "--accept", play.accept,
-            "Pictures become the references that they would be compared with");
+            "Only check expectations and compare with references; make no films\nor shots");
+    AddFlag(*command, "--accept", play.accept, "Make the pictures the references");
     AddFlag(*command, "--for-this-renderer", play.forThisRenderer,
-            "With --accept: only pictures drawn by the same renderer are\ncompared with these");
+            "With --accept: keep the references for this renderer only");
     AddForce(*command, play.force);
     AddFlag(*command, "--resume", play.resume, "Continue stopped films");
     AddBackend(*command, play.backend);

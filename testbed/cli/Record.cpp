@@ -246,7 +246,8 @@ CLI::App* Declare(CLI::App& program, RecordOptions& record)
     CLI::App* command = program.add_subcommand("record", "Make a film of a scene");
     AddScene(*command, record.scene);
     AddPath(*command, "-o,--output", "FILE", record.output,
-            "The film: .mp4 .mkv .webm .gif .apng .webp, frames-####.png,\nor - with --format",
+            "Write the film here: .mp4 .mkv .webm .gif .apng .webp,\nframes-####.png, or - with "
+            "--format",
             FilmExtensions());
     AddForce(*command, record.film.overwrite);
     AddFlag(*command, "--resume", record.film.resume, "Continue a stopped film, or start it");
@@ -264,16 +265,19 @@ CLI::App* Declare(CLI::App& program, RecordOptions& record)
     AddValue(
         *command, "--frame-range", "RANGE", record.length.range, ParseRange,
         "Record only these frames, such as 200-399 or 1-3,5,7-20:2;\n`boxreel merge` joins parts");
-    AddPath(*command, "--snapshots", "DIR", record.snapshots.folder,
-            "Leave states of the simulation there, and begin from those that\nearlier runs left "
-            "before the first frame");
+    AddPath(
+        *command, "--snapshots", "DIR", record.snapshots.folder,
+        "Save states of the simulation in this folder. Start from the last\nstate there that is "
+        "not after the first frame");
     AddValue(*command, "--snapshot-every", "N", record.snapshots.every,
              WholeBetween(1, 1'000'000'000),
              "Set the steps between snapshots (100, later up to 1/16 of all)");
     AddPath(*command, "--thumbnail", "FILE", record.thumbnail.file,
             "Write a picture of one frame, .png", {".png"});
-    AddValue(*command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
-             "When in the film (its middle; of one that --until ends before, its\nlast frame)");
+    AddValue(
+        *command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
+        "Choose the moment of the thumbnail (the middle of the film, or the\nlast frame if --until "
+        "ends the film before)");
     AddTime(*command, record);
     AddFormat(*command, record.film);
     AddLook(*command, record.look, nullptr);

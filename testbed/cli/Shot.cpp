@@ -288,8 +288,8 @@ CLI::App* Declare(CLI::App& program, ShotOptions& shot)
 {
     CLI::App* command = program.add_subcommand("shot", "Make one picture of a scene");
     AddScene(*command, shot.scene);
-    AddPath(*command, "-o,--output", "FILE", shot.output, "The picture: .png, .svg or .pdf",
-            FigureExtensions());
+    AddPath(*command, "-o,--output", "FILE", shot.output,
+            "Write the picture here: .png, .svg or .pdf", FigureExtensions());
     AddForce(*command, shot.force);
     AddStats(*command, shot.stats);
     AddMotion(*command, shot);

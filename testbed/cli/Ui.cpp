@@ -253,7 +253,8 @@ CLI::App* Declare(CLI::App& program, UiOptions& ui)
     AddText(
         *command, "--size",
         [&ui](const std::string& text) { ui.size = OrRefuse(ParseSize("--size", text)); },
-        "Of the window in pixels, as far as the display has room\n(as it was; 1280x720)")
+        "Set the size of the window in pixels, up to that of the display\n(last size, else "
+        "1280x720)")
         ->type_name("WxH");
     const std::vector<std::string> themes(ThemeNames().begin(), ThemeNames().end());
     const auto readTheme = [&ui, themes](const std::string& text) {
@@ -264,14 +265,15 @@ CLI::App* Declare(CLI::App& program, UiOptions& ui)
         ui.theme = text;
     };
     CLI::Option* theme =
-        AddText(*command, "--theme", readTheme, ListedWords(themes) + " (as it was; classic)");
+        AddText(*command, "--theme", readTheme,
+                "Set the colours: " + ListedWords(themes) + "\n(last theme, else classic)");
     Completes(theme->type_name("NAME"), {Completion::Kind::Words, themes});
     AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
-             "Of the scene's random numbers (1)");
+             "Seed the scene's random numbers (1)");
     AddValue(*command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),
-             "Simulation steps a second (as the scene prefers; 60)");
+             "Set simulation steps per second (what the scene prefers, else 60)");
     AddPath(*command, "--into", "DIR", ui.into,
-            "Folder for films, figures and scripts (the current one)");
+            "Write films, figures and scripts to this folder (the current one)");
     AddFlag(*command, "--paused", ui.isPaused, "Start paused; O makes a step, P continues");
     AddFlag(*command, "--fresh", ui.fresh, "Ignore and keep no settings");
     AddBackend(*command, ui.backend);

@@ -170,8 +170,9 @@ void Describe(RubeJoint& said, b2PrismaticJoint& joint)
 /// Whether a distance joint is a rope: a maximum length and nothing else.
 bool IsRope(const b2DistanceJoint& joint)
 {
-    return !joint.IsSpring() && joint.GetMinLength() == 0.0f && joint.GetMaxLength() > 0.0f &&
-           joint.GetMaxLength() < b2_maxFloat;
+    const float32 least = joint.GetMinLength();
+    const float32 most = joint.GetMaxLength();
+    return !joint.IsSpring() && least <= b2_linearSlop && least < most && most < b2_maxFloat;
 }
 
 /// Whether it has limits that a scene file has no word for: others are ropes or rods.

@@ -200,7 +200,20 @@ private:
             return "a gear needs two joints, each revolute or prismatic, and a ratio other than "
                    "zero";
         }
+        for (const std::size_t body : {source.bodyA, source.bodyB})
+        {
+            if (!Holds(*definition.joint1, m_bodies[body]) &&
+                !Holds(*definition.joint2, m_bodies[body]))
+            {
+                return "its " + NameOfBody(m_scene, body) + " is not of its two joints";
+            }
+        }
         return Create(source, definition);
+    }
+
+    static bool Holds(b2Joint& joint, const b2Body* body)
+    {
+        return joint.GetBodyA() == body || joint.GetBodyB() == body;
     }
 
     b2Joint* GearedJoint(std::size_t index) const

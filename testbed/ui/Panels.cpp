@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <iterator>
@@ -47,6 +48,17 @@ constexpr LayerCheck kLayerChecks[] = {
     {"Names", &SceneLayers::names},
 };
 static_assert(std::size(kLayerChecks) == std::size(kSceneLayers), "A layer has no check box.");
+
+/// Where the right one of two columns of check boxes begins, from the window's side [px].
+float SecondColumn()
+{
+    float widest = 0.0f;
+    for (std::size_t i = 0; i < std::size(kLayerChecks); i += 2) // those in the left column
+    {
+        widest = std::max(widest, Widgets::CheckWidth(kLayerChecks[i].name));
+    }
+    return std::ceil(ImGui::GetCursorPosX() + widest + ImGui::GetStyle().ItemSpacing.x);
+}
 
 struct KeyHelp
 {
@@ -325,12 +337,12 @@ void Panels::SolverSection(PanelChoices& choices)
     {
         m_widgets.Tip("Another rate begins the scene anew.");
     }
-    const float half = m_widgets.Px(152.0);
+    const float secondColumn = SecondColumn();
     m_widgets.Check("Sleep", solver.sleep);
-    ImGui::SameLine(half);
+    ImGui::SameLine(secondColumn);
     m_widgets.Check("Warm starting", solver.warmStarting);
     m_widgets.Check("Continuous", solver.continuous);
-    ImGui::SameLine(half);
+    ImGui::SameLine(secondColumn);
     m_widgets.Check("Sub-stepping", solver.subStepping);
     m_widgets.Check("Keep for every scene", choices.keepsSolver);
 }
@@ -341,11 +353,12 @@ void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
     {
         return;
     }
+    const float secondColumn = SecondColumn();
     bool isLeft = true;
     const auto check = [&](const char* name, bool& value) {
         if (!isLeft)
         {
-            ImGui::SameLine(m_widgets.Px(152.0));
+            ImGui::SameLine(secondColumn);
         }
         m_widgets.Check(name, value);
         isLeft = !isLeft;

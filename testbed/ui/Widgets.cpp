@@ -59,22 +59,31 @@ void Widgets::Note(const std::string& name)
     const std::string full = m_panel + "/" + name;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    const Vec2 middle{0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
+    const float middle = 0.5f * (low.y + high.y);
     // An item that is scrolled out of its window is not there for the mouse.
     const float top = ImGui::GetWindowPos().y;
     const bool isSeen =
-        ImGui::IsItemVisible() && middle.y >= top && middle.y < top + ImGui::GetWindowSize().y;
-    m_places[full] = isSeen ? std::optional(middle) : std::nullopt;
+        ImGui::IsItemVisible() && middle >= top && middle < top + ImGui::GetWindowSize().y;
+    m_places[full] =
+        isSeen ? std::optional(ControlPlace{{low.x, low.y}, {high.x, high.y}}) : std::nullopt;
     if (IsRevealed(full) && !isSeen)
     {
         ImGui::SetScrollHereY(0.5f);
     }
 }
 
-std::optional<Vec2> Widgets::Find(const std::string& name) const
+std::optional<ControlPlace> Widgets::PlaceOf(const std::string& name) const
 {
     const auto found = m_places.find(name);
     return found == m_places.end() ? std::nullopt : found->second;
+}
+
+std::optional<Vec2> Widgets::Find(const std::string& name) const
+{
+    const std::optional<ControlPlace> place = PlaceOf(name);
+    return place ? std::optional(Vec2{0.5f * (place->low.x + place->high.x),
+                                      0.5f * (place->low.y + place->high.y)})
+                 : std::nullopt;
 }
 
 std::vector<std::string> Widgets::Names() const
@@ -122,6 +131,12 @@ bool Widgets::Check(const char* name, bool& value)
     }
     Note(name);
     return hasChanged;
+}
+
+float Widgets::CheckWidth(const char* name)
+{
+    return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+           ImGui::CalcTextSize(name).x;
 }
 
 bool Widgets::Number(const char* name, int& value, int lowest, int highest)

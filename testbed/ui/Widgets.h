@@ -15,6 +15,13 @@
 namespace boxreel
 {
 
+/// Where a control is in the picture [px].
+struct ControlPlace
+{
+    Vec2 low;
+    Vec2 high;
+};
+
 class Widgets
 {
 public:
@@ -34,6 +41,8 @@ public:
 
     bool Button(const char* name, float width = 0.0f);
     bool Check(const char* name, bool& value);
+    /// Of its box and its label [px].
+    static float CheckWidth(const char* name);
     /// A slider between two limits, with a button for one less and one for one more.
     bool Number(const char* name, int& value, int lowest, int highest);
     /// One of a list, as a line that can be chosen.
@@ -51,6 +60,8 @@ public:
 
     /// The middle of the control in the picture [px]; none when it is not seen.
     std::optional<Vec2> Find(const std::string& name) const;
+    /// All of it, with its label; none when it is not seen.
+    std::optional<ControlPlace> PlaceOf(const std::string& name) const;
     /// Opens its section and scrolls to it, in the frames that follow.
     void Reveal(const std::string& name) { m_revealed = name; }
     /// Of the controls of the last frame.
@@ -65,7 +76,7 @@ private:
 
     float m_scale;
     std::string m_panel;
-    std::map<std::string, std::optional<Vec2>> m_places; // none: out of sight
+    std::map<std::string, std::optional<ControlPlace>> m_places; // none: out of sight
     std::optional<std::string> m_revealed;
     std::set<std::string> m_open; // sections
     std::optional<std::set<std::string>> m_toOpen;

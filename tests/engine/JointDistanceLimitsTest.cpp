@@ -210,6 +210,50 @@ TEST(DistanceLimitsTogether, AreSolvedAsAlone)
     }
 }
 
+TEST(DistanceLimitsDefinition, IsClampedAsIn24)
+{
+    const struct
+    {
+        float32 least, most, clampedLeast, clampedMost;
+    } cases[] = {{5.0f, 2.0f, 5.0f, 5.0f},
+                 {-1.0f, 4.0f, b2_linearSlop, 4.0f},
+                 {0.0f, 4.0f, b2_linearSlop, 4.0f},
+                 {0.0f, 0.0f, b2_linearSlop, b2_linearSlop},
+                 {-2.0f, -3.0f, b2_linearSlop, b2_linearSlop},
+                 {-1.0f, b2_maxFloat, b2_linearSlop, b2_maxFloat},
+                 {2.0f, 2.0f, 2.0f, 2.0f}};
+    for (const auto& c : cases)
+    {
+        Hanger h(1, -3.0f, Numbers(c.least, c.most));
+        ASSERT_NE(h.joint, nullptr) << c.least << ' ' << c.most;
+        EXPECT_EQ(h.joint->GetMinLength(), c.clampedLeast) << c.least << ' ' << c.most;
+        EXPECT_EQ(h.joint->GetMaxLength(), c.clampedMost) << c.least << ' ' << c.most;
+    }
+}
+
+TEST(DistanceLimitsDefinition, IsARodWithALengthAloneAsIn23)
+{
+    Hanger rod(1, -3.0f, Numbers(0.0f, b2_maxFloat));
+    Hanger loose(1, -3.0f, Numbers(b2_linearSlop, b2_maxFloat)); // what 2.4 makes of it
+    rod.Step(60);
+    loose.Step(60);
+    EXPECT_NEAR(rod.Length(), 3.0f, b2_linearSlop);
+    EXPECT_NEAR(loose.Length(), 8.0f, 0.1f) << "free fall";
+}
+
+TEST(DistanceLimitsSetters, ClampToTheSlopAndLeaveFree)
+{
+    for (const bool setsMinimum : {true, false})
+    {
+        Hanger h(1, -3.0f, Numbers(0.0f, b2_maxFloat)); // a rod until they are called
+        EXPECT_EQ(setsMinimum ? h.joint->SetMinLength(-1.0f) : h.joint->SetMaxLength(b2_maxFloat),
+                  setsMinimum ? b2_linearSlop : b2_maxFloat);
+        EXPECT_EQ(h.joint->GetMinLength(), b2_linearSlop);
+        h.Step(60);
+        EXPECT_NEAR(h.Length(), 8.0f, 0.1f) << "free fall";
+    }
+}
+
 TEST(DistanceLimitsSetters, KeepTheMinimumBelowTheMaximum)
 {
     Hanger h(1, -2.0f, Numbers(1.0f, 3.0f));
@@ -218,6 +262,7 @@ TEST(DistanceLimitsSetters, KeepTheMinimumBelowTheMaximum)
     EXPECT_EQ(h.joint->SetMinLength(2.0f), 2.0f);
     EXPECT_EQ(h.joint->SetMaxLength(1.0f), 2.0f);
     EXPECT_EQ(h.joint->SetMaxLength(b2_maxFloat), b2_maxFloat);
+    EXPECT_EQ(h.joint->SetMaxLength(-1.0f), 2.0f);
 }
 
 TEST(DistanceLimitsSetters, WakeWhatTheyMove)
@@ -232,9 +277,9 @@ TEST(DistanceLimitsSetters, WakeWhatTheyMove)
         EXPECT_TRUE(h.load->IsAwake());
         h.Step(300);
         EXPECT_NEAR(h.Length(), 4.0f, b2_linearSlop);
-        h.joint->SetMaxLength(b2_maxFloat); // rigid again, at its length
-        h.Step(300);
-        EXPECT_NEAR(h.Length(), 3.0f, b2_linearSlop);
+        ASSERT_FALSE(h.load->IsAwake());
+        h.joint->SetMinLength(4.0f); // rigid
+        EXPECT_TRUE(h.load->IsAwake());
     }
 }
 

@@ -310,6 +310,43 @@ TEST(GearJoint, ConnectsTheBodiesOfItsDefinition)
     }
 }
 
+/// Two wheels that turn on two frames; all may move.
+TEST(GearJoint, TakesBodiesNamedInAnyOrder)
+{
+    JointScene scene(b2Vec2(0.0f, 0.0f));
+    b2Body* frames[2];
+    b2Body* wheels[2];
+    b2Joint* joints[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        frames[i] = scene.Load(4.0f * float32(i), 1.0f);
+        wheels[i] = scene.Ball(4.0f * float32(i), 0.0f);
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(frames[i], wheels[i], wheels[i]->GetPosition());
+        joints[i] = scene.world.CreateJoint(&hinge);
+    }
+    const struct
+    {
+        b2Body *namedA, *namedB, *takenA, *takenB;
+    } cases[] = {{frames[0], wheels[1], frames[0], wheels[1]},
+                 {wheels[1], frames[0], frames[0], wheels[1]},
+                 {frames[1], frames[0], frames[0], frames[1]},
+                 {wheels[0], frames[0], wheels[0], wheels[1]},
+                 {frames[1], wheels[1], wheels[0], wheels[1]}};
+    for (const auto& c : cases)
+    {
+        b2GearJointDef def;
+        def.bodyA = c.namedA;
+        def.bodyB = c.namedB;
+        def.joint1 = joints[0];
+        def.joint2 = joints[1];
+        const b2Joint* gear = scene.world.CreateJoint(&def);
+        ASSERT_NE(gear, nullptr) << &c - cases;
+        EXPECT_EQ(gear->GetBodyA(), c.takenA) << &c - cases;
+        EXPECT_EQ(gear->GetBodyB(), c.takenB) << &c - cases;
+    }
+}
+
 /// Two wheels on posts of their own, the gear defined with the posts.
 TEST(GearJoint, WakesTheWheelsOfTwoPostsTogether)
 {

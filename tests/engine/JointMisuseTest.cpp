@@ -45,6 +45,13 @@ TEST_F(JointMisuse, OfDistanceJoints)
         ExpectMisuse("frequency", [&] { joint->SetFrequency(bad); });
         ExpectMisuse("damping", [&] { joint->SetDampingRatio(bad); });
     }
+    for (const float32 bad : {kNaN, kInfinity, 2e15f})
+    {
+        ExpectMisuse("limits", [&] { joint->SetMinLength(bad); });
+        ExpectMisuse("limits", [&] { joint->SetMaxLength(bad); });
+    }
+    EXPECT_EQ(joint->GetMinLength(), 0.0f);
+    EXPECT_EQ(joint->GetMaxLength(), b2_maxFloat);
     EXPECT_EQ(joint->GetLength(), 1.0f);
     EXPECT_EQ(joint->GetFrequency(), 0.0f);
     EXPECT_EQ(joint->GetDampingRatio(), 0.0f);
@@ -190,6 +197,15 @@ TEST_F(JointMisuse, OfGearJoints)
     ExpectMisuse("ratio", [&] { gear->SetRatio(kInfinity); });
     EXPECT_EQ(gear->GetRatio(), 1.0f);
     gear->SetRatio(0.0f); // lets the second one go
+    b2Body* foreign = scene.Load(9.0f, 0.0f);
+    for (b2Body** named : {&def.bodyA, &def.bodyB})
+    {
+        b2Body* const sound = *named;
+        *named = foreign;
+        ExpectMisuse("bodyA and bodyB", [&] { scene.world.CreateJoint(&def); });
+        *named = sound;
+    }
+    EXPECT_EQ(scene.world.GetJointCount(), 3);
 }
 
 } // namespace

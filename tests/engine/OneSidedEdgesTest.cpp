@@ -106,18 +106,35 @@ TEST(OneSidedEdge, CarriesWhatSlidesOverAJoint)
     EXPECT_NEAR(box->GetAngle(), 0.0f, 0.01f);
 }
 
-TEST(OneSidedEdge, MeetsRaysFromTheRightOnly)
+/// The y of the normal where a ray along the y axis meets the shape in its middle; 0 for a miss.
+float32 NormalMet(const b2Shape& shape, float32 fromY, int32 child)
 {
     b2Transform here;
     here.SetIdentity();
-    b2RayCastInput down{b2Vec2(0.0f, 1.0f), b2Vec2(0.0f, -1.0f), 1.0f};
-    b2RayCastInput up{b2Vec2(0.0f, -1.0f), b2Vec2(0.0f, 1.0f), 1.0f};
+    const b2RayCastInput ray{b2Vec2(0.0f, fromY), b2Vec2(0.0f, -fromY), 1.0f};
     b2RayCastOutput output;
-    EXPECT_TRUE(Ledge().RayCast(&output, down, here, 0));
+    if (!shape.RayCast(&output, ray, here, child))
+    {
+        return 0.0f;
+    }
     EXPECT_NEAR(output.fraction, 0.5f, 1e-6f);
-    EXPECT_FALSE(Ledge().RayCast(&output, up, here, 0));
-    EXPECT_TRUE(LedgeOfThree().RayCast(&output, down, here, 1));
-    EXPECT_FALSE(LedgeOfThree().RayCast(&output, up, here, 1));
+    return output.normal.y;
+}
+
+TEST(OneSidedEdge, MeetsRaysFromTheRightOnly)
+{
+    EXPECT_EQ(NormalMet(Ledge(), 1.0f, 0), 1.0f);
+    EXPECT_EQ(NormalMet(Ledge(), -1.0f, 0), 0.0f);
+    b2EdgeShape child;
+    LedgeOfThree().GetChildEdge(&child, 1);
+    EXPECT_EQ(NormalMet(child, 1.0f, 0), 1.0f);
+    EXPECT_EQ(NormalMet(child, -1.0f, 0), 0.0f);
+}
+
+TEST(OneSidedChain, MeetsRaysFromBothSides)
+{
+    EXPECT_EQ(NormalMet(LedgeOfThree(), 1.0f, 1), 1.0f);
+    EXPECT_EQ(NormalMet(LedgeOfThree(), -1.0f, 1), -1.0f);
 }
 
 TEST(OneSidedEdge, IsKeptByCopiesAndSnapshots)

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -18,6 +19,7 @@ namespace
 {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -230,6 +232,29 @@ TEST_F(BackendCommand, UsesNoShadersOfOtherVectorWidths)
     EXPECT_THAT(cache.Files(), IsEmpty());
     unsetenv("LP_NATIVE_VECTOR_WIDTH");
     EXPECT_EQ(Shot(), narrow);
+}
+
+TEST_F(BackendCommand, RefusesVectorWidthsThatMesaCrashesWith)
+{
+    if (!Works(Backend::Auto))
+    {
+        GTEST_SKIP() << "nothing to draw with is on this machine";
+    }
+    const std::string picture = Shot();
+    for (const char* width : {"0", "64", "512", "wide"})
+    {
+        variables.Set("LP_NATIVE_VECTOR_WIDTH", width);
+        const Outcome shot = Run({"shot", "bridge", "--step", "0", "-o", "b.png"});
+        EXPECT_EQ(shot.code, 1) << width;
+        EXPECT_THAT(shot.errors, HasSubstr(std::string("LP_NATIVE_VECTOR_WIDTH '") + width + "'"));
+        EXPECT_EQ(std::count(shot.errors.begin(), shot.errors.end(), '\n'), 1) << shot.errors;
+    }
+    const Outcome doctor = Run({"doctor"});
+    EXPECT_EQ(doctor.code, 1);
+    EXPECT_THAT(doctor.output, ContainsRegex("FAIL  OSMesa +LP_NATIVE_VECTOR_WIDTH 'wide'"));
+    EXPECT_THAT(doctor.output, ContainsRegex("FAIL  EGL +LP_NATIVE_VECTOR_WIDTH 'wide'"));
+    variables.Set("LP_NATIVE_VECTOR_WIDTH", "");
+    EXPECT_EQ(Shot(), picture) << "an empty one asks for nothing";
 }
 
 TEST_F(BackendCommand, TheOptionWinsOverTheVariableAndTheVariableOverTheOrder)

@@ -66,6 +66,37 @@ protected:
     TemporaryFolder folder;
 };
 
+TEST_F(Command, NamesWhatLacksAFileNameWhereOneIsEmpty)
+{
+    const struct
+    {
+        std::vector<std::string> arguments;
+        std::string culprit;
+    } cases[] = {
+        {{"merge", "", "-o", "x.mp4"}, "boxreel: \"\": "},
+        {{"merge", "a.mp4", "", "-o", "x.mp4"}, "boxreel: \"\": "},
+        {{"merge", "a.mp4", "-o", ""}, "boxreel: -o: "},
+        {{"record", "", "-o", "x.gif"}, "boxreel: record: "},
+        {{"record", "bridge", "-o", ""}, "boxreel: -o: "},
+        {{"shot", "", "--at", "0s", "-o", "x.png"}, "boxreel: shot: "},
+        {{"shot", "bridge", "--at", "0s", "-o", ""}, "boxreel: -o: "},
+        {{"diff", "", "b.png"}, "boxreel: diff: "},
+        {{"diff", "a.png", ""}, "boxreel: diff: "},
+        {{"diff", "a.png", "b.png", "-o", ""}, "boxreel: -o: "},
+        {{"play", ""}, "boxreel: play: "},
+        {{"check", ""}, "boxreel: check: "},
+        {{"export", "bridge", "-o", ""}, "boxreel: -o: "},
+        {{"golden", "verify", "--references", ""}, "boxreel: --references: "},
+        {{"golden", "verify", "--output", ""}, "boxreel: --output: "},
+        {{"golden", "accept", "--references", ""}, "boxreel: --references: "},
+        {{"golden", "report", "-o", ""}, "boxreel: -o: "},
+    };
+    for (const auto& c : cases)
+    {
+        ExpectRefusal(c.arguments, 1, c.culprit);
+    }
+}
+
 TEST_F(Command, ListNamesPrintsOneNameALineAndNothingElse)
 {
     const Outcome outcome = Run({"list", "--names"});

@@ -186,6 +186,17 @@ TEST(RubeJointBuilder, NamesJointsThatItCannotBuild)
     EXPECT_FALSE(static_cast<b2RevoluteJoint*>(built.world.GetJointList())->IsLimitEnabled());
 }
 
+TEST(RubeJointBuilder, LeavesOutAGearOnABodyOfNoneOfItsJoints)
+{
+    Built built(R"({"body":[{},{"type":2},{"type":2},{"name":"far","type":2}],"joint":[
+        {"type":"revolute","bodyA":0,"bodyB":1},
+        {"type":"revolute","bodyA":0,"bodyB":2},
+        {"type":"gear","bodyA":1,"bodyB":3,"joint1":0,"joint2":1}]})");
+    EXPECT_EQ(built.world.GetJointCount(), 2);
+    EXPECT_THAT(built.leftOut,
+                ElementsAre(AllOf(HasSubstr("joint 2"), HasSubstr("body 3 \"far\""))));
+}
+
 TEST(RubeJointBuilder, NamesWhatKeepsAJointOfTheOtherKindsFromBeingBuilt)
 {
     const auto why = [](const std::string& members) {

@@ -189,6 +189,35 @@ TEST(ScriptedPanels, LookTheSameHoweverManyPicturesThereWere)
     EXPECT_EQ(last(true), last(false));
 }
 
+TEST(Panels, KeepLayersApartAndInTheColumnAtEachScale)
+{
+    for (const double scale : {0.75, 1.0, 1.5, 2.0})
+    {
+        const auto width = int(1280.0 * scale);
+        Result<Panels> panels = Panels::Create(width, int(4000.0 * scale), scale);
+        ASSERT_TRUE(panels);
+        PanelChoices choices;
+        panels->Controls().SetOpenSections({"Solver", "Draw"});
+        panels->Build({}, choices, {});
+        panels->Build({}, choices, {});
+        const Widgets& controls = panels->Controls();
+        for (const auto& [left, right] :
+             {std::pair("Draw/Shapes", "Draw/Joints"),
+              std::pair("Draw/Contact points", "Draw/Contact normals"),
+              std::pair("Draw/Contact impulses", "Draw/Friction impulses"),
+              std::pair("Draw/Centres of mass", "Draw/Mass signs"),
+              std::pair("Solver/Continuous", "Solver/Sub-stepping")})
+        {
+            const auto a = controls.PlaceOf(left);
+            const auto b = controls.PlaceOf(right);
+            ASSERT_TRUE(a && b) << left;
+            EXPECT_EQ(a->low.y, b->low.y) << left << ": in one row";
+            EXPECT_GE(b->low.x - a->high.x, 4.0 * scale) << left << " at scale " << scale;
+            EXPECT_LE(b->high.x, float(width) - 8.0 * scale) << right << " at scale " << scale;
+        }
+    }
+}
+
 TEST(Panels, CallEveryControlByANameOfItsOwn)
 {
     Result<Panels> panels = Panels::Create(1280, 4000, 1.0);

@@ -11,7 +11,8 @@ class b2ContactFilter;
 class b2ContactListener;
 
 /// What a world says of its contacts in one place, as b2World::GetContactManager found it. To be
-/// read: the broad phase is the world's, as it is now, and the rest a copy.
+/// read: the broad phase is the world's, as it is now, and the rest a copy. Cannot be copied: take
+/// a reference.
 struct b2ContactManager
 {
     b2BroadPhase m_broadPhase;                      ///< the boxes of all fixtures

@@ -165,6 +165,7 @@ bool b2ChainShape::RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
 {
     b2EdgeShape edge;
     GetChildEdge(&edge, childIndex);
+    edge.m_oneSided = false; // rays meet both sides, as in 2.4
     return edge.RayCast(output, input, xf, 0);
 }
 

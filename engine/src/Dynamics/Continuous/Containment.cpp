@@ -11,7 +11,9 @@
 #include "ImpactJoints.h"
 #include "ImpactMemory.h"
 
+#include <Box2D/Collision/Shapes/b2ChainShape.h>
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
+#include <Box2D/Collision/Shapes/b2EdgeShape.h>
 #include <Box2D/Collision/Shapes/b2PolygonShape.h>
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -45,6 +47,21 @@ b2Vec2 PointAt(const Pose& pose, const b2Vec2& offset, const Pose& origin)
 {
     const b2Vec2 centre(float32(pose.x - origin.x), float32(pose.y - origin.y));
     return offset == b2Vec2_zero ? centre : centre + b2Mul(b2Rot(float32(pose.angle)), offset);
+}
+
+/// True if the way crosses a child of the wall that stops it. Unlike for rays of the program, the
+/// side matters for chains too.
+bool Stops(const b2Shape& wall, int32 child, const b2RayCastInput& way, b2RayCastOutput& hit)
+{
+    b2Transform here;
+    here.SetIdentity();
+    if (wall.GetType() != b2Shape::e_chain)
+    {
+        return wall.RayCast(&hit, way, here, child);
+    }
+    b2EdgeShape edge;
+    static_cast<const b2ChainShape&>(wall).GetChildEdge(&edge, child);
+    return edge.RayCast(&hit, way, here, 0);
 }
 
 } // namespace
@@ -118,10 +135,8 @@ bool Containment::Crosses(const Part& moved, const Part& still, const Moment& fr
         b2MulT(rotationAt(from.still), PointAt(from.moved, offset, from.still)) + wall.localCenter;
     way.p2 = b2MulT(rotationAt(to.still), PointAt(to.moved, offset, to.still)) + wall.localCenter;
     way.maxFraction = 1.0f;
-    b2Transform here;
-    here.SetIdentity();
     b2RayCastOutput hit;
-    if (!still.shape->RayCast(&hit, way, here, still.child))
+    if (!Stops(*still.shape, still.child, way, hit))
     {
         return false;
     }

@@ -34,6 +34,11 @@ constexpr int32 kCornerIterations = 64;
 /// What rounding adds to a kinetic energy, as a share of it.
 constexpr double kRounding = 1e-5;
 
+bool IsWithGround(const ContactData& c)
+{
+    return !Data(*c.bodyA).IsDynamic() || !Data(*c.bodyB).IsDynamic();
+}
+
 bool Bounces(const ContactConstraint& c)
 {
     return std::any_of(c.points, c.points + c.pointCount,
@@ -74,6 +79,24 @@ bool Impact::IsSpent(b2Body& body)
         }
     }
     return false;
+}
+
+/// A heavy body that presses a light one into a wall outweighs it, and a few iterations over all
+/// contacts leave it there. So overlaps with bodies that cannot be moved are solved again at the
+/// end, alone: the heavy body overlaps then. Used with sub-steps only.
+void Impact::PutGroundLast()
+{
+    auto ground = m_contacts.begin(); // a stable partition without memory of its own
+    for (auto it = ground; it != m_contacts.end(); ++it)
+    {
+        if (!IsWithGround(Data(**it)))
+        {
+            std::rotate(ground, it, it + 1);
+            ++ground;
+        }
+    }
+    const bool mixed = ground != m_contacts.begin();
+    m_ground = mixed ? std::size_t(ground - m_contacts.begin()) : m_contacts.size();
 }
 
 void Impact::LoadBodies()
@@ -200,9 +223,26 @@ void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
     }
 }
 
+void Impact::PushApart(std::span<const OverlapConstraint> overlaps) const
+{
+    for (int32 i = 0; i < kImpactPositionIterations; ++i)
+    {
+        if (SolveOverlaps(overlaps, m_context.bodies, {b2_toiBaugarte}, DirectionOf(i)) >=
+            -1.5f * b2_linearSlop)
+        {
+            break;
+        }
+    }
+}
+
 /// Only the two bodies of the impact may be moved.
 void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 {
+    m_ground = m_contacts.size();
+    if (m_world.subStepCount > 1)
+    {
+        PutGroundLast();
+    }
     Prepare();
     NoteDepths();
     const int32 indexA = Data(bodyA).SolverIndex();
@@ -218,14 +258,8 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
             o.invMassB = o.invInertiaB = 0.0f;
         }
     }
-    for (int32 i = 0; i < kImpactPositionIterations; ++i)
-    {
-        if (SolveOverlaps(m_memory.overlaps, m_context.bodies, {b2_toiBaugarte}, DirectionOf(i)) >=
-            -1.5f * b2_linearSlop)
-        {
-            break;
-        }
-    }
+    PushApart(m_memory.overlaps);
+    PushApart(std::span(m_memory.overlaps).subspan(m_ground));
     for (b2Body* body : {&bodyA, &bodyB})
     {
         BodyData& data = Data(*body);

@@ -36,6 +36,7 @@ public:
 
 private:
     static bool IsSpent(b2Body& body);
+    void PutGroundLast();
     void LoadBodies();
     void Prepare();
     float32 DepthOf(std::size_t contact, int32 point) const;
@@ -46,6 +47,7 @@ private:
     template <class Function>
     void ForMoved(Function&& function) const;
     bool IsInCorner() const;
+    void PushApart(std::span<const OverlapConstraint> overlaps) const;
     void Sweep();
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
@@ -64,6 +66,7 @@ private:
     Array<b2Contact*>& m_contacts;
     Array<SolverBody>& m_bounced; // scratch of BounceLess: by body
     Array<ContactConstraint>& m_bouncedImpulses;
+    std::size_t m_ground = 0; // the first contact with the ground, if that comes after others
     Array<float32>& m_depths; // two of each contact, when they matter
 };
 

@@ -112,6 +112,15 @@ float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
     return kinetic > past ? b2Min(kinetic, kMostScale) : past;
 }
 
+/// What impacts have won. A body's credit, what joints took from it, does not pay for that: nothing
+/// gives it back. A body that impacts hold back again and again, while a spring speeds it up, would
+/// win without end.
+void Charge(BodyData& body, float32 won)
+{
+    const bool counts = won > float32(kTolerance) * body.energyScale; // or it is truncation
+    body.energyOwed = (counts ? b2Max(body.energyOwed, 0.0f) : body.energyOwed) + won;
+}
+
 } // namespace
 
 int32 EnergyGuard::AccountOf(const BodyData& body) const
@@ -401,8 +410,8 @@ void EnergyGuard::NoteImpact(BodyData& body, const Way& before) const
     const b2Vec2 way(float32(body.pose.x - before.end.x), float32(body.pose.y - before.end.y));
     const b2Vec2 v = body.linearVelocity;
     const float32 w = body.angularVelocity;
-    body.energyOwed += body.mass * (0.5f * b2Dot(v - before.v, v + before.v) - b2Dot(a, way)) +
-                       body.inertia * (0.5f * (w - before.w) * (w + before.w));
+    Charge(body, body.mass * (0.5f * b2Dot(v - before.v, v + before.v) - b2Dot(a, way)) +
+                     body.inertia * (0.5f * (w - before.w) * (w + before.w)));
 }
 
 void EnergyGuard::ChargeImpacts()

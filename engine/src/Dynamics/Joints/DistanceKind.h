@@ -19,10 +19,7 @@ struct JointAccess::Kind<b2DistanceJoint> : NoMotor
     static bool IsSound(const Definition& d)
     {
         return AreAnchors(d.localAnchorA, d.localAnchorB) && IsLength(d.length) &&
-               IsSpring(d.frequencyHz, d.dampingRatio) && IsLength(d.minLength) &&
-               IsMaxLength(d.maxLength) &&
-               B2_REQUIRE(d.minLength <= d.maxLength,
-                          "A distance joint's minimum length must not exceed its maximum length.");
+               IsSpring(d.frequencyHz, d.dampingRatio) && AreLengthLimits(d.minLength, d.maxLength);
     }
     static bool HasSpring(const b2DistanceJoint& j) { return j.IsSpring(); }
     static SpringState SpringOf(const b2DistanceJoint& joint, const JointPair& pair);

@@ -39,10 +39,12 @@ inline bool IsLength(float32 length)
                       "A joint's length must be finite, within 1e15 m and not negative.");
 }
 
-/// The largest number stands for none.
-inline bool IsMaxLength(float32 length)
+/// Lengths below the slop and limits in the wrong order are clamped, so they are sound.
+inline bool AreLengthLimits(float32 minLength, float32 maxLength)
 {
-    return length == b2_maxFloat || IsLength(length);
+    return B2_REQUIRE(IsWithinReach(minLength) &&
+                          (maxLength == b2_maxFloat || IsWithinReach(maxLength)),
+                      "A distance joint's limits must be finite and within 1e15 m.");
 }
 
 inline bool IsSpring(float32 frequencyHz, float32 dampingRatio)

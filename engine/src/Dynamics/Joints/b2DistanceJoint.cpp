@@ -23,18 +23,37 @@ void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
     length = b2Distance(anchorA, anchorB);
 }
 
+namespace
+{
+
+// A definition with both defaults has no limits: a rod or spring of 2.3. All other limits are
+// clamped as in 2.4. They are never shorter than the slop, because a shorter distance has no sound
+// direction.
+
+bool HasNoLimits(float32 minLength, float32 maxLength)
+{
+    return minLength == 0.0f && maxLength == b2_maxFloat;
+}
+
+} // namespace
+
 b2DistanceJoint::b2DistanceJoint(const b2DistanceJointDef* def)
     : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
       m_length(def->length), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio),
       m_minLength(def->minLength), m_maxLength(def->maxLength)
 {
+    if (!HasNoLimits(m_minLength, m_maxLength))
+    {
+        m_minLength = b2Max(m_minLength, b2_linearSlop);
+        m_maxLength = b2Max(m_maxLength, m_minLength);
+    }
     ChooseForm();
 }
 
 void b2DistanceJoint::ChooseForm()
 {
     const bool isRod = m_minLength == m_maxLength;
-    m_isLimited = !isRod && (m_minLength > 0.0f || m_maxLength < b2_maxFloat);
+    m_isLimited = !isRod && !HasNoLimits(m_minLength, m_maxLength);
     m_restLength = isRod ? m_minLength : m_length;
     m_springHz = isRod ? 0.0f : m_frequencyHz;
 }
@@ -78,8 +97,8 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     }
     box2d::Carry(m_lowerImpulse, box2d::CarryOver(context, *this));
     box2d::Carry(m_upperImpulse, box2d::CarryOver(context, *this));
+    const float32 toLower = b2Max(length - m_minLength, 0.0f);
     // To a limit that there is not: what no body goes in a step.
-    const float32 toLower = m_minLength > 0.0f ? b2Max(length - m_minLength, 0.0f) : box2d::kReach;
     const float32 toUpper = b2Clamp(m_maxLength - length, 0.0f, box2d::kReach);
     lane.features = Lanes::kLimits;
     lanes.form = float32(Lanes::kLimitedForm);
@@ -127,7 +146,7 @@ void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::Joint
         row.AddAlong(line.axis, line.armA, line.armB, 0.0f);
     }
     row.GiveToMotor(0.0f, 0.0f);
-    row.GiveToLimit(line.length, m_minLength > 0.0f ? m_minLength : -b2_maxFloat, m_maxLength);
+    row.GiveToLimit(line.length, m_minLength, m_maxLength);
 }
 
 void b2DistanceJoint::GetRowImpulses(float32 (&impulse)[3]) const
@@ -195,18 +214,19 @@ void b2DistanceJoint::SetLength(float32 length)
 
 float32 b2DistanceJoint::SetMinLength(float32 minLength)
 {
-    if (box2d::IsLength(minLength))
+    if (box2d::AreLengthLimits(minLength, m_maxLength))
     {
-        SetLimits(b2Min(minLength, m_maxLength), m_maxLength);
+        SetLimits(b2Clamp(minLength, b2_linearSlop, m_maxLength), m_maxLength);
     }
     return m_minLength;
 }
 
 float32 b2DistanceJoint::SetMaxLength(float32 maxLength)
 {
-    if (box2d::IsMaxLength(maxLength))
+    if (box2d::AreLengthLimits(m_minLength, maxLength))
     {
-        SetLimits(m_minLength, b2Max(maxLength, m_minLength));
+        const float32 minLength = b2Max(m_minLength, b2_linearSlop);
+        SetLimits(minLength, b2Max(maxLength, minLength));
     }
     return m_maxLength;
 }
@@ -257,7 +277,7 @@ void b2DistanceJoint::Dump()
     box2d::DumpNumber("length", m_length);
     box2d::DumpNumber("frequencyHz", m_frequencyHz);
     box2d::DumpNumber("dampingRatio", m_dampingRatio);
-    if (m_minLength > 0.0f || m_maxLength < b2_maxFloat)
+    if (!HasNoLimits(m_minLength, m_maxLength))
     {
         box2d::DumpNumber("minLength", m_minLength);
         box2d::DumpNumber("maxLength", m_maxLength);

@@ -24,20 +24,30 @@ namespace box2d
 namespace
 {
 
+bool Has(const b2Joint& joint, const b2Body* body)
+{
+    return body == joint.GetBodyA() || body == joint.GetBodyB();
+}
+
 /// True if the island of all that the gear moves includes what this joint moves, with the gear
 /// between `body` and a body of the other joint.
 bool Reaches(b2Joint& joint, const b2Body& body, b2Joint& otherJoint)
 {
     b2Body& other = *(&body == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA());
-    return Data(body).IsDynamic() || !Data(other).IsDynamic() || &other == otherJoint.GetBodyA() ||
-           &other == otherJoint.GetBodyB();
+    return Data(body).IsDynamic() || !Data(other).IsDynamic() || Has(otherJoint, &other);
 }
 
-/// The definition's body first, else the joint's second one, which the joint is about.
-void SortBodies(b2Joint& joint, b2Body* wish, b2Body* (&bodies)[2])
+/// The body that the definition names for the joint first, or for the other joint. If neither is
+/// of this joint, its second body, which the joint is about.
+void SortBodies(b2Joint& joint, b2Body* wish, b2Body* otherWish, b2Body* (&bodies)[2])
 {
-    bodies[0] = wish == joint.GetBodyA() ? wish : joint.GetBodyB();
+    bodies[0] = Has(joint, wish) ? wish : Has(joint, otherWish) ? otherWish : joint.GetBodyB();
     bodies[1] = bodies[0] == joint.GetBodyA() ? joint.GetBodyB() : joint.GetBodyA();
+}
+
+bool HasBody(const b2GearJointDef& d, const b2Body* body)
+{
+    return Has(*d.joint1, body) || Has(*d.joint2, body);
 }
 
 bool IsOfWorld(const b2Joint& joint, const b2World* world)
@@ -51,8 +61,8 @@ GearBodies BodiesOf(const b2GearJointDef& def)
 {
     b2Body* first[2];
     b2Body* second[2];
-    SortBodies(*def.joint1, def.bodyA, first);
-    SortBodies(*def.joint2, def.bodyB, second);
+    SortBodies(*def.joint1, def.bodyA, def.bodyB, first);
+    SortBodies(*def.joint2, def.bodyB, def.bodyA, second);
     GearBodies unmoved;
     for (b2Body* a : first)
     {
@@ -82,6 +92,8 @@ bool JointAccess::Kind<b2GearJoint>::IsSound(const b2GearJointDef& d)
 {
     return B2_REQUIRE(CanBeGeared(d.joint1) && CanBeGeared(d.joint2),
                       "A gear joint needs two joints, each revolute or prismatic.") &&
+           B2_REQUIRE(HasBody(d, d.bodyA) && HasBody(d, d.bodyB),
+                      "A gear joint's bodyA and bodyB must be bodies of its two joints.") &&
            B2_REQUIRE(d.joint1 != d.joint2 && BodiesOf(d).a != nullptr,
                       "A gear joint's two joints must move two different bodies.") &&
            B2_REQUIRE(IsOfWorld(*d.joint1, d.bodyA->GetWorld()) &&

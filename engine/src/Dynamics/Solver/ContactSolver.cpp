@@ -316,7 +316,7 @@ b2Vec2 ImpulseAt(const ContactConstraint& c, int32 point)
 
 } // namespace
 
-bool SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
+bool SolveContactVelocities(std::span<ContactConstraint> contacts, SolverBody* bodies,
                             Direction direction)
 {
     bool changed = false;

@@ -174,8 +174,8 @@ float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, Push
     return b2Min(first, second);
 }
 
-float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, PushPace pace,
-                      Direction direction)
+float32 SolveOverlaps(std::span<const OverlapConstraint> overlaps, SolverBody* bodies,
+                      PushPace pace, Direction direction)
 {
     float32 smallest = 0.0f;
     ForEach(overlaps, direction, [&](const OverlapConstraint& o) {

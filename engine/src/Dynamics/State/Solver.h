@@ -6,6 +6,7 @@
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
 #include <algorithm>
+#include <span>
 
 class b2Contact;
 class b2ContactListener;
@@ -230,7 +231,7 @@ void PrepareContact(b2Contact& contact, const SolverContext& context, ContactCon
 void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context);
 /// One iteration: friction, then the normal impulses. False when no impulse has changed: then none
 /// will in the next.
-bool SolveContactVelocities(Array<ContactConstraint>& contacts, SolverBody* bodies,
+bool SolveContactVelocities(std::span<ContactConstraint> contacts, SolverBody* bodies,
                             Direction direction);
 /// Puts the impulses into the manifold.
 void StoreImpulses(const ContactConstraint& contact);
@@ -268,8 +269,8 @@ void ShortenPush(const SolverBody& before, SolverBody& after, float32 share);
 
 /// One iteration of moving overlapping bodies apart. Returns the smallest separation that was met
 /// [m].
-float32 SolveOverlaps(const Array<OverlapConstraint>& overlaps, SolverBody* bodies, PushPace pace,
-                      Direction direction);
+float32 SolveOverlaps(std::span<const OverlapConstraint> overlaps, SolverBody* bodies,
+                      PushPace pace, Direction direction);
 
 /// Two points that are nearly one, pushed apart one after the other.
 float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace);

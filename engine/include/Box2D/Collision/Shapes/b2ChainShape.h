@@ -54,6 +54,8 @@ public:
     void GetChildEdge(b2EdgeShape* edge, int32 index) const;
 
     bool TestPoint(const b2Transform& transform, const b2Vec2& p) const override;
+    /// Meets both sides, also of a chain that stops one side only, as in 2.4. A child as an edge
+    /// (GetChildEdge) meets rays from its right only.
     bool RayCast(b2RayCastOutput* output, const b2RayCastInput& input, const b2Transform& transform,
                  int32 childIndex) const override;
     void ComputeAABB(b2AABB* aabb, const b2Transform& transform, int32 childIndex) const override;

@@ -19,10 +19,12 @@ struct b2DistanceJointDef : public b2JointDef
     /// Of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
     float32 frequencyHz = 0.0f;
     float32 dampingRatio = 0.0f; ///< of the spring, >= 0; 0: none, 1: critical
-    /// Limits of the distance [m], 0 <= minLength <= maxLength; 0 and b2_maxFloat: none. Between
-    /// them the anchors are free, or the spring holds them; when both are the same they are rigid.
+    /// Limits of the distance [m], finite. 0 and b2_maxFloat together: none, so a rod or a spring.
+    /// Others are clamped as in 2.4: minLength to b2_linearSlop or more, maxLength to minLength or
+    /// more. Between them the anchors are free, or the spring holds them. When both are the same
+    /// they are rigid.
     float32 minLength = 0.0f;
-    float32 maxLength = b2_maxFloat; ///< see minLength
+    float32 maxLength = b2_maxFloat; ///< see minLength; b2_maxFloat: no maximum
 };
 
 /// Keeps two anchors at a length, rigid, as a spring, or between limits.
@@ -46,12 +48,13 @@ public:
     void SetDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
     /// Of the spring, >= 0; 0: none, 1: critical.
     float32 GetDampingRatio() const { return m_dampingRatio; }
-    /// Limits the distance [m] from below; finite and >= 0, and not above the maximum: what is
-    /// becomes the maximum. Returns what it is then. By the name of 2.4, as the next four.
+    /// Limits the distance [m] from below. Clamps the finite length to b2_linearSlop and the
+    /// maximum, and returns the result. By the name of 2.4, as the next four. A rod without limits
+    /// is free between them once either is set.
     float32 SetMinLength(float32 minLength);
-    float32 GetMinLength() const { return m_minLength; } ///< 0: no limit [m]
-    /// Limits the distance [m] from above; not below the minimum: what is becomes the minimum.
-    /// b2_maxFloat: no limit. Returns what it is then.
+    float32 GetMinLength() const { return m_minLength; } ///< 0: none was set [m]
+    /// Limits the distance [m] from above. Clamps the length to the minimum or more, and returns
+    /// the result. b2_maxFloat: no maximum.
     float32 SetMaxLength(float32 maxLength);
     float32 GetMaxLength() const { return m_maxLength; } ///< b2_maxFloat: no limit [m]
     float32 GetCurrentLength() const; ///< between the anchors at the bodies' present transforms [m]

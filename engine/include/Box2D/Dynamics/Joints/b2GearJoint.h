@@ -7,8 +7,12 @@
 /// Gear joints.
 
 /// Couples two joints, each a revolute or a prismatic one: coordinate 1 + ratio * coordinate 2
-/// stays constant. The two joints must have two different bodies between them; bodyA and bodyB are
-/// any one of each. Destroy it before its joints, else it goes with the first of them.
+/// stays constant. Destroy it before its joints, else it goes with the first of them.
+///
+/// bodyA and bodyB are two different bodies of the joints; others are refused. The gear's body A is
+/// that of them which belongs to joint1, its body B that which belongs to joint2. Where none does,
+/// it is body B of that joint. A static body is taken only where the gear then still connects all
+/// that it moves, such as a fixed sun wheel; else it is the joint's other body.
 struct b2GearJointDef : public b2JointDef
 {
     b2GearJointDef() { type = e_gearJoint; }
