@@ -177,7 +177,7 @@ void AddJointNames(const b2World& world, const View& view, const JointNames& nam
 
 void AddCenterMarks(const b2World& world, const View& view, DrawList& list)
 {
-    list.layer = DrawLayer::CentersOfMass;
+    list.layer = DrawLayer::CenterMarks;
     for (const b2Body* body : SeenBodies(world, view, kMarkRadius))
     {
         if (body->GetMass() > 0.0f && view.Shows(CenterOf(*body), kMarkRadius))

@@ -175,7 +175,7 @@ void PanelPainter::EnterGroupOf(const DrawItem& item)
     m_lastLine.reset();
     m_owner = item.owner;
     m_layer = item.layer;
-    const char* const layer = LayerName(item.layer);
+    const char* const layer = InfoOf(item.layer).name;
     FigureGroup group{"", "", layer};
     if (item.owner == kNoOwner)
     {

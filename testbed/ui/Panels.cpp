@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -24,29 +23,6 @@ std::string Text(const char* format, ...)
     va_end(values);
     return text;
 }
-
-struct LayerCheck
-{
-    const char* name;
-    bool SceneLayers::*layer;
-};
-constexpr LayerCheck kLayerChecks[] = {
-    {"Shapes", &SceneLayers::shapes},
-    {"Joints", &SceneLayers::joints},
-    {"AABBs", &SceneLayers::aabbs},
-    {"Pairs", &SceneLayers::pairs},
-    {"Contact points", &SceneLayers::contacts},
-    {"Contact normals", &SceneLayers::normals},
-    {"Contact impulses", &SceneLayers::impulses},
-    {"Friction impulses", &SceneLayers::friction},
-    {"Centres of mass", &SceneLayers::centers},
-    {"Mass signs", &SceneLayers::masses},
-    {"Velocities", &SceneLayers::velocities},
-    {"Joint forces", &SceneLayers::forces},
-    {"Joint signs", &SceneLayers::glyphs},
-    {"Names", &SceneLayers::names},
-};
-static_assert(std::size(kLayerChecks) == std::size(kSceneLayers), "A layer has no check box.");
 
 struct KeyHelp
 {
@@ -350,9 +326,9 @@ void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
         m_widgets.Check(name, value);
         isLeft = !isLeft;
     };
-    for (const LayerCheck& layer : kLayerChecks)
+    for (const LayerInfo& layer : kOptionalLayers)
     {
-        check(layer.name, choices.layers.*layer.layer);
+        check(layer.label, choices.layers[layer.layer]);
     }
     check("Numbers", choices.labels);
     check("Statistics", choices.statistics);

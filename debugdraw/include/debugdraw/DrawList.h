@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <debugdraw/DrawLayer.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -60,29 +62,6 @@ enum class DrawKind : std::uint8_t
     Transform,    ///< points: origin, unit x axis; drawn as a red and a green axis of `size` metres
     Point,        ///< point: centre; size: diameter [px]
     Text,         ///< point: where the text's top left corner lies; `text`: index into texts
-};
-
-/// What switched the item on; a layer that is off is never collected.
-enum class DrawLayer : std::uint8_t
-{
-    Shapes,
-    Joints,
-    Aabbs,
-    Pairs,
-    CentersOfMass,
-    Contacts,
-    Labels,
-    ContactNormals,
-    ContactImpulses,
-    ContactFriction,
-    Velocities,
-    JointForces,
-    JointGlyphs,
-    Trails,      ///< where bodies have been, as lines
-    Poses,       ///< how bodies stood earlier, faded
-    Scene,       ///< what a scene draws beside its bodies: rays, hulls, marks
-    Annotations, ///< axes, scale bars, dimensions, captions; solid shapes (heads of arrows) are
-                 ///< filled with all of their colour
 };
 
 /// Whom an item belongs to: the body's number in its world, in order of creation.

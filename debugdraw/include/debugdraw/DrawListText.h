@@ -16,7 +16,4 @@ namespace boxreel
 /// Each item in a line, numbers exact.
 std::string ToText(const DrawList& list);
 
-/// "shapes", "joints", … as it stands in that text.
-const char* LayerName(DrawLayer layer);
-
 } // namespace boxreel
