@@ -107,8 +107,8 @@ TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
         ASSERT_EQ(frame.list, still.list) << step;
         for (const DrawItem& item : frame.list.items)
         {
-            hasNew |= item.color == kClassicPalette[std::size_t(ColorRole::NewContact)];
-            hasOld |= item.color == kClassicPalette[std::size_t(ColorRole::OldContact)];
+            hasNew |= item.role == ColorRole::NewContact;
+            hasOld |= item.role == ColorRole::OldContact;
         }
     }
     EXPECT_TRUE(hasNew && hasOld);
