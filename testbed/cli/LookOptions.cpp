@@ -57,30 +57,6 @@ void AddSize(CLI::App& command, SceneLook& look)
         ->group("Picture");
 }
 
-/// "Any of shapes,joints,… (shapes,joints)", in lines as long as those of other options.
-std::string LayersHelp()
-{
-    constexpr std::size_t kLineLength = 66;
-    std::vector<std::string> words = LayerNames();
-    for (std::size_t i = 0; i + 1 < words.size(); ++i)
-    {
-        words[i] += ",";
-    }
-    words.back() += " (" + TextOf(LayerSet()) + ")";
-    std::string help = "Any of ";
-    std::size_t lineStart = 0;
-    for (const std::string& word : words)
-    {
-        if (help.size() - lineStart + word.size() > kLineLength)
-        {
-            help += '\n';
-            lineStart = help.size();
-        }
-        help += word;
-    }
-    return help;
-}
-
 } // namespace
 
 void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
@@ -96,8 +72,10 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "follow:3,17 or follow:17:HEIGHT: these in the middle; X,Y,HEIGHT in\n"
              "metres: fixed; from key to key: \"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\"")
         ->group("Picture");
-    CLI::Option* draw =
-        AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers, LayersHelp());
+    std::vector<std::string> layers = LayerNames();
+    layers.back() += " (" + TextOf(LayerSet()) + ")";
+    CLI::Option* draw = AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
+                                 Filled("Any of ", layers, ","));
     Completes(draw->group("Picture"), {Completion::Kind::List, LayerNames()});
     AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
              NumberBetween(1e-6, 1e6, "must be seconds from 1e-6 to 1e6, such as 0.2"),
