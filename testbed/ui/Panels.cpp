@@ -46,6 +46,60 @@ constexpr KeyHelp kKeyHelp[] = {
     {"Esc", "quit"},
 };
 
+// Sections of the column that need no more than what they show.
+
+/// What the scene itself has to say; nothing of most.
+void SceneSection(Widgets& widgets, const PanelFacts& facts)
+{
+    for (const auto& [name, value] : facts.remarks)
+    {
+        widgets.Fact(name.c_str(), value);
+    }
+    for (const KeyBinding& binding : facts.keys)
+    {
+        ImGui::Text("%c", binding.key == ' ' ? '_' : binding.key - (binding.key >= 'a' ? 32 : 0));
+        ImGui::SameLine(widgets.Px(36.0));
+        ImGui::TextDisabled("%s", binding.effect);
+    }
+}
+
+void SolverSection(Widgets& widgets, PanelChoices& choices)
+{
+    if (!widgets.Section("Solver", true))
+    {
+        return;
+    }
+    SolverChoices& solver = choices.solver;
+    widgets.Number("Velocity iterations", solver.velocityIterations, 1, 50);
+    widgets.Number("Position iterations", solver.positionIterations, 1, 50);
+    widgets.Number("Sub-steps", solver.subSteps, 1, 64);
+    widgets.Number("Hertz", solver.hertz, 5, 480);
+    if (ImGui::IsItemHovered())
+    {
+        widgets.Tip("Another rate begins the scene anew.");
+    }
+    const float half = widgets.Px(152.0);
+    widgets.Check("Sleep", solver.sleep);
+    ImGui::SameLine(half);
+    widgets.Check("Warm starting", solver.warmStarting);
+    widgets.Check("Continuous", solver.continuous);
+    ImGui::SameLine(half);
+    widgets.Check("Sub-stepping", solver.subStepping);
+    widgets.Check("Keep for every scene", choices.keepsSolver);
+}
+
+void KeysSection(Widgets& widgets)
+{
+    if (!widgets.Section("Keys", false))
+    {
+        return;
+    }
+    for (const KeyHelp& help : kKeyHelp)
+    {
+        widgets.Fact(help.keys, help.effect);
+    }
+}
+
 } // namespace
 
 Panels::Panels(PanelCanvas canvas, int width, int height, double scale)
@@ -129,9 +183,9 @@ void Panels::Column(const PanelFacts& facts, PanelChoices& choices)
             "%s",
             Text("%.2f s, step %lld", facts.seconds, static_cast<long long>(facts.step)).c_str());
         Buttons(facts, choices);
-        SceneSection(facts);
+        SceneSection(m_widgets, facts);
         ScenesSection(facts);
-        SolverSection(choices);
+        SolverSection(m_widgets, choices);
         DrawSection(facts, choices);
         if (choices.statistics)
         {
@@ -141,7 +195,7 @@ void Panels::Column(const PanelFacts& facts, PanelChoices& choices)
         {
             ProfileSection(facts);
         }
-        KeysSection();
+        KeysSection(m_widgets);
     }
     ImGui::End();
 }
@@ -238,21 +292,6 @@ void Panels::FileButtons(const PanelFacts& facts, PanelChoices& choices)
     }
 }
 
-/// What the scene itself has to say; nothing of most.
-void Panels::SceneSection(const PanelFacts& facts)
-{
-    for (const auto& [name, value] : facts.remarks)
-    {
-        m_widgets.Fact(name.c_str(), value);
-    }
-    for (const KeyBinding& binding : facts.keys)
-    {
-        ImGui::Text("%c", binding.key == ' ' ? '_' : binding.key - (binding.key >= 'a' ? 32 : 0));
-        ImGui::SameLine(m_widgets.Px(36.0));
-        ImGui::TextDisabled("%s", binding.effect);
-    }
-}
-
 void Panels::ScenesSection(const PanelFacts& facts)
 {
     if (!m_widgets.Section("Scenes", false))
@@ -284,31 +323,6 @@ void Panels::ScenesSection(const PanelFacts& facts)
             ImGui::TreePop();
         }
     }
-}
-
-void Panels::SolverSection(PanelChoices& choices)
-{
-    if (!m_widgets.Section("Solver", true))
-    {
-        return;
-    }
-    SolverChoices& solver = choices.solver;
-    m_widgets.Number("Velocity iterations", solver.velocityIterations, 1, 50);
-    m_widgets.Number("Position iterations", solver.positionIterations, 1, 50);
-    m_widgets.Number("Sub-steps", solver.subSteps, 1, 64);
-    m_widgets.Number("Hertz", solver.hertz, 5, 480);
-    if (ImGui::IsItemHovered())
-    {
-        m_widgets.Tip("Another rate begins the scene anew.");
-    }
-    const float half = m_widgets.Px(152.0);
-    m_widgets.Check("Sleep", solver.sleep);
-    ImGui::SameLine(half);
-    m_widgets.Check("Warm starting", solver.warmStarting);
-    m_widgets.Check("Continuous", solver.continuous);
-    ImGui::SameLine(half);
-    m_widgets.Check("Sub-stepping", solver.subStepping);
-    m_widgets.Check("Keep for every scene", choices.keepsSolver);
 }
 
 void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
@@ -436,18 +450,6 @@ void Panels::ProfileSection(const PanelFacts& facts)
                                             double(time.Mean()), double(time.Largest())));
     }
     Plot("##Step time", m_times.front());
-}
-
-void Panels::KeysSection()
-{
-    if (!m_widgets.Section("Keys", false))
-    {
-        return;
-    }
-    for (const KeyHelp& help : kKeyHelp)
-    {
-        m_widgets.Fact(help.keys, help.effect);
-    }
 }
 
 } // namespace boxreel
