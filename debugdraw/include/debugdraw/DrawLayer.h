@@ -30,7 +30,7 @@ enum class DrawLayer : std::uint8_t
     JointForces,
     JointGlyphs, ///< the sign of each kind of joint
     Labels,      ///< names of bodies, their numbers where they have none, and of joints
-            // Those that other options or the scene itself switch on.
+                 // Those that other options or the scene itself switch on.
     Trails,      ///< where bodies have been, as lines
     Poses,       ///< how bodies stood earlier, faded
     Scene,       ///< what a scene draws beside its bodies: rays, hulls, marks
