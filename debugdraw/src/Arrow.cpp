@@ -7,7 +7,7 @@
 namespace boxreel
 {
 
-void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, Color color,
+void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, const Paint& paint,
               const ArrowHead& head)
 {
     const double dx = double(tip.x) - double(tail.x);
@@ -27,18 +27,18 @@ void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, Color c
     const Vec2 base{float(baseX), float(baseY)};
     if (along < length || head.open)
     {
-        list.AddSegment(tail, head.open ? tip : base, color);
+        list.AddSegment(tail, head.open ? tip : base, paint);
     }
     const Vec2 corners[3] = {tip,
                              {float(baseX - across * uy), float(baseY + across * ux)},
                              {float(baseX + across * uy), float(baseY - across * ux)}};
     if (head.open)
     {
-        list.AddSegment(corners[1], tip, color);
-        list.AddSegment(corners[2], tip, color);
+        list.AddSegment(corners[1], tip, paint);
+        list.AddSegment(corners[2], tip, paint);
         return;
     }
-    list.AddSolidPolygon(corners, 3, color);
+    list.AddSolidPolygon(corners, 3, paint);
 }
 
 } // namespace boxreel

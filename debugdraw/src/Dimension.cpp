@@ -127,18 +127,18 @@ double Kept(double place, double half, double size)
 }
 
 void AddArrows(const Paper& paper, const Measured& measured, PixelPoint from, PixelPoint to,
-               Color color)
+               const Paint& paint)
 {
     if (measured.length >= kShortest)
     {
         // One shaft for both; a little within the second head, which rounding gives none then.
         const PixelPoint neck = to + -0.99 * ArrowHead().length * measured.along;
-        paper.Arrow(neck, from, color);
-        paper.Arrow(neck, to, color);
+        paper.Arrow(neck, from, paint);
+        paper.Arrow(neck, to, paint);
         return;
     }
-    paper.Arrow(from + -kOutside * measured.along, from, color);
-    paper.Arrow(to + kOutside * measured.along, to, color);
+    paper.Arrow(from + -kOutside * measured.along, from, paint);
+    paper.Arrow(to + kOutside * measured.along, to, paint);
 }
 
 } // namespace

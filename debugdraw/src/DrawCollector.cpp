@@ -62,6 +62,14 @@ void DrawCollector::LookAt(const View& view)
             b2Vec2(view.area->upper.x, view.area->upper.y) + reach);
 }
 
+// The engine names the body of each shape; shapes of nobody are drawn by the user, in own colours.
+Paint DrawCollector::PaintOf(const b2Color& color) const
+{
+    const Color asked = From(color);
+    const bool isOwn = m_list.layer == DrawLayer::Shapes && m_list.owner == kNoOwner;
+    return isOwn ? Paint(asked) : Paint(asked, EngineRole(m_list.layer, asked));
+}
+
 const Vec2* DrawCollector::Convert(const b2Vec2* vertices, int32 vertexCount)
 {
     m_points.clear();
@@ -76,7 +84,7 @@ void DrawCollector::DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const
 {
     if (vertexCount >= 3)
     {
-        m_list.AddPolygon(Convert(vertices, vertexCount), std::size_t(vertexCount), From(color));
+        m_list.AddPolygon(Convert(vertices, vertexCount), std::size_t(vertexCount), PaintOf(color));
     }
     else if (vertexCount > 0)
     {
@@ -93,23 +101,24 @@ void DrawCollector::DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount,
         DrawPolygon(vertices, vertexCount, color);
         return;
     }
-    m_list.AddSolidPolygon(Convert(vertices, vertexCount), std::size_t(vertexCount), From(color));
+    m_list.AddSolidPolygon(Convert(vertices, vertexCount), std::size_t(vertexCount),
+                           PaintOf(color));
 }
 
 void DrawCollector::DrawCircle(const b2Vec2& center, float32 radius, const b2Color& color)
 {
-    m_list.AddCircle(From(center), radius, From(color));
+    m_list.AddCircle(From(center), radius, PaintOf(color));
 }
 
 void DrawCollector::DrawSolidCircle(const b2Vec2& center, float32 radius, const b2Vec2& axis,
                                     const b2Color& color)
 {
-    m_list.AddSolidCircle(From(center), radius, From(axis), From(color));
+    m_list.AddSolidCircle(From(center), radius, From(axis), PaintOf(color));
 }
 
 void DrawCollector::DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color)
 {
-    m_list.AddSegment(From(p1), From(p2), From(color));
+    m_list.AddSegment(From(p1), From(p2), PaintOf(color));
 }
 
 void DrawCollector::DrawTransform(const b2Transform& xf)

@@ -55,7 +55,7 @@ bool TurnsOneWay(const Vec2* corners, std::size_t count)
 
 } // namespace
 
-DrawItem& DrawList::Add(DrawKind kind, const Vec2* vertices, std::size_t count, Color color)
+DrawItem& DrawList::Add(DrawKind kind, const Vec2* vertices, std::size_t count, const Paint& paint)
 {
     assert(count <= 0xffff && "an item has at most 65535 points");
     DrawItem item;
@@ -64,39 +64,40 @@ DrawItem& DrawList::Add(DrawKind kind, const Vec2* vertices, std::size_t count, 
     item.count = static_cast<std::uint16_t>(count);
     item.first = static_cast<std::uint32_t>(points.size());
     item.owner = owner;
-    item.color = color;
+    item.color = paint.color;
+    item.role = paint.role;
     points.insert(points.end(), vertices, vertices + count);
     items.push_back(item);
     return items.back();
 }
 
-void DrawList::AddPolygon(const Vec2* vertices, std::size_t count, Color color)
+void DrawList::AddPolygon(const Vec2* vertices, std::size_t count, const Paint& paint)
 {
-    Add(DrawKind::Polygon, vertices, count, color);
+    Add(DrawKind::Polygon, vertices, count, paint);
 }
 
-void DrawList::AddSolidPolygon(const Vec2* vertices, std::size_t count, Color color)
+void DrawList::AddSolidPolygon(const Vec2* vertices, std::size_t count, const Paint& paint)
 {
     constexpr std::size_t kMostCorners = 8; // what renderers fill
     const bool fills = count <= kMostCorners && TurnsOneWay(vertices, count);
-    Add(fills ? DrawKind::SolidPolygon : DrawKind::Polygon, vertices, count, color);
+    Add(fills ? DrawKind::SolidPolygon : DrawKind::Polygon, vertices, count, paint);
 }
 
-void DrawList::AddCircle(Vec2 center, float radius, Color color)
+void DrawList::AddCircle(Vec2 center, float radius, const Paint& paint)
 {
-    Add(DrawKind::Circle, &center, 1, color).size = radius;
+    Add(DrawKind::Circle, &center, 1, paint).size = radius;
 }
 
-void DrawList::AddSolidCircle(Vec2 center, float radius, Vec2 axis, Color color)
+void DrawList::AddSolidCircle(Vec2 center, float radius, Vec2 axis, const Paint& paint)
 {
     const Vec2 both[2] = {center, axis};
-    Add(DrawKind::SolidCircle, both, 2, color).size = radius;
+    Add(DrawKind::SolidCircle, both, 2, paint).size = radius;
 }
 
-void DrawList::AddSegment(Vec2 a, Vec2 b, Color color)
+void DrawList::AddSegment(Vec2 a, Vec2 b, const Paint& paint)
 {
     const Vec2 both[2] = {a, b};
-    Add(DrawKind::Segment, both, 2, color);
+    Add(DrawKind::Segment, both, 2, paint);
 }
 
 void DrawList::AddTransform(Vec2 origin, Vec2 xAxis, float axisLength)
@@ -105,14 +106,14 @@ void DrawList::AddTransform(Vec2 origin, Vec2 xAxis, float axisLength)
     Add(DrawKind::Transform, both, 2, Color{255, 255, 255, 255}).size = axisLength;
 }
 
-void DrawList::AddPoint(Vec2 center, float diameterPixels, Color color)
+void DrawList::AddPoint(Vec2 center, float diameterPixels, const Paint& paint)
 {
-    Add(DrawKind::Point, &center, 1, color).size = diameterPixels;
+    Add(DrawKind::Point, &center, 1, paint).size = diameterPixels;
 }
 
-void DrawList::AddText(Vec2 topLeft, std::string_view text, Color color)
+void DrawList::AddText(Vec2 topLeft, std::string_view text, const Paint& paint)
 {
-    Add(DrawKind::Text, &topLeft, 1, color).text = static_cast<std::uint32_t>(texts.size());
+    Add(DrawKind::Text, &topLeft, 1, paint).text = static_cast<std::uint32_t>(texts.size());
     texts.emplace_back(text);
 }
 
@@ -123,6 +124,33 @@ void DrawList::Clear()
     texts.clear();
     layer = DrawLayer::Shapes;
     owner = kNoOwner;
+}
+
+ColorRole EngineRole(DrawLayer layer, Color color)
+{
+    const auto find = [color](ColorRole first, ColorRole last) {
+        for (auto role = std::size_t(first); role <= std::size_t(last); ++role)
+        {
+            if (kClassicPalette[role] == color)
+            {
+                return ColorRole(role);
+            }
+        }
+        return ColorRole::None;
+    };
+    switch (layer)
+    {
+    case DrawLayer::Shapes:
+        return find(ColorRole::StaticBody, ColorRole::InactiveBody);
+    case DrawLayer::Joints:
+        return find(ColorRole::Joint, ColorRole::Joint);
+    case DrawLayer::Pairs:
+        return find(ColorRole::Pair, ColorRole::Pair);
+    case DrawLayer::Aabbs:
+        return find(ColorRole::Aabb, ColorRole::Aabb);
+    default:
+        return ColorRole::None;
+    }
 }
 
 } // namespace boxreel

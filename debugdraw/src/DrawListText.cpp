@@ -126,7 +126,7 @@ void AppendItem(std::string& out, const DrawList& list, const DrawItem& item)
         AppendNumber(out, item.owner);
         out += ' ';
     }
-    out += LayerName(item.layer);
+    out += InfoOf(item.layer).name;
     out += ' ';
     out += KindName(item.kind);
     out += ' ';
@@ -152,48 +152,6 @@ void AppendItem(std::string& out, const DrawList& list, const DrawItem& item)
 }
 
 } // namespace
-
-const char* LayerName(DrawLayer layer)
-{
-    switch (layer)
-    {
-    case DrawLayer::Shapes:
-        return "shapes";
-    case DrawLayer::Joints:
-        return "joints";
-    case DrawLayer::Aabbs:
-        return "aabbs";
-    case DrawLayer::Pairs:
-        return "pairs";
-    case DrawLayer::CentersOfMass:
-        return "centers-of-mass";
-    case DrawLayer::Contacts:
-        return "contacts";
-    case DrawLayer::Labels:
-        return "labels";
-    case DrawLayer::ContactNormals:
-        return "normals";
-    case DrawLayer::ContactImpulses:
-        return "impulses";
-    case DrawLayer::ContactFriction:
-        return "friction";
-    case DrawLayer::Velocities:
-        return "velocities";
-    case DrawLayer::JointForces:
-        return "forces";
-    case DrawLayer::JointGlyphs:
-        return "glyphs";
-    case DrawLayer::Trails:
-        return "trails";
-    case DrawLayer::Poses:
-        return "poses";
-    case DrawLayer::Scene:
-        return "scene";
-    case DrawLayer::Annotations:
-        return "annotations";
-    }
-    return "unknown-layer";
-}
 
 std::string ToText(const DrawList& list)
 {

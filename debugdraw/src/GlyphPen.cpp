@@ -44,8 +44,9 @@ double LengthOf(GlyphPen::Point p)
 
 } // namespace
 
-GlyphPen::GlyphPen(DrawList& list, const Camera& camera, Vec2 origin, Vec2 xAxis, Color color)
-    : m_list(list), m_metersPerPixel(1.0 / camera.pixelsPerMeter), m_origin(origin), m_color(color)
+GlyphPen::GlyphPen(DrawList& list, const Camera& camera, Vec2 origin, Vec2 xAxis,
+                   const Paint& paint)
+    : m_list(list), m_metersPerPixel(1.0 / camera.pixelsPerMeter), m_origin(origin), m_paint(paint)
 {
     const Point axis{xAxis.x, xAxis.y};
     const double length = LengthOf(axis);
@@ -83,7 +84,7 @@ GlyphPen::Point GlyphPen::Of(Vec2 world) const
 
 void GlyphPen::Line(Point from, Point to)
 {
-    m_list.AddSegment(At(from), At(to), m_color);
+    m_list.AddSegment(At(from), At(to), m_paint);
 }
 
 void GlyphPen::Lines(std::initializer_list<Point> points)
@@ -110,12 +111,12 @@ void GlyphPen::Dashes(Point from, Point to)
 
 void GlyphPen::Circle(Point center, double radius)
 {
-    m_list.AddCircle(At(center), float(radius * m_metersPerPixel), m_color);
+    m_list.AddCircle(At(center), float(radius * m_metersPerPixel), m_paint);
 }
 
 void GlyphPen::Dot(Point center, double diameter)
 {
-    m_list.AddPoint(At(center), float(diameter), m_color);
+    m_list.AddPoint(At(center), float(diameter), m_paint);
 }
 
 void GlyphPen::Box(Point center, double halfWidth, double halfHeight)
@@ -123,13 +124,13 @@ void GlyphPen::Box(Point center, double halfWidth, double halfHeight)
     const Vec2 corners[4] = {
         At(center + Point{-halfWidth, -halfHeight}), At(center + Point{halfWidth, -halfHeight}),
         At(center + Point{halfWidth, halfHeight}), At(center + Point{-halfWidth, halfHeight})};
-    m_list.AddSolidPolygon(corners, 4, m_color);
+    m_list.AddSolidPolygon(corners, 4, m_paint);
 }
 
 void GlyphPen::Triangle(Point a, Point b, Point c)
 {
     const Vec2 corners[3] = {At(a), At(b), At(c)};
-    m_list.AddSolidPolygon(corners, 3, m_color);
+    m_list.AddSolidPolygon(corners, 3, m_paint);
 }
 
 void GlyphPen::Quarter(double radius, int quarter)
@@ -140,7 +141,7 @@ void GlyphPen::Quarter(double radius, int quarter)
     {
         corners[i + 1] = At(radius * Direction(6 * quarter + i));
     }
-    m_list.AddSolidPolygon(corners, 8, m_color);
+    m_list.AddSolidPolygon(corners, 8, m_paint);
 }
 
 void GlyphPen::ArcArrow(double radius, int from, int to, bool clockwise)

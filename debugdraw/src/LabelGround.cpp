@@ -81,6 +81,7 @@ LabelGround::LabelGround(const Camera& camera, const DrawList& list)
             break;
         case DrawLayer::JointGlyphs:
         case DrawLayer::CentersOfMass:
+        case DrawLayer::CenterMarks:
         case DrawLayer::Annotations:
         case DrawLayer::Labels:
             AddItem(list, item, item.kind == DrawKind::Text ? LabelRole::Label : LabelRole::Sign);

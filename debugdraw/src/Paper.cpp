@@ -35,32 +35,32 @@ void Paper::Stamped(Add add) const
     m_list.owner = owner;
 }
 
-void Paper::Line(PixelPoint from, PixelPoint to, Color color) const
+void Paper::Line(PixelPoint from, PixelPoint to, const Paint& paint) const
 {
-    Stamped([&] { m_list.AddSegment(ToWorld(from), ToWorld(to), color); });
+    Stamped([&] { m_list.AddSegment(ToWorld(from), ToWorld(to), paint); });
 }
 
-void Paper::Circle(PixelPoint center, double radius, Color color) const
+void Paper::Circle(PixelPoint center, double radius, const Paint& paint) const
 {
     Stamped([&] {
         m_list.AddCircle(ToWorld(center), static_cast<float>(radius / m_camera.pixelsPerMeter),
-                         color);
+                         paint);
     });
 }
 
-void Paper::Arrow(PixelPoint from, PixelPoint to, Color color) const
+void Paper::Arrow(PixelPoint from, PixelPoint to, const Paint& paint) const
 {
-    Stamped([&] { AddArrow(m_list, m_camera, ToWorld(from), ToWorld(to), color); });
+    Stamped([&] { AddArrow(m_list, m_camera, ToWorld(from), ToWorld(to), paint); });
 }
 
-void Paper::Text(PixelPoint at, std::string_view line, TextAnchor anchor, Color color) const
+void Paper::Text(PixelPoint at, std::string_view line, TextAnchor anchor, const Paint& paint) const
 {
     if (line.empty())
     {
         return;
     }
     const PixelPoint corner{at.x - anchor.x * TextWidth(line), at.y - anchor.y * kTextHeight};
-    Stamped([&] { m_list.AddText(ToWorld(corner), line, color); });
+    Stamped([&] { m_list.AddText(ToWorld(corner), line, paint); });
 }
 
 Camera PaperCamera(int width, int height)

@@ -10,29 +10,6 @@ namespace boxreel
 namespace
 {
 
-bool SameRgb(Color a, Color b)
-{
-    return a.r == b.r && a.g == b.g && a.b == b.b;
-}
-
-const Color* Known(const Palette& palette, Color asked)
-{
-    for (std::size_t role = 0; role < kColorRoles; ++role)
-    {
-        if (SameRgb(kClassicPalette[role], asked))
-        {
-            return &palette[role];
-        }
-    }
-    return nullptr;
-}
-
-Color WithAlpha(Color color, std::uint8_t alpha)
-{
-    color.a = alpha;
-    return color;
-}
-
 // Relative luminance (IEC 61966-2-1, as WCAG 2.1 has it) with the sRGB curve taken as a square,
 // in units of 1 / (255^2 * 10000): whole numbers are the same on every machine, powers are not. At
 // most 0.04 too bright, in the middle.
@@ -78,20 +55,21 @@ const std::vector<std::pair<std::string_view, Theme (*)()>>& Themes()
 
 } // namespace
 
-Color Theme::Outline(Color asked) const
+Color Theme::Outline(const Paint& asked) const
 {
-    if (!recolors)
-    {
-        return asked;
-    }
-    const Color* const known = Known(palette, asked);
-    return known ? WithAlpha(*known, asked.a) : MadeSeen(asked, background);
+    return recolors && asked.role == ColorRole::None ? MadeSeen(asked.color, background)
+                                                     : Fill(asked);
 }
 
-Color Theme::Fill(Color asked) const
+Color Theme::Fill(const Paint& asked) const
 {
-    const Color* const known = recolors ? Known(palette, asked) : nullptr;
-    return known ? WithAlpha(*known, asked.a) : asked;
+    if (!recolors || asked.role == ColorRole::None)
+    {
+        return asked.color;
+    }
+    Color color = palette[std::size_t(asked.role)];
+    color.a = asked.color.a;
+    return color;
 }
 
 Theme Theme::Classic()

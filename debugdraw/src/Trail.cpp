@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/Trail.h>
 
-#include <debugdraw/Theme.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -142,10 +140,10 @@ void AddPiece(DrawList& list, double pixel, const Piece& piece, const TrailSetti
         const double end = double(i + 1) / count;
         const double age = piece.age0 + 0.5 * (start + end) * (piece.age1 - piece.age0);
         const double opacity = settings.oldest + age * (1.0 - settings.oldest);
-        Color color = settings.color;
-        color.a = static_cast<std::uint8_t>(std::floor(opacity * color.a + 0.5));
+        Paint paint = settings.color;
+        paint.color.a = static_cast<std::uint8_t>(std::floor(opacity * paint.color.a + 0.5));
         list.AddSegment(Between(piece.from, piece.to, start + shorter),
-                        Between(piece.from, piece.to, end - shorter), color);
+                        Between(piece.from, piece.to, end - shorter), paint);
     }
 }
 
@@ -192,13 +190,12 @@ void AddTrail(DrawList& list, const Camera& camera, std::span<const Vec2> way,
     list.layer = before;
 }
 
-Color TrailColor(std::size_t n)
+Paint TrailColor(std::size_t n)
 {
-    // Of the classic palette, so that each theme has a colour of its own for them.
     constexpr std::array<ColorRole, 5> kRoles{ColorRole::Pair, ColorRole::ContactImpulse,
                                               ColorRole::Aabb, ColorRole::NewContact,
                                               ColorRole::ContactNormal};
-    return kClassicPalette[static_cast<std::size_t>(kRoles[n % kRoles.size()])];
+    return kRoles[n % kRoles.size()];
 }
 
 } // namespace boxreel

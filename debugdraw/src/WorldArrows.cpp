@@ -2,7 +2,6 @@
 #include "WorldSeen.h"
 
 #include <debugdraw/Arrow.h>
-#include <debugdraw/Theme.h>
 #include <debugdraw/WorldArrows.h>
 
 #include <cmath>
@@ -16,11 +15,8 @@ namespace
 constexpr double kShortest = 1.5;  // an arrow that is shorter says nothing [px]
 constexpr double kHeadReach = 8.0; // of an arrow's head beside its shaft, generously [px]
 
-constexpr Color kVelocity = kClassicPalette[std::size_t(ColorRole::Velocity)];
-constexpr Color kForce = kClassicPalette[std::size_t(ColorRole::JointForce)];
-
 void AddSeenArrow(const View& view, const b2Vec2& from, const b2Vec2& way, double scale,
-                  Color color, DrawList& list)
+                  ColorRole role, DrawList& list)
 {
     const Vec2 tail{from.x, from.y};
     const Vec2 tip{float(from.x + way.x * scale), float(from.y + way.y * scale)};
@@ -29,7 +25,7 @@ void AddSeenArrow(const View& view, const b2Vec2& from, const b2Vec2& way, doubl
     const double shortest = kShortest / view.camera.pixelsPerMeter;
     if (dx * dx + dy * dy >= shortest * shortest && view.Shows(tail, tip, kHeadReach))
     {
-        AddArrow(list, view.camera, tail, tip, color);
+        AddArrow(list, view.camera, tail, tip, role);
     }
 }
 
@@ -60,8 +56,8 @@ void AddVelocities(const b2World& world, const View& view, double seconds, DrawL
     for (const b2Body* const body : AwakeBodies(world))
     {
         list.owner = static_cast<std::uint32_t>(body->GetNumber());
-        AddSeenArrow(view, body->GetWorldCenter(), body->GetLinearVelocity(), seconds, kVelocity,
-                     list);
+        AddSeenArrow(view, body->GetWorldCenter(), body->GetLinearVelocity(), seconds,
+                     ColorRole::Velocity, list);
     }
     list.owner = kNoOwner;
 }
@@ -72,8 +68,8 @@ void AddJointForces(const b2World& world, const View& view, double metersPerNewt
     list.owner = kNoOwner;
     for (const b2Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
     {
-        AddSeenArrow(view, joint->GetAnchorB(), joint->GetReactionForce(), metersPerNewton, kForce,
-                     list);
+        AddSeenArrow(view, joint->GetAnchorB(), joint->GetReactionForce(), metersPerNewton,
+                     ColorRole::JointForce, list);
     }
 }
 

@@ -27,8 +27,7 @@ constexpr double kBeside = 8.0; // what the longest name leaves free of the pict
 
 constexpr double kMarkRadius = 6.0; // [px]
 
-constexpr Color kInk{255, 255, 255, 255};
-constexpr Color kTieInk{255, 255, 255, 128};
+constexpr Paint kTieInk(ColorRole::Ink, 128);
 
 Vec2 CenterOf(const b2Body& body)
 {
@@ -104,7 +103,7 @@ void AddLabel(const Label& label, const LabelSpot& spot, const Camera& camera, D
     const double metersPerPixel = 1.0 / camera.pixelsPerMeter;
     list.AddText({float(spot.middle.x - 0.5 * TextWidth(label.name) * metersPerPixel),
                   float(spot.middle.y + 0.5 * kTextHeight * metersPerPixel)},
-                 label.name, kInk);
+                 label.name, ColorRole::Ink);
 }
 
 /// Each on its place, or beside it when something is there. Those that nothing of can be seen, by
@@ -177,14 +176,14 @@ void AddJointNames(const b2World& world, const View& view, const JointNames& nam
 
 void AddCenterMarks(const b2World& world, const View& view, DrawList& list)
 {
-    list.layer = DrawLayer::CentersOfMass;
+    list.layer = DrawLayer::CenterMarks;
     for (const b2Body* body : SeenBodies(world, view, kMarkRadius))
     {
         if (body->GetMass() > 0.0f && view.Shows(CenterOf(*body), kMarkRadius))
         {
             list.owner = static_cast<std::uint32_t>(body->GetNumber());
             const b2Vec2 axis = body->GetWorldVector(b2Vec2(1.0f, 0.0f));
-            GlyphPen pen(list, view.camera, CenterOf(*body), {axis.x, axis.y}, kInk);
+            GlyphPen pen(list, view.camera, CenterOf(*body), {axis.x, axis.y}, ColorRole::Ink);
             pen.Circle({0.0, 0.0}, kMarkRadius);
             pen.Quarter(kMarkRadius, 0);
             pen.Quarter(kMarkRadius, 2);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/Arrow.h>
-#include <debugdraw/Theme.h>
 #include <debugdraw/WorldContacts.h>
 
 #include <algorithm>
@@ -19,11 +18,6 @@ constexpr ArrowHead kPushHead{7.0, 2.5};
 constexpr ArrowHead kRubHead{7.0, 3.5, true}; // tells friction from impulses in any colour
 constexpr double kShortest = 1.5;             // an arrow that is shorter says nothing [px]
 constexpr double kHeadReach = 8.0; // of an arrow's head beside its shaft, generously [px]
-
-Color ColorOf(ColorRole role)
-{
-    return kClassicPalette[static_cast<std::size_t>(role)];
-}
 
 /// A contact point that may be seen, and what goes through it.
 struct Spot
@@ -74,7 +68,7 @@ void AddArrows(const std::vector<Spot>& spots, const View& view, double metersPe
         if (b2Abs(length) * view.camera.pixelsPerMeter >= kShortest)
         {
             AddArrow(list, view.camera, {spot.point.x, spot.point.y}, {tip.x, tip.y},
-                     ColorOf(alongNormal ? ColorRole::ContactImpulse : ColorRole::ContactFriction),
+                     alongNormal ? ColorRole::ContactImpulse : ColorRole::ContactFriction,
                      alongNormal ? kPushHead : kRubHead);
         }
     }
@@ -86,8 +80,7 @@ void AddNormals(const std::vector<Spot>& spots, const View& view, DrawList& list
     for (const Spot& spot : spots)
     {
         const b2Vec2 tip = spot.point + length * spot.normal;
-        list.AddSegment({spot.point.x, spot.point.y}, {tip.x, tip.y},
-                        ColorOf(ColorRole::ContactNormal));
+        list.AddSegment({spot.point.x, spot.point.y}, {tip.x, tip.y}, ColorRole::ContactNormal);
     }
 }
 
@@ -96,7 +89,7 @@ void AddPoints(const std::vector<Spot>& spots, DrawList& list)
     for (const Spot& spot : spots)
     {
         list.AddPoint({spot.point.x, spot.point.y}, spot.isOld ? kOldPoint : kNewPoint,
-                      ColorOf(spot.isOld ? ColorRole::OldContact : ColorRole::NewContact));
+                      spot.isOld ? ColorRole::OldContact : ColorRole::NewContact);
     }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <debugdraw/GlyphPen.h>
 #include <debugdraw/TextWidth.h>
-#include <debugdraw/Theme.h>
 #include <debugdraw/WorldGlyphs.h>
 
 #include <algorithm>
@@ -19,7 +18,7 @@ namespace
 
 using Point = GlyphPen::Point;
 
-constexpr Color kGlyphColor = kClassicPalette[std::size_t(ColorRole::Joint)];
+constexpr ColorRole kGlyphColor = ColorRole::Joint;
 
 // No sign reaches farther beyond the points it hangs on [px], nor do a rope's letters.
 constexpr double kReach = 48.0;

@@ -55,6 +55,38 @@ const Container& ContainerOf(VideoFormat format)
                          [format](const Container& c) { return c.format == format; });
 }
 
+} // namespace
+
+std::vector<CodecChoice> CodecChoices()
+{
+    std::vector<CodecChoice> choices;
+    for (const Container& container : Containers())
+    {
+        for (const std::string& codec : container.codecs)
+        {
+            const auto known =
+                std::find_if(choices.begin(), choices.end(),
+                             [&codec](const CodecChoice& choice) { return choice.name == codec; });
+            if (container.codecs.size() == 1)
+            {
+                continue; // nothing to choose
+            }
+            if (known == choices.end())
+            {
+                choices.push_back({codec, {container.name}});
+            }
+            else
+            {
+                known->ends.emplace_back(container.name);
+            }
+        }
+    }
+    return choices;
+}
+
+namespace
+{
+
 Error Contradiction(const std::string& culprit, const std::string& problem,
                     const std::string& remedy)
 {

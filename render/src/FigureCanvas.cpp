@@ -39,7 +39,7 @@ public:
           m_canvas(canvas)
     {}
 
-    void Paint()
+    void Run()
     {
         m_canvas.BeginPanel(m_panel);
         for (const DrawItem& item : m_list.items)
@@ -64,10 +64,13 @@ private:
         return {0.5 * m_camera.width + (world.x - m_camera.centerX) * m_camera.pixelsPerMeter,
                 0.5 * m_camera.height - (world.y - m_camera.centerY) * m_camera.pixelsPerMeter};
     }
-    FigureInk Stroke(Color asked) const { return {m_theme.Outline(asked), asked.a / 255.0}; }
+    FigureInk Stroke(const Paint& asked) const
+    {
+        return {m_theme.Outline(asked), asked.color.a / 255.0};
+    }
     FigureInk Fill(const DrawItem& item) const
     {
-        const Color asked = item.color;
+        const Paint asked = item.Asked();
         if (item.layer == DrawLayer::Annotations)
         {
             return Stroke(asked);
@@ -77,7 +80,7 @@ private:
             return static_cast<std::uint8_t>(std::floor(m_theme.fillShade * channel + 0.5f));
         };
         return {{shaded(fill.r), shaded(fill.g), shaded(fill.b)},
-                double(m_theme.fillAlpha) * asked.a / 255.0};
+                double(m_theme.fillAlpha) * asked.color.a / 255.0};
     }
 
     bool IsShown(const DrawItem& item) const;
@@ -86,11 +89,11 @@ private:
 
     void Add(const DrawItem& item);
     void AddSolidPolygon(const Vec2* points, const DrawItem& item);
-    void AddOutline(const Vec2* points, std::size_t count, Color color);
+    void AddOutline(const Vec2* points, std::size_t count, const Paint& paint);
     void AddSolidCircle(Point center, double radius, Point axis, const DrawItem& item);
     void AddLine(Point a, Point b, const FigureInk& ink);
     void AddTransform(const Vec2* points, double length);
-    void AddText(Point topLeft, const std::string& text, Color color);
+    void AddText(Point topLeft, const std::string& text, const Paint& paint);
 
     const FigurePanel& m_panel;
     const DrawList& m_list;
@@ -175,7 +178,7 @@ void PanelPainter::EnterGroupOf(const DrawItem& item)
     m_lastLine.reset();
     m_owner = item.owner;
     m_layer = item.layer;
-    const char* const layer = LayerName(item.layer);
+    const char* const layer = InfoOf(item.layer).name;
     FigureGroup group{"", "", layer};
     if (item.owner == kNoOwner)
     {
@@ -221,38 +224,38 @@ void PanelPainter::Add(const DrawItem& item)
     switch (item.kind)
     {
     case DrawKind::Polygon:
-        return AddOutline(points, item.count, item.color);
+        return AddOutline(points, item.count, item.Asked());
     case DrawKind::SolidPolygon:
         return AddSolidPolygon(points, item);
     case DrawKind::Circle:
-        return m_canvas.Circle(first, radius, {{}, Stroke(item.color)});
+        return m_canvas.Circle(first, radius, {{}, Stroke(item.Asked())});
     case DrawKind::SolidCircle:
         return AddSolidCircle(first, radius, {points[1].x, -points[1].y}, item);
     case DrawKind::Segment:
-        return AddLine(first, ToPixel(points[1]), Stroke(item.color));
+        return AddLine(first, ToPixel(points[1]), Stroke(item.Asked()));
     case DrawKind::Transform:
         return AddTransform(points, item.size);
     case DrawKind::Point:
-        return m_canvas.Circle(first, 0.5 * std::abs(item.size), {Stroke(item.color), {}});
+        return m_canvas.Circle(first, 0.5 * std::abs(item.size), {Stroke(item.Asked()), {}});
     case DrawKind::Text:
-        return AddText(first, m_list.texts[item.text], item.color);
+        return AddText(first, m_list.texts[item.text], item.Asked());
     }
 }
 
 void PanelPainter::AddSolidPolygon(const Vec2* points, const DrawItem& item)
 {
     const std::size_t count = item.count;
-    const Color color = item.color;
+    const Paint paint = item.Asked();
     if (count > kMaxCorners - 4)
     {
-        return AddOutline(points, count, color); // more corners than the interface allows
+        return AddOutline(points, count, paint); // more corners than the interface allows
     }
     std::array<Point, kMaxCorners> corners;
     std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
     Convex polygon = MakeConvex(corners.data(), count);
     if (polygon.count < 3) // no inside
     {
-        return AddOutline(points, count, color);
+        return AddOutline(points, count, paint);
     }
     polygon =
         Clip(polygon, {-kGuard, -kGuard}, {m_camera.width + kGuard, m_camera.height + kGuard});
@@ -261,9 +264,9 @@ void PanelPainter::AddSolidPolygon(const Vec2* points, const DrawItem& item)
         return;
     }
     const auto all = [](const Convex& p) { return std::span(p.corners.data(), p.count); };
-    if (color.a == 255)
+    if (paint.color.a == 255)
     {
-        return m_canvas.Polygon(all(polygon), true, {Fill(item), Stroke(color)});
+        return m_canvas.Polygon(all(polygon), true, {Fill(item), Stroke(paint)});
     }
     // What is seen through an outline is what lies below the shape, not its own fill.
     const Convex inside = Shrink(polygon, 0.5 * double(m_theme.outlineWidth));
@@ -271,10 +274,10 @@ void PanelPainter::AddSolidPolygon(const Vec2* points, const DrawItem& item)
     {
         m_canvas.Polygon(all(inside), true, {Fill(item), {}});
     }
-    m_canvas.Polygon(all(polygon), true, {{}, Stroke(color)});
+    m_canvas.Polygon(all(polygon), true, {{}, Stroke(paint)});
 }
 
-void PanelPainter::AddOutline(const Vec2* points, std::size_t count, Color color)
+void PanelPainter::AddOutline(const Vec2* points, std::size_t count, const Paint& paint)
 {
     std::vector<Point> corners(count);
     std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
@@ -284,22 +287,22 @@ void PanelPainter::AddOutline(const Vec2* points, std::size_t count, Color color
     });
     if (!isFar && count > 2)
     {
-        return m_canvas.Polygon(corners, false, {{}, Stroke(color)});
+        return m_canvas.Polygon(corners, false, {{}, Stroke(paint)});
     }
     for (std::size_t i = 0; i < count && !(count == 2 && i == 1); ++i)
     {
-        AddLine(corners[i], corners[(i + 1) % count], Stroke(color));
+        AddLine(corners[i], corners[(i + 1) % count], Stroke(paint));
     }
 }
 
 void PanelPainter::AddSolidCircle(Point center, double radius, Point axis, const DrawItem& item)
 {
-    const Color color = item.color;
+    const Paint paint = item.Asked();
     const double length = Length(axis);
     const Point direction = length > 0.0 ? (1.0 / length) * axis : Point{1.0, 0.0};
-    if (color.a == 255)
+    if (paint.color.a == 255)
     {
-        m_canvas.Circle(center, radius, {Fill(item), Stroke(color)});
+        m_canvas.Circle(center, radius, {Fill(item), Stroke(paint)});
     }
     else
     {
@@ -308,9 +311,9 @@ void PanelPainter::AddSolidCircle(Point center, double radius, Point axis, const
         {
             m_canvas.Circle(center, inside, {Fill(item), {}});
         }
-        m_canvas.Circle(center, radius, {{}, Stroke(color)});
+        m_canvas.Circle(center, radius, {{}, Stroke(paint)});
     }
-    AddLine(center, center + radius * direction, Stroke(color));
+    AddLine(center, center + radius * direction, Stroke(paint));
 }
 
 bool PanelPainter::IsEndOfLastLine(Point at, const FigureInk& ink) const
@@ -348,7 +351,7 @@ void PanelPainter::AddTransform(const Vec2* points, double length)
     AddLine(origin, origin + y, {m_theme.yAxis, 1.0});
 }
 
-void PanelPainter::AddText(Point topLeft, const std::string& text, Color color)
+void PanelPainter::AddText(Point topLeft, const std::string& text, const Paint& paint)
 {
     double baseline = topLeft.y + kFigureAscent;
     for (std::size_t start = 0; start <= text.size();)
@@ -357,7 +360,7 @@ void PanelPainter::AddText(Point topLeft, const std::string& text, Color color)
         const std::string line = Readable(std::string_view(text).substr(start, end - start));
         if (!line.empty())
         {
-            m_canvas.Text({topLeft.x, baseline}, line, Stroke(color));
+            m_canvas.Text({topLeft.x, baseline}, line, Stroke(paint));
         }
         baseline += kFigureLine;
         start = end + 1;
@@ -381,7 +384,7 @@ void PaintFigure(const Figure& figure, FigureCanvas& canvas)
     std::set<std::string> ids;
     for (const FigurePanel& panel : figure.panels)
     {
-        PanelPainter(panel, figure.theme, ids, canvas).Paint();
+        PanelPainter(panel, figure.theme, ids, canvas).Run();
     }
 }
 

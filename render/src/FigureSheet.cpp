@@ -108,7 +108,7 @@ Grid GridOf(const std::vector<SheetPicture>& pictures, const Margins& margins,
 /// The frame of a picture that has no axes, just outside of it, so that one sees where it ends.
 void AddFrame(const Paper& paper, const Camera& view, PixelPoint corner)
 {
-    constexpr Color kFrame{153, 153, 153}; // that of sleeping bodies, a grey in most themes
+    constexpr Paint kFrame = ColorRole::AsleepBody; // a grey in most themes
     const double left = corner.x - 1.0;
     const double top = corner.y - 1.0;
     const double right = corner.x + view.width + 1.0;

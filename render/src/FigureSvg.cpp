@@ -105,7 +105,7 @@ public:
     {
         Line("<g" + Attribute("id", group.id) + Attribute("class", group.layer) + ">");
         ++m_depth;
-        m_inLabels = std::string_view(group.layer) == LayerName(DrawLayer::Labels);
+        m_inLabels = std::string_view(group.layer) == InfoOf(DrawLayer::Labels).name;
         if (!group.title.empty())
         {
             Line("<title>" + MarkupEscaped(group.title) + "</title>");

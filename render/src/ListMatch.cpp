@@ -48,7 +48,7 @@ private:
     {
         const DrawItem& a = m_last.items[i];
         const DrawItem& b = m_next.items[k];
-        return a.kind == b.kind && a.count == b.count && a.color == b.color &&
+        return a.kind == b.kind && a.count == b.count && a.color == b.color && a.role == b.role &&
                std::bit_cast<std::uint32_t>(a.size) == std::bit_cast<std::uint32_t>(b.size) &&
                std::memcmp(m_last.points.data() + a.first, m_next.points.data() + b.first,
                            a.count * sizeof(Vec2)) == 0 &&

@@ -128,7 +128,7 @@ bool ShapeBuilder::AddItem(const DrawList& list, const DrawItem& item)
     }
     const double meters = m_camera.pixelsPerMeter;
     const double width = m_outlineWidth;
-    const Rgba stroke = Opaque(m_theme.Outline(item.color));
+    const Rgba stroke = Opaque(m_theme.Outline(item.Asked()));
     switch (item.kind)
     {
     case DrawKind::Polygon:
@@ -174,16 +174,16 @@ std::optional<PixelBounds> ShapeBuilder::InPicture(Point lower, Point upper) con
 
 ShapeBuilder::Paint ShapeBuilder::SolidPaint(const DrawItem& item) const
 {
-    const Color color = item.color;
+    const boxreel::Paint asked = item.Asked();
     if (item.layer == DrawLayer::Annotations)
     {
-        const Rgba ink = Opaque(m_theme.Outline(color));
+        const Rgba ink = Opaque(m_theme.Outline(asked));
         return {ink, ink};
     }
-    const Color fill = m_theme.Fill(color);
-    const double alpha = m_theme.fillAlpha * color.a / 255.0;
+    const Color fill = m_theme.Fill(asked);
+    const double alpha = m_theme.fillAlpha * asked.color.a / 255.0;
     const double shade = m_theme.fillShade;
-    return {Opaque(m_theme.Outline(color)),
+    return {Opaque(m_theme.Outline(asked)),
             Premultiplied(shade * fill.r, shade * fill.g, shade * fill.b, alpha)};
 }
 

@@ -32,6 +32,25 @@ std::string ListedWords(const std::vector<std::string>& words)
     return list;
 }
 
+std::string Filled(std::string start, const std::vector<std::string>& words,
+                   const std::string& separator)
+{
+    constexpr std::size_t kLineLength = 66;
+    std::size_t lineStart = 0;
+    for (std::size_t i = 0; i < words.size(); ++i)
+    {
+        const std::string word = words[i] + (i + 1 < words.size() ? separator : "");
+        if (start.size() - lineStart + word.size() > kLineLength)
+        {
+            start.erase(start.find_last_not_of(' ') + 1);
+            start += '\n';
+            lineStart = start.size();
+        }
+        start += word;
+    }
+    return start;
+}
+
 Error Missing(const std::string& subject, const std::string& argument, const std::string& example)
 {
     return {ErrorKind::Unusable, subject, "requires " + argument, "such as `" + example + "`"};

@@ -101,6 +101,9 @@ CLI::Option* AddTexts(CLI::App& command, const std::string& names,
                       const std::string& help);
 /// "classic, okabe-ito, …": for a help and for a remedy.
 std::string ListedWords(const std::vector<std::string>& words);
+/// `start`, then the words with `separator` between them, in lines as long as those of a help.
+std::string Filled(std::string start, const std::vector<std::string>& words,
+                   const std::string& separator);
 /// An error of ours on its way through the parser.
 struct Refusal : CLI::ValidationError
 {

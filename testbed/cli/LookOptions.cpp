@@ -74,11 +74,9 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "in the middle. X,Y,HEIGHT: fix middle and height, in metres.\n"
              "\"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\": move from key to key")
         ->group("Picture");
-    CLI::Option* draw =
-        AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
-                 "Draw these layers (shapes,joints). All: shapes,joints,aabbs,pairs,\n"
-                 "centers,masses,contacts,normals,impulses,friction,velocities,\n"
-                 "forces,names,glyphs");
+    CLI::Option* draw = AddValue(
+        command, "--draw", "LAYERS", look.layers, ParseLayers,
+        Filled("Draw these layers (" + TextOf(LayerSet()) + "). All: ", LayerNames(), ","));
     Completes(draw->group("Picture"), {Completion::Kind::List, LayerNames()});
     AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
              NumberBetween(1e-6, 1e6, "must be seconds from 1e-6 to 1e6, such as 0.2"),

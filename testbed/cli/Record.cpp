@@ -154,6 +154,20 @@ Result<NameAndValue> ParseCodecOption(const std::string& option, const std::stri
     return NameAndValue{text.substr(0, sign), text.substr(sign + 1)};
 }
 
+void AddCodec(CLI::App& command, std::string& codec)
+{
+    std::vector<std::pair<std::string, std::string>> names;
+    std::vector<std::string> words;
+    for (const CodecChoice& choice : CodecChoices())
+    {
+        names.emplace_back(choice.name, choice.name);
+        words.push_back(choice.name + " (" + ListedWords(choice.ends) + ")");
+    }
+    AddValue(command, "--codec", "NAME", codec, OneOf<std::string>(names),
+             Filled("Choose ", words, ", "))
+        ->group("Format");
+}
+
 /// How it is encoded.
 void AddFormat(CLI::App& command, VideoSettings& film)
 {
@@ -164,11 +178,7 @@ void AddFormat(CLI::App& command, VideoSettings& film)
                              {"lossless", Quality::Lossless}}),
              "Choose draft, standard, high, lossless (standard)")
         ->group("Format");
-    AddValue(
-        command, "--codec", "NAME", film.codec,
-        OneOf<std::string>({{"h264", "h264"}, {"vp9", "vp9"}, {"av1", "av1"}, {"ffv1", "ffv1"}}),
-        "Choose h264 (mp4, mkv), vp9 (webm, mkv), av1 (all three), ffv1 (mkv)")
-        ->group("Format");
+    AddCodec(command, film.codec);
     AddValue(command, "--chroma", "KIND", film.chroma,
              OneOf<Chroma>({{"420", Chroma::Half}, {"444", Chroma::Full}}),
              "420: plays everywhere; 444: coloured lines stay sharp (420)")

@@ -4,10 +4,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
-#include <golden/StateHash.h>
 #include <recorder/Recording.h>
-#include <render/Png.h>
-#include <session/SessionPanels.h>
 
 namespace boxreel
 {
@@ -36,226 +33,77 @@ FilmReport ReportOf(const RecordOptions& options, std::int64_t frameCount, doubl
 
 } // namespace
 
-std::int64_t FilmRun::StepOf(std::int64_t number) const
-{
-    return StepAt(m_options.length.from.value_or(Duration{}), m_session->StepsPerSecond()) +
-           m_clock.StepOfFrame(number);
-}
-
-void FilmRun::Step()
-{
-    m_session->AdvanceTo(m_session->Step() + 1);
-    if (m_snapshots != nullptr)
-    {
-        m_snapshots->Offer(*m_session);
-    }
-}
-
-/// From a state that another run has left, if there is one.
-void FilmRun::BeginSimulation()
-{
-    if (m_snapshots != nullptr)
-    {
-        const std::int64_t index = ThumbnailIsThere() ? ThumbnailFrame() : m_resumed;
-        const bool isAllThere = index >= m_plan.frames.Count();
-        const std::int64_t frame = isAllThere ? m_plan.frames.Last() + 1 : m_plan.frames.At(index);
-        m_snapshots->Begin(*m_session, m_session->LatestStateFor(StepOf(frame)));
-    }
-    m_firstStep = m_session->Step();
-}
-
-SimulationTotals FilmRun::Simulated() const
-{
-    return {.firstStep = m_firstStep, .steps = m_session->Step() - m_firstStep};
-}
-
-/// A simulation of many steps a frame is left between two of them when a signal asks for it.
-void FilmRun::AdvanceTo(std::int64_t number)
-{
-    const StageTimer timer(Stages(), Stage::Simulate);
-    const std::int64_t first = m_session->Step();
-    const std::int64_t step = StepOf(number);
-    while (m_session->Step() < step && StopSignals::Caught() == 0)
-    {
-        Step();
-        m_progress.Simulate({.step = m_session->Step(), .first = first, .last = step});
-    }
-    if (StopSignals::Caught() == 0)
-    {
-        Show(number);
-    }
-}
-
-/// The step is simulated; with --interpolate the next one may be needed too.
-void FilmRun::Show(std::int64_t number)
-{
-    const double fraction = m_options.pace.interpolate ? m_clock.FractionOfFrame(number) : 0.0;
-    const std::int64_t before = m_session->Step();
-    m_session->AdvanceBetween(StepOf(number), fraction);
-    if (m_snapshots != nullptr && m_session->Step() != before)
-    {
-        m_snapshots->Offer(*m_session);
-    }
-}
-
-/// What was left is gone on with only if it is the same film.
-Result<void> FilmRun::OpenManifest()
-{
-    m_hasManifest = HasManifest(m_options, m_plan);
-    m_manifest = {.version = BOXREEL_VERSION,
-                  .command = CommandOfFilm(m_options.arguments),
-                  .framesPerSecond = m_plan.film.framesPerSecond,
-                  .groupFrames = m_plan.groupFrames,
-                  .plays = m_plan.film.plays,
-                  .frameCount = m_plan.frameCount,
-                  .first = m_plan.frames.First(),
-                  .end = m_plan.frames.Last() + 1,
-                  .checksum = {},
-                  .states = {}};
-    std::error_code ignored;
-    const bool isLeft = std::filesystem::exists(ManifestPath(Part()), ignored) ||
-                        std::filesystem::exists(Part(), ignored);
-    if (!m_plan.film.resume || !isLeft)
-    {
-        m_plan.film.resume = false; // it is begun
-        return {};
-    }
-    if (IsBeingWritten(Part()))
-    {
-        return Error{ErrorKind::Failed, Part().string(), "another program is writing it",
-                     "wait for it"};
-    }
-    ASSIGN_OR_RETURN(Manifest left, ReadManifest(Part(), "start again with --force"));
-    const std::string difference = DifferenceOf(left, m_manifest);
-    if (!difference.empty() || left.first != m_manifest.first)
-    {
-        return Error{ErrorKind::Unusable, Part().string(),
-                     "belongs to another film (" +
-                         (difference.empty() ? "it begins with another frame" : difference) + ")",
-                     "give the same command, or start again with --force"};
-    }
-    m_left = std::move(left);
-    m_manifest.states = m_left.states; // merge asks for the first one
-    return {};
-}
-
 Result<void> FilmRun::Open(SceneSource source)
 {
-    RETURN_IF_ERROR(OpenManifest());
+    if (m_plan.film.resume)
+    {
+        ASSIGN_OR_RETURN(m_plan.film.resume, m_manifest.FindLeft());
+    }
     ASSIGN_OR_RETURN(Renderer renderer, Renderer::Create({.width = m_options.look.width,
                                                           .height = m_options.look.height,
                                                           .theme = m_options.look.theme,
                                                           .backend = m_options.backend}));
     m_renderer.emplace(std::move(renderer));
-    ASSIGN_OR_RETURN(SceneSession session, OpenSession(std::move(source), m_options.look));
-    m_session.emplace(std::move(session));
+    RETURN_IF_ERROR(m_simulation.Open(std::move(source)));
     // The last, for a writer that goes on with what was left takes that with it when it is given
     // up.
     m_plan.film.stages = Stages();
     ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(m_options.output, m_plan.film));
     m_resumed = m_filmed = writer.ResumedFrames();
     m_writer.emplace(std::move(writer));
-    m_clock = {m_plan.film.framesPerSecond, m_session->StepsPerSecond(), m_options.pace.speed};
+    SceneSession& session = m_simulation.Session();
     for (const Condition& condition : m_options.length.until)
     {
-        const std::string missing = condition.MissingBody(m_session->World(), m_session->Names());
+        const std::string missing = condition.MissingBody(session.World(), session.Names());
         if (!missing.empty()) // a scene may yet make it
         {
             WriteMessage("boxreel: " + missing);
         }
     }
-    BeginSimulation();
+    const std::int64_t index = IsThumbnailThere() ? m_thumbnail.Index() : m_resumed;
+    const bool isAllThere = index >= m_plan.frames.Count();
+    m_simulation.Begin(isAllThere ? m_plan.frames.Last() + 1 : m_plan.frames.At(index));
     return {};
-}
-
-/// Where the film may be continued or joined, the state of the world goes into its manifest.
-Result<void> FilmRun::NoteState(std::int64_t number)
-{
-    if (!m_hasManifest || (number % m_plan.groupFrames != 0 && number != m_manifest.first))
-    {
-        return {};
-    }
-    const std::string state = StateHashText(m_session->World());
-    const auto left = m_left.states.find(number);
-    if (left != m_left.states.end() && left->second != state)
-    {
-        return Error{ErrorKind::Unusable, Part().string(),
-                     "was made by another build of boxreel: frame " + std::to_string(number) +
-                         " differs",
-                     "start again with --force"};
-    }
-    m_manifest.states[number] = state;
-    return WriteManifest(Part(), m_manifest);
-}
-
-void FilmRun::Collect(FrameContent& content)
-{
-    const StageTimer timer(Stages(), Stage::Collect);
-    m_session->Fill(content);
 }
 
 Result<void> FilmRun::Fill(std::int64_t frame, FrameContent& content)
 {
     const std::int64_t number = m_plan.frames.At(m_resumed + frame);
-    AdvanceTo(number);
-    if (StopSignals::Caught() != 0)
+    if (!m_simulation.AdvanceTo(number))
     {
         content.stops = true;
         return {};
     }
-    RETURN_IF_ERROR(NoteState(number));
-    Collect(content);
+    SceneSession& session = m_simulation.Session();
+    RETURN_IF_ERROR(m_manifest.Note(number, session.World()));
+    m_simulation.Fill(content);
     for (const Condition& condition : m_options.length.until)
     {
-        content.isLast = content.isLast ||
-                         condition.Holds(m_session->World(), m_session->Names(), m_session->Time());
+        content.isLast =
+            content.isLast || condition.Holds(session.World(), session.Names(), session.Time());
     }
     m_hasEndedByItself = content.isLast;
     m_filmed = m_resumed + frame + 1;
     return {};
 }
 
-std::int64_t FilmRun::ThumbnailFrame() const
-{
-    const std::int64_t count = m_plan.frames.Count();
-    return m_options.thumbnail.at
-               ? std::min(StepAt(*m_options.thumbnail.at, m_plan.film.framesPerSecond), count - 1)
-               : count / 2;
-}
-
-/// Its frame is one of those that another run has filmed.
-bool FilmRun::ThumbnailIsThere() const
-{
-    return !m_options.thumbnail.file.empty() && ThumbnailFrame() < m_resumed;
-}
-
 /// On the way to the frame that the film goes on with.
 Result<void> FilmRun::DrawThumbnail()
 {
-    AdvanceTo(m_plan.frames.At(ThumbnailFrame()));
-    if (StopSignals::Caught() != 0)
+    if (!m_simulation.AdvanceTo(m_plan.frames.At(m_thumbnail.Index())))
     {
         return {};
     }
     FrameContent content;
-    Collect(content);
-    const Overlay* overlay = content.overlay.IsEmpty() ? nullptr : &content.overlay;
-    return m_renderer->Draw(content.list, content.camera, m_thumbnail, overlay);
-}
-
-void FilmRun::See(std::int64_t frame, const Frame& pixels)
-{
-    if (m_resumed + frame == ThumbnailFrame())
-    {
-        m_thumbnail = pixels;
-    }
+    m_simulation.Fill(content);
+    return m_thumbnail.Draw(*m_renderer, content);
 }
 
 Result<RecordingEnd> FilmRun::Film()
 {
     m_progress.Update(
         {.framesDone = m_resumed, .framesTotal = m_plan.frames.Count(), .framesKept = m_resumed});
-    if (ThumbnailIsThere())
+    if (IsThumbnailThere())
     {
         RETURN_IF_ERROR(DrawThumbnail());
     }
@@ -278,39 +126,32 @@ Result<RecordingEnd> FilmRun::Film()
         m_progress.Update(now);
         return StopSignals::Caught() == 0;
     };
-    if (!m_options.thumbnail.file.empty())
+    if (m_thumbnail.IsWanted())
     {
-        settings.seen = [this](std::int64_t frame, const Frame& pixels) { See(frame, pixels); };
+        settings.seen = [this](std::int64_t frame, const Frame& pixels) {
+            m_thumbnail.See(m_resumed + frame, pixels);
+        };
     }
     return Record(settings, *m_renderer, *m_writer);
-}
-
-/// Of the film that is being made.
-void FilmRun::RemoveManifest()
-{
-    std::error_code ignored;
-    if (m_hasManifest)
-    {
-        std::filesystem::remove(ManifestPath(Part()), ignored);
-    }
 }
 
 /// What there is stays, can be played, and can be continued.
 Result<int> FilmRun::Stopped(std::int64_t framesDone)
 {
+    const std::filesystem::path part = PartPath(m_options.output);
     std::string stopped = "Stopped";
     if (m_options.output != "-" && m_resumed + framesDone == 0)
     {
         stopped += " before the first frame";
-        RemoveManifest();
+        m_manifest.Remove();
     }
     else if (m_options.output != "-")
     {
         RETURN_IF_ERROR(m_writer->Suspend());
-        const bool isSequence = m_hasManifest && !std::filesystem::exists(Part());
+        const bool isSequence = m_manifest.IsKept() && !std::filesystem::exists(part);
         stopped += " after " + std::to_string(m_resumed + framesDone) + " frames; " +
-                   (isSequence ? "they" : Part().string()) + " can be looked at" +
-                   (m_hasManifest ? ", and the same command with --resume goes on" : "");
+                   (isSequence ? "they" : part.string()) + " can be looked at" +
+                   (m_manifest.IsKept() ? ", and the same command with --resume goes on" : "");
     }
     m_progress.Stop(stopped + ".");
     return StopSignals::kExitCode;
@@ -319,37 +160,18 @@ Result<int> FilmRun::Stopped(std::int64_t framesDone)
 /// A part keeps its manifest, a whole film needs none.
 Result<void> FilmRun::FinishManifest()
 {
-    if (!m_hasManifest)
+    if (!m_manifest.IsKept())
     {
         return {};
     }
-    RemoveManifest();
-    if (m_options.length.range)
-    {
-        m_manifest.end = m_plan.frames.First() + m_filmed;
-        for (const std::int64_t step = StepOf(m_manifest.end); m_session->Step() < step;)
-        {
-            Step();
-        }
-        Show(m_manifest.end);
-        m_manifest.states[m_manifest.end] = StateHashText(m_session->World());
-        m_manifest.checksum = ChecksumOfFilm(m_options.output);
-        RETURN_IF_ERROR(WriteManifest(m_options.output, m_manifest));
-    }
-    return {};
-}
-
-Result<void> FilmRun::WriteThumbnail()
-{
-    if (m_options.thumbnail.file.empty())
+    m_manifest.Remove();
+    if (!m_options.length.range)
     {
         return {};
     }
-    if (m_thumbnail.rgba.empty()) // the film ended earlier: its last frame
-    {
-        RETURN_IF_ERROR(m_renderer->Read(m_thumbnail));
-    }
-    return WritePng(m_options.thumbnail.file, m_thumbnail, {.overwrite = m_plan.film.overwrite});
+    const std::int64_t end = m_plan.frames.First() + m_filmed;
+    m_simulation.FinishAt(end);
+    return m_manifest.Complete(end, m_simulation.Session().World());
 }
 
 std::string FilmRun::StageText() const
@@ -362,7 +184,7 @@ std::string FilmRun::StageText() const
 Result<int> FilmRun::Finished()
 {
     RETURN_IF_ERROR(FinishManifest());
-    RETURN_IF_ERROR(WriteThumbnail());
+    RETURN_IF_ERROR(m_thumbnail.Write(*m_renderer));
     m_progress.Finish(ReportOf(m_options, m_filmed, m_progress.Seconds()));
     if (!m_options.length.until.empty() && !m_hasEndedByItself)
     {
@@ -370,15 +192,15 @@ Result<int> FilmRun::Finished()
                      std::to_string(m_filmed) + " frames.");
     }
     // A film in which what the camera waits for has never come is a film all the same.
-    const Result<void> played = m_session->CheckCompanion();
-    if (const Result<void> met = m_session->CheckView(); played && !met)
+    const Result<void> played = m_simulation.Session().CheckCompanion();
+    if (const Result<void> met = m_simulation.Session().CheckView(); played && !met)
     {
         WriteMessage("boxreel: " + met.GetError().Text());
     }
     if (m_options.messages.stats)
     {
         WriteMessage(DescribeDrawing(m_renderer->Totals()) + "\n" +
-                     DescribeSimulation(Simulated()));
+                     DescribeSimulation(m_simulation.Totals()));
         WriteMessage(StageText());
     }
     return played ? Result<int>(0) : played.GetError(); // the film is there, not what was asked
@@ -393,7 +215,7 @@ void FilmRun::Abandon()
     }
     else if (m_writer)
     {
-        RemoveManifest();
+        m_manifest.Remove();
     }
 }
 

@@ -8,6 +8,7 @@
 #include <debugdraw/WorldArrows.h>
 #include <debugdraw/WorldGlyphs.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace boxreel
@@ -15,17 +16,18 @@ namespace boxreel
 namespace
 {
 
-uint32 EngineFlags(const SceneLayers& layers)
+uint32 EngineFlags(const LayerSet& layers)
 {
-    const std::pair<bool, uint32> flags[] = {{layers.shapes, b2Draw::e_shapeBit},
-                                             {layers.joints, b2Draw::e_jointBit},
-                                             {layers.aabbs, b2Draw::e_aabbBit},
-                                             {layers.pairs, b2Draw::e_pairBit},
-                                             {layers.centers, b2Draw::e_centerOfMassBit}};
+    const std::pair<DrawLayer, uint32> flags[] = {
+        {DrawLayer::Shapes, b2Draw::e_shapeBit},
+        {DrawLayer::Joints, b2Draw::e_jointBit},
+        {DrawLayer::Aabbs, b2Draw::e_aabbBit},
+        {DrawLayer::Pairs, b2Draw::e_pairBit},
+        {DrawLayer::CentersOfMass, b2Draw::e_centerOfMassBit}};
     uint32 all = 0;
-    for (const auto& [isOn, flag] : flags)
+    for (const auto& [layer, flag] : flags)
     {
-        all |= isOn ? flag : 0u;
+        all |= layers[layer] ? flag : 0u;
     }
     return all;
 }
@@ -52,45 +54,38 @@ bool HasContacts(const ContactLook& look)
 std::vector<std::string> LayerNames()
 {
     std::vector<std::string> names;
-    for (const SceneLayer& known : kSceneLayers)
+    for (const LayerInfo& known : kOptionalLayers)
     {
-        names.emplace_back(known.name);
+        names.emplace_back(known.option);
     }
     return names;
 }
 
-Result<SceneLayers> ParseLayers(const std::string& option, const std::string& text)
+Result<LayerSet> ParseLayers(const std::string& option, const std::string& text)
 {
-    SceneLayers layers;
-    layers.shapes = false;
-    layers.joints = false;
+    LayerSet layers = LayerSet::None();
     for (const std::string& part : SplitAt(',', text))
     {
-        bool isKnown = false;
-        for (const SceneLayer& known : kSceneLayers)
-        {
-            if (part == known.name)
-            {
-                layers.*known.layer = true;
-                isKnown = true;
-            }
-        }
-        if (!isKnown)
+        const auto known =
+            std::find_if(kOptionalLayers.begin(), kOptionalLayers.end(),
+                         [&part](const LayerInfo& info) { return part == info.option; });
+        if (known == kOptionalLayers.end())
         {
             return UnknownLayer(option, part);
         }
+        layers[known->layer] = true;
     }
     return layers;
 }
 
-std::string TextOf(const SceneLayers& layers)
+std::string TextOf(const LayerSet& layers)
 {
     std::string text;
-    for (const SceneLayer& known : kSceneLayers)
+    for (const LayerInfo& known : kOptionalLayers)
     {
-        if (layers.*known.layer)
+        if (layers[known.layer])
         {
-            text.append(text.empty() ? "" : ",").append(known.name);
+            text.append(text.empty() ? "" : ",").append(known.option);
         }
     }
     return text;
@@ -103,16 +98,17 @@ View PictureView(const Camera& camera, const Theme& theme, double scale)
     return ViewOf(camera, kCorners * double(theme.outlineWidth) + kEdge / scale);
 }
 
-LayerCollector::LayerCollector(const SceneLayers& layers, const ArrowScales& scales,
+LayerCollector::LayerCollector(const LayerSet& layers, const ArrowScales& scales,
                                double stepsPerSecond, const b2World& world)
     : m_layers(layers), m_velocitySeconds(scales.velocitySeconds)
 {
-    m_contactLook.points = layers.contacts;
-    m_contactLook.normals = layers.normals;
-    m_contactLook.impulses = layers.impulses;
-    m_contactLook.friction = layers.friction;
+    m_contactLook.points = layers[DrawLayer::Contacts];
+    m_contactLook.normals = layers[DrawLayer::ContactNormals];
+    m_contactLook.impulses = layers[DrawLayer::ContactImpulses];
+    m_contactLook.friction = layers[DrawLayer::ContactFriction];
     m_contactLook.stepsPerSecond = stepsPerSecond;
-    const bool hasForces = layers.forces || layers.impulses || layers.friction;
+    const bool hasForces = layers[DrawLayer::JointForces] || layers[DrawLayer::ContactImpulses] ||
+                           layers[DrawLayer::ContactFriction];
     if (scales.metersPerNewton || hasForces)
     {
         m_metersPerNewton = scales.metersPerNewton.value_or(MetersPerNewtonFor(world, kForceShare));
@@ -123,7 +119,7 @@ LayerCollector::LayerCollector(const SceneLayers& layers, const ArrowScales& sca
 
 void LayerCollector::BeforeStep(const b2World& world)
 {
-    if (m_layers.contacts)
+    if (m_layers[DrawLayer::Contacts])
     {
         m_contacts.Remember(world);
     }
@@ -139,19 +135,19 @@ void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& 
     world.SetDebugDraw(&collector);
     world.DrawDebugData();
     world.SetDebugDraw(nullptr);
-    if (m_layers.glyphs)
+    if (m_layers[DrawLayer::JointGlyphs])
     {
         AddJointGlyphs(world, view, list);
     }
-    if (m_layers.masses)
+    if (m_layers[DrawLayer::CenterMarks])
     {
         AddCenterMarks(world, view, list);
     }
-    if (m_layers.forces)
+    if (m_layers[DrawLayer::JointForces])
     {
         AddJointForces(world, view, m_metersPerNewton, list);
     }
-    if (m_layers.velocities)
+    if (m_layers[DrawLayer::Velocities])
     {
         AddVelocities(world, view, m_velocitySeconds, list);
     }
@@ -160,7 +156,7 @@ void LayerCollector::Collect(b2World& world, const View& view, const BodyNames& 
         m_contacts.Collect(world, view, m_contactLook, list);
     }
     Append(list, notes);
-    if (m_layers.names)
+    if (m_layers[DrawLayer::Labels])
     {
         AddBodyNames(world, view, names, list);
         AddJointNames(world, view, jointNames, list);

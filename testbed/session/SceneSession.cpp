@@ -64,17 +64,17 @@ ViewChoice PreferredView(const Scene& scene, double aspect)
 }
 
 /// Numbers are names of bodies that have none.
-SceneLayers LayersOf(const SceneLook& look)
+LayerSet LayersOf(const SceneLook& look)
 {
-    SceneLayers layers = look.layers;
-    layers.names = layers.names || look.labels;
+    LayerSet layers = look.layers;
+    layers[DrawLayer::Labels] = layers[DrawLayer::Labels] || look.labels;
     return layers;
 }
 
 /// What stands at bodies: names, numbers, or "3 ball" when both are asked for.
 BodyNames ShownNames(const SceneLook& look, const BodyNames& names)
 {
-    BodyNames shown = look.layers.names ? names : BodyNames();
+    BodyNames shown = look.layers[DrawLayer::Labels] ? names : BodyNames();
     for (auto& [number, name] : shown)
     {
         name = look.labels && !name.empty() ? std::to_string(number) + " " + name : name;
@@ -228,7 +228,7 @@ Result<void> SceneSession::CheckView() const
     return gone ? m_camera.CheckBodiesCame() : gone;
 }
 
-void SceneSession::SetLayers(const SceneLayers& layers, bool labels)
+void SceneSession::SetLayers(const LayerSet& layers, bool labels)
 {
     if (layers == m_look.layers && labels == m_look.labels)
     {
@@ -342,7 +342,7 @@ void SceneSession::Collect(double farthest, DrawList& list, const DrawList& note
     m_scene->Draw(collector);
     Append(own, notes);
     m_layers.Collect(m_scene->World(), CollectedView(farthest), m_shownNames,
-                     m_look.layers.names ? m_scene->JointNames() : kNone, list, own);
+                     m_look.layers[DrawLayer::Labels] ? m_scene->JointNames() : kNone, list, own);
 }
 
 /// What has jumped is found where it is now, not farther than `farthest` [m] from where it is

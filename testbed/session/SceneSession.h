@@ -38,7 +38,7 @@ struct SceneLook
     std::uint32_t seed = 1;
     std::shared_ptr<const Script> script; ///< whose actions are done to it; null: none
     ViewChoice view;
-    SceneLayers layers;
+    LayerSet layers;
     ArrowScales arrows;
     /// What lies outside of the picture is collected too: for lists that are kept and compared.
     bool collectEverything = false;
@@ -111,7 +111,7 @@ public:
 
     // What a person changes while it goes on.
     const SceneLook& Look() const { return m_look; }
-    void SetLayers(const SceneLayers& layers, bool labels);
+    void SetLayers(const LayerSet& layers, bool labels);
     /// Paused, steps pass by and nothing is simulated.
     void Pause(bool isPaused) { m_isPaused = isPaused; }
     bool IsPaused() const { return m_isPaused; }

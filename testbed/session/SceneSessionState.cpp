@@ -26,7 +26,8 @@ std::string SceneSession::DescribeOrigin()
 
 std::int64_t SceneSession::LatestStateFor(std::int64_t step) const
 {
-    return m_look.layers.contacts ? step - 1 : step; // dots show which contacts are new in a step
+    return m_look.layers[DrawLayer::Contacts] ? step - 1
+                                              : step; // dots show which contacts are new in a step
 }
 
 std::vector<std::uint8_t> SceneSession::SaveState()

@@ -64,7 +64,7 @@ struct PanelChoices
     bool showsPicker = false;
     SolverChoices solver;
     bool keepsSolver = false; ///< for other scenes, too
-    SceneLayers layers;
+    LayerSet layers;
     bool labels = false; ///< the numbers of bodies
     bool statistics = true;
     bool profile = true;

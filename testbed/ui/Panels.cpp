@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -26,36 +25,13 @@ std::string Text(const char* format, ...)
     return text;
 }
 
-struct LayerCheck
-{
-    const char* name;
-    bool SceneLayers::*layer;
-};
-constexpr LayerCheck kLayerChecks[] = {
-    {"Shapes", &SceneLayers::shapes},
-    {"Joints", &SceneLayers::joints},
-    {"AABBs", &SceneLayers::aabbs},
-    {"Pairs", &SceneLayers::pairs},
-    {"Contact points", &SceneLayers::contacts},
-    {"Contact normals", &SceneLayers::normals},
-    {"Contact impulses", &SceneLayers::impulses},
-    {"Friction impulses", &SceneLayers::friction},
-    {"Centres of mass", &SceneLayers::centers},
-    {"Mass signs", &SceneLayers::masses},
-    {"Velocities", &SceneLayers::velocities},
-    {"Joint forces", &SceneLayers::forces},
-    {"Joint signs", &SceneLayers::glyphs},
-    {"Names", &SceneLayers::names},
-};
-static_assert(std::size(kLayerChecks) == std::size(kSceneLayers), "A layer has no check box.");
-
 /// Where the right one of two columns of check boxes begins, from the window's side [px].
 float SecondColumn()
 {
     float widest = 0.0f;
-    for (std::size_t i = 0; i < std::size(kLayerChecks); i += 2) // those in the left column
+    for (std::size_t i = 0; i < kOptionalLayers.size(); i += 2) // those in the left column
     {
-        widest = std::max(widest, Widgets::CheckWidth(kLayerChecks[i].name));
+        widest = std::max(widest, Widgets::CheckWidth(kOptionalLayers[i].label));
     }
     return std::ceil(ImGui::GetCursorPosX() + widest + ImGui::GetStyle().ItemSpacing.x);
 }
@@ -81,6 +57,60 @@ constexpr KeyHelp kKeyHelp[] = {
     {"Ctrl+arrows", "shift the origin"},
     {"Esc", "quit"},
 };
+
+// Sections of the column that need no more than what they show.
+
+/// What the scene itself has to say; nothing of most.
+void SceneSection(Widgets& widgets, const PanelFacts& facts)
+{
+    for (const auto& [name, value] : facts.remarks)
+    {
+        widgets.Fact(name.c_str(), value);
+    }
+    for (const KeyBinding& binding : facts.keys)
+    {
+        ImGui::Text("%c", binding.key == ' ' ? '_' : binding.key - (binding.key >= 'a' ? 32 : 0));
+        ImGui::SameLine(widgets.Px(36.0));
+        ImGui::TextDisabled("%s", binding.effect);
+    }
+}
+
+void SolverSection(Widgets& widgets, PanelChoices& choices)
+{
+    if (!widgets.Section("Solver", true))
+    {
+        return;
+    }
+    SolverChoices& solver = choices.solver;
+    widgets.Number("Velocity iterations", solver.velocityIterations, 1, 50);
+    widgets.Number("Position iterations", solver.positionIterations, 1, 50);
+    widgets.Number("Sub-steps", solver.subSteps, 1, 64);
+    widgets.Number("Hertz", solver.hertz, 5, 480);
+    if (ImGui::IsItemHovered())
+    {
+        widgets.Tip("Another rate begins the scene anew.");
+    }
+    const float secondColumn = SecondColumn();
+    widgets.Check("Sleep", solver.sleep);
+    ImGui::SameLine(secondColumn);
+    widgets.Check("Warm starting", solver.warmStarting);
+    widgets.Check("Continuous", solver.continuous);
+    ImGui::SameLine(secondColumn);
+    widgets.Check("Sub-stepping", solver.subStepping);
+    widgets.Check("Keep for every scene", choices.keepsSolver);
+}
+
+void KeysSection(Widgets& widgets)
+{
+    if (!widgets.Section("Keys", false))
+    {
+        return;
+    }
+    for (const KeyHelp& help : kKeyHelp)
+    {
+        widgets.Fact(help.keys, help.effect);
+    }
+}
 
 } // namespace
 
@@ -165,9 +195,9 @@ void Panels::Column(const PanelFacts& facts, PanelChoices& choices)
             "%s",
             Text("%.2f s, step %lld", facts.seconds, static_cast<long long>(facts.step)).c_str());
         Buttons(facts, choices);
-        SceneSection(facts);
+        SceneSection(m_widgets, facts);
         ScenesSection(facts);
-        SolverSection(choices);
+        SolverSection(m_widgets, choices);
         DrawSection(facts, choices);
         if (choices.statistics)
         {
@@ -177,7 +207,7 @@ void Panels::Column(const PanelFacts& facts, PanelChoices& choices)
         {
             ProfileSection(facts);
         }
-        KeysSection();
+        KeysSection(m_widgets);
     }
     ImGui::End();
 }
@@ -274,21 +304,6 @@ void Panels::FileButtons(const PanelFacts& facts, PanelChoices& choices)
     }
 }
 
-/// What the scene itself has to say; nothing of most.
-void Panels::SceneSection(const PanelFacts& facts)
-{
-    for (const auto& [name, value] : facts.remarks)
-    {
-        m_widgets.Fact(name.c_str(), value);
-    }
-    for (const KeyBinding& binding : facts.keys)
-    {
-        ImGui::Text("%c", binding.key == ' ' ? '_' : binding.key - (binding.key >= 'a' ? 32 : 0));
-        ImGui::SameLine(m_widgets.Px(36.0));
-        ImGui::TextDisabled("%s", binding.effect);
-    }
-}
-
 void Panels::ScenesSection(const PanelFacts& facts)
 {
     if (!m_widgets.Section("Scenes", false))
@@ -322,31 +337,6 @@ void Panels::ScenesSection(const PanelFacts& facts)
     }
 }
 
-void Panels::SolverSection(PanelChoices& choices)
-{
-    if (!m_widgets.Section("Solver", true))
-    {
-        return;
-    }
-    SolverChoices& solver = choices.solver;
-    m_widgets.Number("Velocity iterations", solver.velocityIterations, 1, 50);
-    m_widgets.Number("Position iterations", solver.positionIterations, 1, 50);
-    m_widgets.Number("Sub-steps", solver.subSteps, 1, 64);
-    m_widgets.Number("Hertz", solver.hertz, 5, 480);
-    if (ImGui::IsItemHovered())
-    {
-        m_widgets.Tip("Another rate begins the scene anew.");
-    }
-    const float secondColumn = SecondColumn();
-    m_widgets.Check("Sleep", solver.sleep);
-    ImGui::SameLine(secondColumn);
-    m_widgets.Check("Warm starting", solver.warmStarting);
-    m_widgets.Check("Continuous", solver.continuous);
-    ImGui::SameLine(secondColumn);
-    m_widgets.Check("Sub-stepping", solver.subStepping);
-    m_widgets.Check("Keep for every scene", choices.keepsSolver);
-}
-
 void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
 {
     if (!m_widgets.Section("Draw", true))
@@ -363,9 +353,9 @@ void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
         m_widgets.Check(name, value);
         isLeft = !isLeft;
     };
-    for (const LayerCheck& layer : kLayerChecks)
+    for (const LayerInfo& layer : kOptionalLayers)
     {
-        check(layer.name, choices.layers.*layer.layer);
+        check(layer.label, choices.layers[layer.layer]);
     }
     check("Numbers", choices.labels);
     check("Statistics", choices.statistics);
@@ -473,18 +463,6 @@ void Panels::ProfileSection(const PanelFacts& facts)
                                             double(time.Mean()), double(time.Largest())));
     }
     Plot("##Step time", m_times.front());
-}
-
-void Panels::KeysSection()
-{
-    if (!m_widgets.Section("Keys", false))
-    {
-        return;
-    }
-    for (const KeyHelp& help : kKeyHelp)
-    {
-        m_widgets.Fact(help.keys, help.effect);
-    }
 }
 
 } // namespace boxreel

@@ -52,13 +52,10 @@ private:
     void Column(const PanelFacts& facts, PanelChoices& choices);
     void Buttons(const PanelFacts& facts, PanelChoices& choices);
     void FileButtons(const PanelFacts& facts, PanelChoices& choices);
-    void SceneSection(const PanelFacts& facts);
     void ScenesSection(const PanelFacts& facts);
-    void SolverSection(PanelChoices& choices);
     void DrawSection(const PanelFacts& facts, PanelChoices& choices);
     void StatisticsSection(const PanelFacts& facts);
     void ProfileSection(const PanelFacts& facts);
-    void KeysSection();
     void Plot(const char* name, const History& history);
     void DrawCurve(const History& history, float top);
     void Ask(PanelWish wish) { m_answer.wishes.push_back(wish); }

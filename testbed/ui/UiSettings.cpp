@@ -38,9 +38,9 @@ void VisitAll(Settings& s, const Visit& visit)
     visit("warm starting", s.choices.solver.warmStarting);
     visit("continuous", s.choices.solver.continuous);
     visit("sub-stepping", s.choices.solver.subStepping);
-    for (const SceneLayer& layer : kSceneLayers)
+    for (const LayerInfo& layer : kOptionalLayers)
     {
-        visit(layer.name, s.choices.layers.*layer.layer);
+        visit(layer.option, s.choices.layers[layer.layer]);
     }
     visit("numbers", s.choices.labels);
     visit("statistics", s.choices.statistics);

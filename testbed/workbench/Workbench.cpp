@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Workbench.h"
 
+#include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
 #include <golden/StateHash.h>
-#include <script/ScriptSettings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +25,8 @@ int Unscaled(int pixels, double scale)
 
 Result<Workbench> Workbench::Open(SceneSource source, const WorkbenchSettings& settings)
 {
-    Workbench bench;
-    bench.m_settings = settings;
-    bench.m_choices = settings.choices;
-    SceneLook& look = bench.m_settings.look;
+    WorkbenchSettings own = settings;
+    SceneLook& look = own.look;
     look.panels = true;
     look.layers = settings.choices.layers;
     look.labels = settings.choices.labels;
@@ -42,52 +40,22 @@ Result<Workbench> Workbench::Open(SceneSource source, const WorkbenchSettings& s
     ASSIGN_OR_RETURN(SceneSession session, SceneSession::Open(std::move(source), first));
     const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
     ASSIGN_OR_RETURN(Panels panels, Panels::Create(size.width, size.height, look.scale));
-    bench.m_session.emplace(std::move(session));
-    bench.m_panels.emplace(std::move(panels));
     if (!keeps)
     {
-        bench.m_choices.solver = SolverOf(*bench.m_session);
+        own.choices.solver = SolverOf(session);
     }
+    Workbench bench(std::move(session), std::move(panels), own);
     bench.BeginScene();
     return bench;
 }
 
-/// Of the session, which is at its start: the choices are made in it, and a script begins.
+/// The session is at its start: the choices are made in it, and a script begins.
 void Workbench::BeginScene()
 {
-    m_preferred = SolverOf(*m_session);
-    m_choices.solver.hertz = m_preferred.hertz;
-    const Camera view = Uncovered();
-    std::vector<std::string> options{"--size", std::to_string(view.width) + "x" +
-                                                   std::to_string(view.height)};
-    if (m_settings.look.seed != 1)
-    {
-        options.insert(options.end(), {"--seed", std::to_string(m_settings.look.seed)});
-    }
-    if (const std::optional<Rational>& rate = m_session->Look().stepsPerSecond)
-    {
-        options.insert(options.end(),
-                       {"--hz", std::to_string(rate->num) +
-                                    (rate->den == 1 ? "" : "/" + std::to_string(rate->den))});
-    }
-    m_log.Begin(m_session->Asked(), std::move(options), m_session->StepsPerSecond());
-    for (const auto& [name, value] : Differences(m_preferred, m_choices.solver))
-    {
-        Set(name, value);
-    }
-    m_log.See(view, 0, m_session->HasOwnView());
-    m_sceneKeys.clear();
-    m_hold = m_hold == Hold::Scene || m_hold == Hold::Bomb ? Hold::Nothing : m_hold;
+    m_choices.solver.hertz = SolverOf(Session()).hertz;
+    m_work.Begin(m_choices.solver);
+    m_hand.Forget();
     m_owed = 0.0;
-}
-
-void Workbench::Set(const std::string& name, const std::string& value)
-{
-    ScriptAction action;
-    action.kind = ScriptAction::Kind::Set;
-    action.name = name;
-    action.value = *ParseSetting(name, value);
-    Do(action);
 }
 
 /// To another scene, or the same one anew.
@@ -103,29 +71,28 @@ void Workbench::Change(const std::string& scene, bool isOther)
     look.layers = m_choices.layers;
     look.labels = m_choices.labels;
     const bool keeps = !isOther || m_choices.keepsSolver;
-    if (keeps && m_choices.solver.hertz != m_preferred.hertz)
+    if (keeps && m_choices.solver.hertz != m_work.Preferred().hertz)
     {
         look.stepsPerSecond = Rational{m_choices.solver.hertz, 1};
     }
     else if (keeps)
     {
-        look.stepsPerSecond = m_session->Look().stepsPerSecond;
+        look.stepsPerSecond = Session().Look().stepsPerSecond;
     }
-    const bool keepsView = !isOther && m_session->HasOwnView();
-    const Camera view = Uncovered();
-    if (const Result<void> changed = m_session->Replace(std::move(*source), look); !changed)
+    const bool keepsView = !isOther && Session().HasOwnView();
+    const Camera view = m_work.Uncovered();
+    if (const Result<void> changed = Session().Replace(std::move(*source), look); !changed)
     {
         Say(changed.GetError().Text());
         return;
     }
     if (!keeps)
     {
-        m_choices.solver = SolverOf(*m_session);
+        m_choices.solver = SolverOf(Session());
     }
     if (keepsView)
     {
-        m_session->LookAt(b2Vec2(float32(view.centerX), float32(view.centerY)),
-                          view.pixelsPerMeter);
+        m_work.LookAt(view.centerX, view.centerY, view.pixelsPerMeter);
     }
     BeginScene();
 }
@@ -134,7 +101,7 @@ void Workbench::ChangeBy(int places)
 {
     const auto scenes = AllScenes();
     const auto now = std::find_if(scenes.begin(), scenes.end(), [&](const SceneEntry& entry) {
-        return m_session->Title() == entry.name;
+        return Session().Title() == entry.name;
     });
     const int count = static_cast<int>(scenes.size());
     const int place = now == scenes.end() ? (places > 0 ? -1 : 0) // a file, before them all
@@ -151,7 +118,7 @@ void Workbench::Advance(double seconds)
         return;
     }
     m_owed = std::min(m_owed + seconds, kMostOwed);
-    const double step = 1.0 / m_session->StepsPerSecond().ToDouble();
+    const double step = 1.0 / Session().StepsPerSecond().ToDouble();
     while (m_owed >= step)
     {
         Tick();
@@ -161,11 +128,9 @@ void Workbench::Advance(double seconds)
 
 void Workbench::Tick()
 {
-    m_session->Pause(false);
-    m_session->AdvanceTo(m_session->Step() + 1);
-    m_panels->Observe(FactsOf(*m_session, m_choices.profile));
-    m_log.See(Uncovered(), m_session->SceneStep(), m_session->HasOwnView());
-    if (m_film && (m_session->SceneStep() - m_filmFirst) % m_filmEvery == 0)
+    m_work.Step();
+    m_panels.Observe(FactsOf(Session(), m_choices.profile));
+    if (m_film && m_film->HasFrameAt(Session().SceneStep()))
     {
         FilmFrame();
     }
@@ -173,19 +138,18 @@ void Workbench::Tick()
 
 void Workbench::BuildPanels(const PanelInput& input)
 {
-    PanelFacts facts = FactsOf(*m_session, m_choices.profile);
+    PanelFacts facts = FactsOf(Session(), m_choices.profile);
     facts.message = m_message;
     if (m_film)
     {
-        facts.filmSeconds =
-            double(m_filmFrames) * m_filmEvery / m_session->StepsPerSecond().ToDouble();
+        facts.filmSeconds = m_film->Seconds(m_work);
     }
     const PanelChoices before = m_choices;
-    const PanelAnswer answer = m_panels->Build(facts, m_choices, input);
+    const PanelAnswer answer = m_panels.Build(facts, m_choices, input);
     ApplyChoices(before);
     if (!answer.scene.empty())
     {
-        Change(answer.scene, answer.scene != m_session->Title());
+        Change(answer.scene, answer.scene != Session().Title());
     }
     for (const PanelWish wish : answer.wishes)
     {
@@ -207,7 +171,7 @@ void Workbench::SettlePicker()
 
 void Workbench::ApplyChoices(const PanelChoices& before)
 {
-    m_session->SetLayers(m_choices.layers, m_choices.labels);
+    Session().SetLayers(m_choices.layers, m_choices.labels);
     if (before.showsPanels != m_choices.showsPanels)
     {
         Cover();
@@ -218,11 +182,11 @@ void Workbench::ApplyChoices(const PanelChoices& before)
     }
     for (const auto& [name, value] : Differences(before.solver, m_choices.solver))
     {
-        Set(name, value);
+        m_work.Set(name, value);
     }
     if (before.solver.hertz != m_choices.solver.hertz)
     {
-        Change(m_session->Asked(), false);
+        Change(Session().Asked(), false);
     }
 }
 
@@ -230,7 +194,7 @@ void Workbench::ApplyChoices(const PanelChoices& before)
 void Workbench::Cover()
 {
     m_settings.look.covered = m_choices.showsPanels ? Panels::kColumnWidth : 0;
-    m_session->Resize(m_settings.look.width, m_settings.look.height, m_settings.look.covered);
+    Session().Resize(m_settings.look.width, m_settings.look.height, m_settings.look.covered);
 }
 
 void Workbench::Resize(int width, int height)
@@ -242,7 +206,7 @@ void Workbench::Resize(int width, int height)
     {
         Film();
     }
-    m_panels->Resize(width, height);
+    m_panels.Resize(width, height);
     Cover();
 }
 
@@ -257,7 +221,7 @@ void Workbench::Wish(PanelWish wish)
         Tick();
         break;
     case PanelWish::Restart:
-        Change(m_session->Asked(), false);
+        Change(Session().Asked(), false);
         break;
     case PanelWish::NextScene:
         ChangeBy(1);
@@ -266,10 +230,10 @@ void Workbench::Wish(PanelWish wish)
         ChangeBy(-1);
         break;
     case PanelWish::ResetView:
-        m_session->LookAsBefore();
+        Session().LookAsBefore();
         break;
     case PanelWish::Bomb:
-        Do(bomb);
+        m_work.Do(bomb);
         break;
     case PanelWish::Film:
         Film();
@@ -286,38 +250,80 @@ void Workbench::Wish(PanelWish wish)
     }
 }
 
-/// At full size, over the whole window.
-Camera Workbench::View() const
-{
-    return Scaled(m_session->CurrentCamera(), m_settings.look.scale);
-}
-
-/// The part of the view that no panel covers, at scale 1.
-Camera Workbench::Uncovered() const
-{
-    Camera view = m_session->CurrentCamera();
-    const int covered = view.width - m_session->UncoveredWidth();
-    view.width -= covered;
-    view.centerX -= 0.5 * covered / view.pixelsPerMeter;
-    return view;
-}
-
 void Workbench::Fill(FrameContent& content)
 {
     PanelInput input = m_input;
     input.seconds = std::exchange(m_elapsed, 0.0);
     BuildPanels(input);
     DrawList notes;
-    AddSling(notes);
-    m_session->Fill(content, notes);
-    content.camera = View();
-    content.overlay = m_panels->Picture();
+    m_hand.AddSling(m_work, m_input.pointer, notes);
+    Session().Fill(content, notes);
+    content.camera = m_work.View();
+    content.overlay = m_panels.Picture();
 }
 
 std::string Workbench::Summary() const
 {
-    return m_session->Title() + ": step " + std::to_string(m_session->SceneStep()) + ", state " +
-           StateHashText(m_session->World());
+    return m_work.Session().Title() + ": step " + std::to_string(m_work.Session().SceneStep()) +
+           ", state " + StateHashText(m_work.Session().World());
+}
+
+/// What its films and figures look like now.
+WorkbenchOutput Workbench::Output() const
+{
+    return {m_settings.into, m_settings.backend, m_settings.look.theme, m_choices};
+}
+
+/// Begins one, or ends it.
+void Workbench::Film()
+{
+    if (m_film)
+    {
+        const std::filesystem::path path = m_film->Path();
+        const Result<void> ended = Finish();
+        Say(ended ? "Wrote " + path.string() + "." : ended.GetError().Text());
+        return;
+    }
+    Result<WorkbenchFilm> film = WorkbenchFilm::Open(m_work, Output());
+    if (!film)
+    {
+        Say(film.GetError().Text());
+        return;
+    }
+    const std::filesystem::path path = film->Path();
+    m_film.emplace(std::move(*film));
+    FilmFrame();
+    Say("Recording " + path.string() + ".");
+}
+
+void Workbench::FilmFrame()
+{
+    if (!m_film->Add(m_work, m_panels.Picture()))
+    {
+        const Result<void> why = Finish();
+        Say(why ? "The film ended." : why.GetError().Text());
+    }
+}
+
+Result<void> Workbench::Finish()
+{
+    const Result<void> closed = m_film ? m_film->Close(m_work, m_choices) : Result<void>();
+    m_film.reset();
+    return closed;
+}
+
+void Workbench::Picture(const std::string& extension)
+{
+    const Result<std::filesystem::path> written = WritePicture(m_work, Output(), extension);
+    Say(written ? "Wrote " + written->string() + "." : written.GetError().Text());
+}
+
+void Workbench::SaveScript()
+{
+    const std::filesystem::path path = FreeName(m_settings.into, Session().Title(), ".play");
+    const Result<void> written = WriteWhole(path, m_work.Script(), false);
+    Say(written ? "Wrote " + path.string() + ": what was done since the scene began."
+                : written.GetError().Text());
 }
 
 } // namespace boxreel

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "WorkbenchLog.h"
+#include "SceneHand.h"
+#include "SceneWork.h"
+#include "WorkbenchFiles.h"
 
-#include <recorder/Recording.h>
 #include <render/Window.h>
 #include <session/SessionPanels.h>
 
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <string>
 
 /// A scene at which a person works: it goes on in real time, mouse and keyboard pull and steer it,
 /// panels change how it is stepped and drawn, buttons make films, figures and scripts of it. Gets a
@@ -46,13 +48,10 @@ public:
     /// Nothing happens unless somebody does something.
     bool IsResting() const { return m_choices.isPaused; }
     const PanelChoices& Choices() const { return m_choices; }
-    SceneSession& Session() { return *m_session; }
-    Panels& Controls() { return *m_panels; }
-    const std::string& SceneAsked() const { return m_session->Asked(); }
-    const std::set<std::string>& OpenSections() const
-    {
-        return m_panels->Controls().OpenSections();
-    }
+    SceneSession& Session() { return m_work.Session(); }
+    Panels& Controls() { return m_panels; }
+    const std::string& SceneAsked() const { return m_work.Session().Asked(); }
+    const std::set<std::string>& OpenSections() const { return m_panels.Controls().OpenSections(); }
     const std::string& Message() const { return m_message; } ///< what was done last
 
     /// "Pyramid: step 412, state 0123456789abcdef".
@@ -62,19 +61,11 @@ public:
     Result<void> Finish();
 
 private:
-    /// What the mouse's button that is down does.
-    enum class Hold
-    {
-        Nothing,
-        Panels,
-        Scene,
-        View,
-        Bomb,
-    };
-
-    Workbench() = default;
+    Workbench(SceneSession session, Panels panels, const WorkbenchSettings& settings)
+        : m_settings(settings), m_work(std::move(session)), m_panels(std::move(panels)),
+          m_choices(settings.choices)
+    {}
     void BeginScene();
-    void Set(const std::string& name, const std::string& value);
     void Change(const std::string& scene, bool isOther);
     void ChangeBy(int places);
     void Tick();
@@ -83,56 +74,31 @@ private:
     void SettlePicker();
     void Cover();
     void Wish(PanelWish wish);
-    void Press(const WindowEvent& event);
-    void Release(const WindowEvent& event);
-    void Move(const WindowEvent& event);
-    void DropAt(Vec2 pixel);
+    void Button(const WindowEvent& event, bool isDown);
     void Turn(const WindowEvent& event);
     void KeyDown(const WindowEvent& event);
     void KeyUp(Key key);
     void LetGo();
     bool Shortcut(const WindowEvent& event);
     bool Steer(const WindowEvent& event);
-    void Shift(float32 x, float32 y);
-    void Zoom(double factor, Vec2 about);
-    void Pan(double x, double y);
-    void Do(const ScriptAction& action);
-    void AddSling(DrawList& list) const;
-    b2Vec2 WorldAt(Vec2 pixel) const;
-    Camera View() const;
-    Camera Uncovered() const;
+    WorkbenchOutput Output() const;
     void Film();
     void FilmFrame();
     void Picture(const std::string& extension);
     void SaveScript();
-    std::filesystem::path FreeName(const std::string& extension) const;
-    std::vector<std::string> PictureOptions() const;
     void Say(const std::string& message) { m_message = message; }
 
     WorkbenchSettings m_settings;
-    std::optional<SceneSession> m_session;
-    std::optional<Panels> m_panels;
+    SceneWork m_work;
+    SceneHand m_hand;
+    Panels m_panels;
     PanelChoices m_choices;
-    SolverChoices m_preferred; // the scene's own
-    PanelInput m_input;        // as the last event left it
-    std::set<Key> m_sceneKeys; // that are down
-    Hold m_hold = Hold::Nothing;
-    int m_heldButton = 0;
-    Vec2 m_heldAt{0.0f, 0.0f}; // where it went down, or was last [px]
-    b2Vec2 m_slingFrom{0.0f, 0.0f};
+    PanelInput m_input; // as the last event left it
+    std::optional<WorkbenchFilm> m_film;
     double m_owed = 0.0;    // time that no step has been simulated for [s]
     double m_elapsed = 0.0; // since the last frame of the panels [s]
     bool m_isDone = false;
     std::string m_message;
-    WorkbenchLog m_log;
-    std::optional<Recording> m_film;
-    std::filesystem::path m_filmPath;
-    std::int64_t m_filmFirst = 0; // step
-    std::int64_t m_filmFrames = 0;
-    int m_filmEvery = 1; // steps a frame
-    int m_filmWidth = 0;
-    int m_filmHeight = 0;
-    bool m_filmHasPanels = false;
 };
 
 } // namespace boxreel

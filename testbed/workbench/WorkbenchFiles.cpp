@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What the buttons of a workbench write: films, figures, scripts.
-#include "Workbench.h"
+#include "WorkbenchFiles.h"
 
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 #include <render/Figure.h>
 #include <render/FigureFrame.h>
 #include <render/Png.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
 
 namespace boxreel
 {
@@ -29,17 +33,47 @@ std::string Decimals(double value)
     return text;
 }
 
+/// What films show: the window, or what panels leave of it.
+Camera FilmedView(const SceneWork& work, bool hasPanels)
+{
+    return hasPanels ? work.View() : Scaled(work.Uncovered(), work.Session().Look().scale);
+}
+
+/// A file that a script makes again, with what its pictures show as options, then `moment`.
+ScriptProduct ProductOf(ScriptProduct::Kind kind, const std::filesystem::path& path,
+                        const PanelChoices& choices, const std::vector<std::string>& moment)
+{
+    ScriptProduct product;
+    product.kind = kind;
+    product.name = path.filename().string();
+    std::vector<std::string>& options = product.options;
+    const std::string layers = TextOf(choices.layers);
+    if (!layers.empty())
+    {
+        options.insert(options.end(), {"--draw", layers});
+    }
+    if (choices.labels)
+    {
+        options.emplace_back("--labels");
+    }
+    if (choices.theme != "classic")
+    {
+        options.insert(options.end(), {"--theme", choices.theme});
+    }
+    options.insert(options.end(), moment.begin(), moment.end());
+    return product;
+}
+
 } // namespace
 
-/// "pyramid-1.mp4": the first number that is not taken.
-std::filesystem::path Workbench::FreeName(const std::string& extension) const
+std::filesystem::path FreeName(const std::filesystem::path& folder, const std::string& title,
+                               const std::string& extension)
 {
-    const std::string name = SceneSlug(m_session->Title());
+    const std::string name = SceneSlug(title);
     for (int number = 1;; ++number)
     {
         const std::filesystem::path path =
-            m_settings.into /
-            ((name.empty() ? "scene" : name) + "-" + std::to_string(number) + extension);
+            folder / ((name.empty() ? "scene" : name) + "-" + std::to_string(number) + extension);
         std::error_code error;
         if (!std::filesystem::exists(path, error) &&
             !std::filesystem::exists(PartPath(path), error))
@@ -49,149 +83,94 @@ std::filesystem::path Workbench::FreeName(const std::string& extension) const
     }
 }
 
-/// What pictures of it show, as options.
-std::vector<std::string> Workbench::PictureOptions() const
+Result<std::filesystem::path> WritePicture(SceneWork& work, const WorkbenchOutput& output,
+                                           const std::string& extension)
 {
-    std::vector<std::string> options;
-    const std::string layers = TextOf(m_choices.layers);
-    if (!layers.empty())
-    {
-        options.insert(options.end(), {"--draw", layers});
-    }
-    if (m_choices.labels)
-    {
-        options.emplace_back("--labels");
-    }
-    if (m_choices.theme != "classic")
-    {
-        options.insert(options.end(), {"--theme", m_choices.theme});
-    }
-    return options;
-}
-
-/// Begins one, or ends it.
-void Workbench::Film()
-{
-    if (m_film)
-    {
-        const Result<void> ended = Finish();
-        Say(ended ? "Wrote " + m_filmPath.string() + "." : ended.GetError().Text());
-        return;
-    }
-    const Rational& rate = m_session->StepsPerSecond();
-    m_filmEvery = std::max(1, static_cast<int>(std::ceil(rate.ToDouble() / kMostFramesPerSecond)));
-    m_filmHasPanels = m_choices.filmsPanels;
-    const Camera view = m_filmHasPanels ? View() : Scaled(Uncovered(), m_settings.look.scale);
-    m_filmWidth = Even(view.width);
-    m_filmHeight = Even(view.height);
-    VideoSettings film;
-    film.width = m_filmWidth;
-    film.height = m_filmHeight;
-    film.framesPerSecond = {rate.num, rate.den * m_filmEvery};
-    m_filmPath = FreeName(".mp4");
-    Result<Recording> recording = Recording::Open(m_filmPath, film,
-                                                  {.theme = m_settings.look.theme,
-                                                   .backend = m_settings.backend,
-                                                   .scale = m_settings.look.scale});
-    if (!recording)
-    {
-        Say(recording.GetError().Text());
-        return;
-    }
-    m_film.emplace(std::move(*recording));
-    m_filmFirst = m_session->SceneStep();
-    m_filmFrames = 0;
-    FilmFrame();
-    Say("Recording " + m_filmPath.string() + ".");
-}
-
-/// With the pixels that the window shows, less an odd row or column.
-void Workbench::FilmFrame()
-{
+    SceneSession& session = work.Session();
     FrameContent content;
-    m_session->Fill(content);
-    content.camera = m_filmHasPanels ? View() : Scaled(Uncovered(), m_settings.look.scale);
-    // Rows and columns are left off at the right and below, so that the middle moves by half of
-    // them.
-    content.camera.centerX -=
-        0.5 * (content.camera.width - m_filmWidth) / content.camera.pixelsPerMeter;
-    content.camera.centerY +=
-        0.5 * (content.camera.height - m_filmHeight) / content.camera.pixelsPerMeter;
-    content.camera.width = m_filmWidth;
-    content.camera.height = m_filmHeight;
-    const Overlay* const panels = m_filmHasPanels ? &m_panels->Picture() : nullptr;
-    if (m_film->Add(content.list, content.camera, panels))
-    {
-        ++m_filmFrames;
-        return;
-    }
-    const Result<void> why = Finish();
-    Say(why ? "The film ended." : why.GetError().Text());
-}
-
-Result<void> Workbench::Finish()
-{
-    if (!m_film)
-    {
-        return {};
-    }
-    const Result<void> closed = m_film->Close();
-    m_film.reset();
-    const double rate = m_session->StepsPerSecond().ToDouble();
-    if (closed && m_filmFirst <= m_session->SceneStep()) // of this scene, not of the one before
-    {
-        ScriptProduct film;
-        film.kind = ScriptProduct::Kind::Record;
-        film.name = m_filmPath.filename().string();
-        film.options = PictureOptions();
-        film.options.insert(film.options.end(),
-                            {"--from", Decimals(double(m_filmFirst) / rate) + "s", "--frames",
-                             std::to_string(m_filmFrames), "--fps",
-                             std::to_string(m_session->StepsPerSecond().num) + "/" +
-                                 std::to_string(m_session->StepsPerSecond().den * m_filmEvery)});
-        m_log.Add(std::move(film));
-    }
-    return closed;
-}
-
-void Workbench::Picture(const std::string& extension)
-{
-    FrameContent content;
-    m_session->Fill(content);
-    Figure figure = FigureOf(std::move(content.list), Uncovered(), m_settings.look.theme);
-    figure.title = m_session->Title();
-    figure.panels.front().bodyNames = m_session->Names();
-    const std::filesystem::path path = FreeName(extension);
-    Result<void> written;
+    session.Fill(content);
+    Figure figure = FigureOf(std::move(content.list), work.Uncovered(), output.theme);
+    figure.title = session.Title();
+    figure.panels.front().bodyNames = session.Names();
+    std::filesystem::path path = FreeName(output.into, session.Title(), extension);
     if (extension == ".svg")
     {
-        written = WriteSvg(path, figure);
+        RETURN_IF_ERROR(WriteSvg(path, figure));
     }
     else
     {
-        figure.scale = m_settings.look.scale;
-        const Result<Frame> frame = ToFrame(figure, m_settings.backend);
-        written = frame ? WritePng(path, *frame) : frame.GetError();
+        figure.scale = session.Look().scale;
+        ASSIGN_OR_RETURN(const Frame frame, ToFrame(figure, output.backend));
+        RETURN_IF_ERROR(WritePng(path, frame));
     }
-    Say(written ? "Wrote " + path.string() + "." : written.GetError().Text());
-    if (written)
-    {
-        ScriptProduct shot;
-        shot.kind = ScriptProduct::Kind::Shot;
-        shot.name = path.filename().string();
-        shot.options = PictureOptions();
-        shot.options.insert(shot.options.end(), {"--step", std::to_string(m_session->SceneStep())});
-        m_log.Add(std::move(shot));
-    }
+    work.Log().Add(ProductOf(ScriptProduct::Kind::Shot, path, output.choices,
+                             {"--step", std::to_string(session.SceneStep())}));
+    return path;
 }
 
-void Workbench::SaveScript()
+Result<WorkbenchFilm> WorkbenchFilm::Open(const SceneWork& work, const WorkbenchOutput& output)
 {
-    const std::filesystem::path path = FreeName(".play");
-    const std::string text = m_log.Text(m_session->SceneStep(), m_session->World());
-    const Result<void> written = WriteWhole(path, text, false);
-    Say(written ? "Wrote " + path.string() + ": what was done since the scene began."
-                : written.GetError().Text());
+    const SceneSession& session = work.Session();
+    const Rational& rate = session.StepsPerSecond();
+    const int every =
+        std::max(1, static_cast<int>(std::ceil(rate.ToDouble() / kMostFramesPerSecond)));
+    const Camera view = FilmedView(work, output.choices.filmsPanels);
+    VideoSettings film;
+    film.width = Even(view.width);
+    film.height = Even(view.height);
+    film.framesPerSecond = {rate.num, rate.den * every};
+    const std::filesystem::path path = FreeName(output.into, session.Title(), ".mp4");
+    ASSIGN_OR_RETURN(Recording recording, Recording::Open(path, film,
+                                                          {.theme = output.theme,
+                                                           .backend = output.backend,
+                                                           .scale = session.Look().scale}));
+    WorkbenchFilm opened(std::move(recording), path);
+    opened.m_first = session.SceneStep();
+    opened.m_every = every;
+    opened.m_width = film.width;
+    opened.m_height = film.height;
+    opened.m_hasPanels = output.choices.filmsPanels;
+    return opened;
+}
+
+double WorkbenchFilm::Seconds(const SceneWork& work) const
+{
+    return double(m_frames) * m_every / work.Session().StepsPerSecond().ToDouble();
+}
+
+bool WorkbenchFilm::Add(SceneWork& work, const Overlay& panels)
+{
+    FrameContent content;
+    work.Session().Fill(content);
+    content.camera = FilmedView(work, m_hasPanels);
+    // Rows and columns are left off at the right and below, so that the middle moves by half of
+    // them.
+    content.camera.centerX -=
+        0.5 * (content.camera.width - m_width) / content.camera.pixelsPerMeter;
+    content.camera.centerY +=
+        0.5 * (content.camera.height - m_height) / content.camera.pixelsPerMeter;
+    content.camera.width = m_width;
+    content.camera.height = m_height;
+    const bool isAdded =
+        bool(m_film.Add(content.list, content.camera, m_hasPanels ? &panels : nullptr));
+    m_frames += isAdded ? 1 : 0;
+    return isAdded;
+}
+
+Result<void> WorkbenchFilm::Close(SceneWork& work, const PanelChoices& choices)
+{
+    RETURN_IF_ERROR(m_film.Close());
+    if (m_first > work.Session().SceneStep())
+    {
+        return {}; // it began in the scene before this one
+    }
+    const Rational& rate = work.Session().StepsPerSecond();
+    work.Log().Add(
+        ProductOf(ScriptProduct::Kind::Record, m_path, choices,
+                  {"--from", Decimals(double(m_first) / rate.ToDouble()) + "s", "--frames",
+                   std::to_string(m_frames), "--fps",
+                   std::to_string(rate.num) + "/" + std::to_string(rate.den * m_every)}));
+    return {};
 }
 
 } // namespace boxreel

@@ -93,12 +93,12 @@ private:
     }
     void Fill(const DrawItem& item)
     {
-        Use(m_theme.Fill(item.color), m_theme.fillShade, m_theme.fillAlpha);
+        Use(m_theme.Fill(item.Asked()), m_theme.fillShade, m_theme.fillAlpha);
         cairo_fill_preserve(m_context);
     }
     void Stroke(const DrawItem& item)
     {
-        Use(m_theme.Outline(item.color), 1.0, 1.0);
+        Use(m_theme.Outline(item.Asked()), 1.0, 1.0);
         cairo_stroke(m_context);
     }
     void Draw(const DrawList& list, const DrawItem& item, const Camera& camera)

@@ -58,6 +58,28 @@ TEST_F(Collected, ItemsAreWhatTheEngineAskedFor)
                             "world pairs segment #4de6e6 (0, 1) (2, 3)\n"
                             "world aabbs polygon #e64de6 (0, 0) (1, 0) (0, 1)\n"
                             "body 0 centers-of-mass transform #ffffff (4, 5) (1, 0) axes 0.4\n");
+    std::vector<ColorRole> roles;
+    for (const DrawItem& item : list.items)
+    {
+        roles.push_back(item.role);
+    }
+    EXPECT_EQ(roles,
+              (std::vector{ColorRole::AwakeBody, ColorRole::StaticBody, ColorRole::KinematicBody,
+                           ColorRole::Joint, ColorRole::Pair, ColorRole::Aabb, ColorRole::None}));
+}
+
+TEST_F(Collected, ColoursOfAUserHaveNoRole)
+{
+    const b2Color likeStatic(0.5f, 0.9f, 0.5f);
+    collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, likeStatic);
+    list.layer = DrawLayer::Scene;
+    collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, likeStatic);
+    collector.BeginLayer(b2Draw::e_jointBit);
+    collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, likeStatic);
+    for (const DrawItem& item : list.items)
+    {
+        EXPECT_EQ(item.Asked(), Paint(128, 230, 128));
+    }
 }
 
 TEST_F(Collected, ColoursAreRoundedToTheNearestAndCutToTheirRange)

@@ -101,7 +101,7 @@ TEST_F(WorldBodies, NamesAndMarksOutsideOfThePictureAreLeftOut)
     for (const DrawItem& item : list.items)
     {
         EXPECT_EQ(item.owner, 0u);
-        EXPECT_EQ(item.layer, DrawLayer::CentersOfMass);
+        EXPECT_EQ(item.layer, DrawLayer::CenterMarks);
     }
 }
 

@@ -14,11 +14,6 @@ using dynamics::kStep;
 namespace
 {
 
-Color ColorOf(ColorRole role)
-{
-    return kClassicPalette[std::size_t(role)];
-}
-
 /// A box of 4 kg comes to rest on the ground.
 struct Resting : testing::Test
 {
@@ -87,12 +82,12 @@ TEST_F(Resting, PointsAreNewInOneStepAndOldInTheNext)
         Step();
     }
     ASSERT_EQ(Collected().items.size(), 2u);
-    EXPECT_EQ(Collected().items[0].color, ColorOf(ColorRole::NewContact));
-    EXPECT_EQ(Collected().items[0].color, ColorOf(ColorRole::NewContact)) << "looking ages nothing";
+    EXPECT_EQ(Collected().items[0].role, ColorRole::NewContact);
+    EXPECT_EQ(Collected().items[0].role, ColorRole::NewContact) << "looking ages nothing";
     const float newSize = Collected().items[0].size;
     Step();
-    EXPECT_EQ(Collected().items[0].color, ColorOf(ColorRole::OldContact));
-    EXPECT_EQ(Collected().items[1].color, ColorOf(ColorRole::OldContact));
+    EXPECT_EQ(Collected().items[0].role, ColorRole::OldContact);
+    EXPECT_EQ(Collected().items[1].role, ColorRole::OldContact);
     EXPECT_LT(Collected().items[0].size, newSize);
     box->SetTransform(b2Vec2(0.0f, 5.0f), 0.0f);
     Step();
@@ -100,7 +95,7 @@ TEST_F(Resting, PointsAreNewInOneStepAndOldInTheNext)
     box->SetTransform(b2Vec2(0.0f, 1.0f), 0.0f);
     Step();
     ASSERT_EQ(Collected().items.size(), 2u);
-    EXPECT_EQ(Collected().items[0].color, ColorOf(ColorRole::NewContact)) << "they were away";
+    EXPECT_EQ(Collected().items[0].role, ColorRole::NewContact) << "they were away";
 }
 
 TEST_F(Resting, ImpulsesCarryTheWeight)
@@ -144,7 +139,7 @@ TEST_F(Resting, NormalsAreOfSomePixelsInEveryView)
     camera.pixelsPerMeter = 100.0;
     EXPECT_NEAR(HeightOf(Collected()), 12.0 / 100.0, 0.02);
     EXPECT_EQ(Collected().items[0].layer, DrawLayer::ContactNormals);
-    EXPECT_EQ(Collected().items[0].color, ColorOf(ColorRole::ContactNormal));
+    EXPECT_EQ(Collected().items[0].role, ColorRole::ContactNormal);
 }
 
 TEST_F(Resting, FrictionHoldsBackWhatSlides)
@@ -161,7 +156,7 @@ TEST_F(Resting, FrictionHoldsBackWhatSlides)
     for (const DrawItem& item : list.items)
     {
         EXPECT_EQ(item.layer, DrawLayer::ContactFriction);
-        EXPECT_EQ(item.color, ColorOf(ColorRole::ContactFriction));
+        EXPECT_EQ(item.role, ColorRole::ContactFriction);
         EXPECT_EQ(item.kind, DrawKind::Segment) << "impulses have filled heads, friction has not";
         sum += double(list.points[item.first + 1].x) - double(list.points[item.first].x);
     }

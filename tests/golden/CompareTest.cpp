@@ -137,7 +137,7 @@ TEST(CompareDistance, SeesAChangeOfOpacityAlone)
 
 TEST(CompareSameMachine, PassesAnEqualPicture)
 {
-    const Comparison result = Compare(Paint(SmallScene()), Paint(SmallScene()));
+    const Comparison result = Compare(Painted(SmallScene()), Painted(SmallScene()));
     EXPECT_TRUE(result.equal);
     EXPECT_EQ(result.differentPixels, 0);
     EXPECT_EQ(result.firstX, -1);
@@ -148,7 +148,7 @@ TEST(CompareSameMachine, FailsAPictureShiftedByOnePixel)
 {
     for (const Color ground : {kDark, kLight})
     {
-        const Frame picture = Paint(SmallScene(), {.ground = ground});
+        const Frame picture = Painted(SmallScene(), {.ground = ground});
         EXPECT_FALSE(Compare(picture, ShiftedRight(picture)).equal);
     }
 }
@@ -208,7 +208,7 @@ TEST(CompareSameMachine, ToleranceLiesBelowAnyChannelOffByFour)
 
 TEST(CompareSameMachine, PassesASingleStrayPixelOfAnyColour)
 {
-    const Frame expected = Paint(SmallScene());
+    const Frame expected = Painted(SmallScene());
     for (const Color color : Colors())
     {
         for (const auto& [x, y] : {std::pair{0, 0}, {319, 179}, {160, 60}})

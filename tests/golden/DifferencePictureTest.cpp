@@ -31,7 +31,7 @@ constexpr Color kWeak{48, 90, 150, 255};
 
 TEST(DifferencePicture, OfEqualPicturesIsTheExpectedOneInDarkGray)
 {
-    const Frame picture = Paint(SmallScene(), {.ground = kLight});
+    const Frame picture = Painted(SmallScene(), {.ground = kLight});
     const Frame difference = Compare(picture, picture).difference;
     ASSERT_EQ(difference.width, picture.width);
     ASSERT_EQ(difference.height, picture.height);

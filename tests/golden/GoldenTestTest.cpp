@@ -31,7 +31,7 @@ struct GoldenMacros : testing::Test
 
     TemporaryFolder folder;
     GoldenEnvironment environment;
-    Frame frame = Paint(SmallScene());
+    Frame frame = Painted(SmallScene());
     b2World world{b2Vec2(0.0f, -10.0f)};
 };
 
@@ -50,7 +50,7 @@ b2Body* AddBall(b2World& world, float x)
 /// For EXPECT_FATAL_FAILURE, whose statement sees nothing of the test.
 void AssertFrame()
 {
-    ASSERT_GOLDEN(Paint(SmallScene()), "asserted/frame");
+    ASSERT_GOLDEN(Painted(SmallScene()), "asserted/frame");
     FAIL() << "the test went on";
 }
 void AssertWorld()
@@ -84,8 +84,8 @@ TEST_F(GoldenMacros, AFrameIsComparedAcrossMachinesAfterAnotherRenderer)
     approved.frame = frame;
     approved.fingerprint = "0123456789abcdef";
     ASSERT_TRUE(ReferenceStore(folder / "approved", folder / "output").Accept(approved));
-    EXPECT_GOLDEN(Paint(SmallScene(), {.fillShift = 1}), "macro/other");
-    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(Paint(SmallScene(), {.fillShift = 1}), "macro/other",
+    EXPECT_GOLDEN(Painted(SmallScene(), {.fillShift = 1}), "macro/other");
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(Painted(SmallScene(), {.fillShift = 1}), "macro/other",
                                           CompareSettings::SameMachine()),
                             "macro/other: other pixels");
 }

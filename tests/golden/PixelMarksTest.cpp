@@ -210,7 +210,7 @@ TEST(PixelMarks, AreThoseOfThePlainFunctionsForPicturesByChance)
 TEST(PixelMarks, AreThoseOfThePlainFunctionsForEdgesThatMove)
 {
     std::mt19937 random(2);
-    const Frame expected = Paint(SmallScene());
+    const Frame expected = Painted(SmallScene());
     for (const double share : {0.05, 0.1, 0.2, 0.3, 0.5, 1.0})
     {
         for (const int noise : {0, 1, 3})

@@ -41,7 +41,7 @@ protected:
     // Of the pixels alone, as a project without draw lists compares them.
     Comparison Pixels(const DrawList& list, const Style& style)
     {
-        return Compare(Paint(SmallScene(), m_style), Paint(list, style));
+        return Compare(Painted(SmallScene(), m_style), Painted(list, style));
     }
 
     TemporaryFolder m_folder;

@@ -117,7 +117,7 @@ DrawList SmallScene()
     return list;
 }
 
-Frame Paint(const DrawList& list, const Style& style)
+Frame Painted(const DrawList& list, const Style& style)
 {
     Frame frame = Filled(kWidth, kHeight, style.ground);
     for (const DrawItem& item : list.items)
@@ -143,7 +143,7 @@ Frame Paint(const DrawList& list, const Style& style)
 
 GoldenCandidate Candidate(const std::string& name, const DrawList& list, const Style& style)
 {
-    return {name, "0123456789abcdef", list, Paint(list, style)};
+    return {name, "0123456789abcdef", list, Painted(list, style)};
 }
 
 DrawList WithSwappedOrder(const DrawList& list, std::size_t index)

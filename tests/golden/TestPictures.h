@@ -34,7 +34,7 @@ void FillRect(Frame& frame, int x0, int y0, int x1, int y1, Color color);
 DrawList SmallScene();
 
 /// 320 x 180 pixels, world origin at the bottom in the middle.
-Frame Paint(const DrawList& list, const Style& style = {});
+Frame Painted(const DrawList& list, const Style& style = {});
 
 /// The scene as the golden tests see it.
 GoldenCandidate Candidate(const std::string& name, const DrawList& list = SmallScene(),

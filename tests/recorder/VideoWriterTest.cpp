@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <ostream>
@@ -165,5 +166,23 @@ INSTANTIATE_TEST_SUITE_P(VideoWriter, EveryFormat, testing::ValuesIn(kCases),
                              }
                              return name;
                          });
+
+TEST(CodecChoices, AreTakenByTheFormatsTheyNameAndNoOthers)
+{
+    ASSERT_FALSE(boxreel::CodecChoices().empty());
+    for (const boxreel::CodecChoice& choice : boxreel::CodecChoices())
+    {
+        VideoSettings settings;
+        settings.codec = choice.name;
+        settings.quality = choice.name == "ffv1" ? Quality::Lossless : Quality::Standard;
+        for (const std::string& end : boxreel::VideoEnds())
+        {
+            const bool isNamed =
+                std::find(choice.ends.begin(), choice.ends.end(), end) != choice.ends.end();
+            EXPECT_EQ(bool(boxreel::CheckVideoPath("film" + end, settings)), isNamed)
+                << choice.name << end;
+        }
+    }
+}
 
 } // namespace

@@ -21,7 +21,7 @@ struct ArrowHead
 /// A shaft from `tail` to `tip` [m] with a head, filled or open, whose point lies at `tip`; stamped
 /// with the list's layer and owner. A shaft shorter than its head gets a smaller head. Nothing is
 /// added when tail and tip are one point, or not finite.
-void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, Color color,
+void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, const Paint& paint,
               const ArrowHead& head = {});
 
 } // namespace boxreel

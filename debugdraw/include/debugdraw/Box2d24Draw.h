@@ -32,7 +32,7 @@ public:
         if (vertexCount >= 3)
         {
             Convert(vertices, vertexCount);
-            m_list.AddPolygon(m_points.data(), m_points.size(), From(color));
+            m_list.AddPolygon(m_points.data(), m_points.size(), PaintOf(color));
         }
         else if (vertexCount > 0)
         {
@@ -48,23 +48,23 @@ public:
             return;
         }
         Convert(vertices, vertexCount);
-        m_list.AddSolidPolygon(m_points.data(), m_points.size(), From(color));
+        m_list.AddSolidPolygon(m_points.data(), m_points.size(), PaintOf(color));
     }
     /// An outline; centre and radius [m].
     void DrawCircle(const b2Vec2& center, float radius, const b2Color& color) override
     {
-        m_list.AddCircle(From(center), radius, From(color));
+        m_list.AddCircle(From(center), radius, PaintOf(color));
     }
     /// Filled, with a line from the centre [m] along `axis`, of length 1.
     void DrawSolidCircle(const b2Vec2& center, float radius, const b2Vec2& axis,
                          const b2Color& color) override
     {
-        m_list.AddSolidCircle(From(center), radius, From(axis), From(color));
+        m_list.AddSolidCircle(From(center), radius, From(axis), PaintOf(color));
     }
     /// A line between world points [m].
     void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override
     {
-        m_list.AddSegment(From(p1), From(p2), From(color));
+        m_list.AddSegment(From(p1), From(p2), PaintOf(color));
     }
     /// Its axes, 0.4 m each, red x and green y.
     void DrawTransform(const b2Transform& xf) override
@@ -75,7 +75,7 @@ public:
     /// At a world point [m]; its diameter [px].
     void DrawPoint(const b2Vec2& p, float size, const b2Color& color) override
     {
-        m_list.AddPoint(From(p), size, From(color));
+        m_list.AddPoint(From(p), size, PaintOf(color));
     }
 
 private:
@@ -91,6 +91,12 @@ private:
     {
         return {ChannelFrom(color.r), ChannelFrom(color.g), ChannelFrom(color.b),
                 ChannelFrom(color.a)};
+    }
+    // In the layers that the library draws, its colours have roles.
+    Paint PaintOf(const b2Color& color) const
+    {
+        const Color asked = From(color);
+        return {asked, EngineRole(m_list.layer, asked)};
     }
     void Convert(const b2Vec2* vertices, int32 vertexCount)
     {

@@ -19,7 +19,7 @@ struct DimensionSettings
                           ///< where there is room: above, else below; left, else right; the
                           ///< other way round when it is negative [px]
     std::string label;    ///< empty: the distance, such as "1.25 m"
-    Color color{255, 255, 255}; ///< of lines and label
+    Paint color = ColorRole::Ink; ///< of lines and label
 };
 
 /// The distance between `a` and `b` [m], for a list that `view` looks at. Where the arrows do not

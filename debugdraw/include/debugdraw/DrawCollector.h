@@ -41,6 +41,7 @@ public:
     void BeginBody(int32 number) override;
 
 private:
+    Paint PaintOf(const b2Color& color) const;
     const Vec2* Convert(const b2Vec2* vertices, int32 vertexCount);
 
     DrawList& m_list;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <debugdraw/Color.h>
+#include <debugdraw/DrawLayer.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -37,17 +40,6 @@ struct Rect
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-/// sRGB, not premultiplied.
-struct Color
-{
-    std::uint8_t r = 0;   ///< red, 0 to 255
-    std::uint8_t g = 0;   ///< green, 0 to 255
-    std::uint8_t b = 0;   ///< blue, 0 to 255
-    std::uint8_t a = 255; ///< opacity, 0 to 255
-    /// Whether all members are equal.
-    friend bool operator==(const Color&, const Color&) = default;
-};
-
 /// What an item is.
 enum class DrawKind : std::uint8_t
 {
@@ -60,29 +52,6 @@ enum class DrawKind : std::uint8_t
     Transform,    ///< points: origin, unit x axis; drawn as a red and a green axis of `size` metres
     Point,        ///< point: centre; size: diameter [px]
     Text,         ///< point: where the text's top left corner lies; `text`: index into texts
-};
-
-/// What switched the item on; a layer that is off is never collected.
-enum class DrawLayer : std::uint8_t
-{
-    Shapes,
-    Joints,
-    Aabbs,
-    Pairs,
-    CentersOfMass,
-    Contacts,
-    Labels,
-    ContactNormals,
-    ContactImpulses,
-    ContactFriction,
-    Velocities,
-    JointForces,
-    JointGlyphs,
-    Trails,      ///< where bodies have been, as lines
-    Poses,       ///< how bodies stood earlier, faded
-    Scene,       ///< what a scene draws beside its bodies: rays, hulls, marks
-    Annotations, ///< axes, scale bars, dimensions, captions; solid shapes (heads of arrows) are
-                 ///< filled with all of their colour
 };
 
 /// Whom an item belongs to: the body's number in its world, in order of creation.
@@ -98,7 +67,9 @@ struct DrawItem
     std::uint32_t owner = kNoOwner;      ///< the body it belongs to; kNoOwner: none
     std::uint32_t text = 0;              ///< Text only: index into DrawList::texts
     float size = 0.0f; ///< radius or length of axes [m], or diameter of a point [px]
-    Color color;       ///< of lines, filling or letters
+    Color color;       ///< of lines, filling or letters, as the classic theme draws it
+    ColorRole role = ColorRole::None;             ///< what the colour stands for
+    Paint Asked() const { return {color, role}; } ///< what it is to be drawn with
     /// Whether all members are equal.
     friend bool operator==(const DrawItem&, const DrawItem&) = default;
 };
@@ -116,22 +87,22 @@ public:
     std::uint32_t owner = kNoOwner; ///< the body that is being drawn; kNoOwner: none
 
     /// An outline; corners [m] in either order.
-    void AddPolygon(const Vec2* vertices, std::size_t count, Color color);
+    void AddPolygon(const Vec2* vertices, std::size_t count, const Paint& paint);
     /// An outline (DrawKind::Polygon) when there are more corners than 8, or it is not convex: all
     /// renderers and formats fill the same shapes then.
-    void AddSolidPolygon(const Vec2* vertices, std::size_t count, Color color);
+    void AddSolidPolygon(const Vec2* vertices, std::size_t count, const Paint& paint);
     /// An outline [m], radius 0 or more.
-    void AddCircle(Vec2 center, float radius, Color color);
+    void AddCircle(Vec2 center, float radius, const Paint& paint);
     /// A filled circle [m] with its radius drawn along `axis`, of length 1.
-    void AddSolidCircle(Vec2 center, float radius, Vec2 axis, Color color);
+    void AddSolidCircle(Vec2 center, float radius, Vec2 axis, const Paint& paint);
     /// A line from a to b [m].
-    void AddSegment(Vec2 a, Vec2 b, Color color);
+    void AddSegment(Vec2 a, Vec2 b, const Paint& paint);
     /// Two axes of that length [m]; `xAxis` has the length 1.
     void AddTransform(Vec2 origin, Vec2 xAxis, float axisLength);
     /// A dot, as large whatever the camera's scale is.
-    void AddPoint(Vec2 center, float diameterPixels, Color color);
+    void AddPoint(Vec2 center, float diameterPixels, const Paint& paint);
     /// Letters, UTF-8, below and right of a point of the world [m].
-    void AddText(Vec2 topLeft, std::string_view text, Color color);
+    void AddText(Vec2 topLeft, std::string_view text, const Paint& paint);
 
     /// Empties the list and keeps the memory.
     void Clear();
@@ -143,7 +114,11 @@ public:
     }
 
 private:
-    DrawItem& Add(DrawKind kind, const Vec2* vertices, std::size_t count, Color color);
+    DrawItem& Add(DrawKind kind, const Vec2* vertices, std::size_t count, const Paint& paint);
 };
+
+/// What an engine of the Box2D family means by a colour in its own debug drawing of `layer`; None
+/// for a colour that it has no meaning for there.
+ColorRole EngineRole(DrawLayer layer, Color color);
 
 } // namespace boxreel

@@ -28,7 +28,7 @@ public:
 
     /// `origin` in metres; `xAxis` of any length, (1, 0) is meant when it has none. What is drawn
     /// gets the layer and the owner that the list has at the time.
-    GlyphPen(DrawList& list, const Camera& camera, Vec2 origin, Vec2 xAxis, Color color);
+    GlyphPen(DrawList& list, const Camera& camera, Vec2 origin, Vec2 xAxis, const Paint& paint);
 
     /// In the world [m].
     Vec2 At(Point p) const;
@@ -65,7 +65,7 @@ private:
     double m_metersPerPixel;
     Vec2 m_origin;
     Point m_axis; // unit, in the world
-    Color m_color;
+    Paint m_paint;
 };
 
 } // namespace boxreel

@@ -26,9 +26,8 @@ struct TextAnchor
     double y = 0.0; ///< 0 at its top, 1 at its bottom
 };
 
-// Colours of the classic palette, which every theme has its own for.
-inline constexpr Color kInk{255, 255, 255};     ///< stands out most
-inline constexpr Color kNoteInk{230, 230, 230}; ///< a little less
+inline constexpr Paint kInk = ColorRole::Ink;               ///< stands out most
+inline constexpr Paint kNoteInk = ColorRole::ContactNormal; ///< a little less
 
 /// Draws in pixels of a camera's picture.
 class Paper
@@ -43,13 +42,13 @@ public:
     Vec2 ToWorld(PixelPoint pixel) const;
 
     /// A line from one to the other.
-    void Line(PixelPoint from, PixelPoint to, Color color) const;
+    void Line(PixelPoint from, PixelPoint to, const Paint& paint) const;
     /// An outline, radius [px].
-    void Circle(PixelPoint center, double radius, Color color) const;
+    void Circle(PixelPoint center, double radius, const Paint& paint) const;
     /// The point of the arrow's head lies at `to`.
-    void Arrow(PixelPoint from, PixelPoint to, Color color) const;
+    void Arrow(PixelPoint from, PixelPoint to, const Paint& paint) const;
     /// One line, as wide as TextWidth says; nothing when it is empty.
-    void Text(PixelPoint at, std::string_view line, TextAnchor anchor, Color color) const;
+    void Text(PixelPoint at, std::string_view line, TextAnchor anchor, const Paint& paint) const;
 
 private:
     template <class Add>

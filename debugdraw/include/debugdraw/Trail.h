@@ -16,7 +16,7 @@ namespace boxreel
 /// How a trail looks.
 struct TrailSettings
 {
-    Color color{77, 230, 230}; ///< of the line
+    Paint color = ColorRole::Pair; ///< of the line
     double oldest = 0.35; ///< the opacity where it begins; 1 where it ends. 1: it does not fade
 };
 
@@ -27,6 +27,6 @@ void AddTrail(DrawList& list, const Camera& camera, std::span<const Vec2> way,
               const TrailSettings& settings = {});
 
 /// Colours that can be told apart, in every theme: the nth trail's.
-Color TrailColor(std::size_t n);
+Paint TrailColor(std::size_t n);
 
 } // namespace boxreel

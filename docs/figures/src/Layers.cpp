@@ -45,7 +45,7 @@ b2Vec2 SignAt(const Sketch& sketch, double row)
                           0.5 * camera.height - kLegendTop - row * kRow);
 }
 
-void AddSwatch(Sketch& sketch, double row, Color color, std::string_view name)
+void AddSwatch(Sketch& sketch, double row, Paint color, std::string_view name)
 {
     const b2Vec2 at = SignAt(sketch, row);
     const Vec2 corners[4] = {From(sketch.Shifted(at, -11, -7)), From(sketch.Shifted(at, 11, -7)),
@@ -60,7 +60,7 @@ void AddSwatch(Sketch& sketch, double row, Color color, std::string_view name)
 
 Figure DrawDebugLayers()
 {
-    constexpr Color kJoint{128, 204, 204};
+    constexpr Paint kJoint = ColorRole::Joint;
     Sketch sketch(640, 340, b2Vec2(1.05f, 0.1f), 80.0);
     b2World world(b2Vec2(0.0f, -10.0f));
     Furnish(world);

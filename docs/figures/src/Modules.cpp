@@ -13,7 +13,7 @@ constexpr float32 kTop = -34.0f; // of the boxes [px]
 constexpr float32 kBottom = -134.0f;
 constexpr float32 kWidth = 160.0f;
 
-void AddModule(Sketch& sketch, float32 left, Color color, std::string_view name,
+void AddModule(Sketch& sketch, float32 left, Paint color, std::string_view name,
                std::string_view holds)
 {
     const Vec2 corners[4] = {

@@ -86,7 +86,7 @@ Figure DrawRayCast()
     sketch.Dot(from, kHelp);
     for (const Hit& hit : all.hits)
     {
-        const Color color = &hit == &first ? kGood : kQuiet;
+        const Paint color = &hit == &first ? kGood : kQuiet;
         sketch.ArrowAlong(hit.point, hit.normal, 40.0, color);
         sketch.Dot(hit.point, color);
     }

@@ -122,20 +122,20 @@ void Sketch::DrawCenterMarks(const b2World& world)
     AddCenterMarks(world, ViewOfEverything(m_camera), m_list);
 }
 
-void Sketch::Line(const b2Vec2& from, const b2Vec2& to, Color color)
+void Sketch::Line(const b2Vec2& from, const b2Vec2& to, Paint color)
 {
     Annotate();
     m_list.AddSegment(From(from), From(to), color);
 }
 
-void Sketch::Dashes(const b2Vec2& from, const b2Vec2& to, Color color)
+void Sketch::Dashes(const b2Vec2& from, const b2Vec2& to, Paint color)
 {
     Annotate();
     GlyphPen pen(m_list, m_camera, From(from), From(to - from), color);
     pen.Dashes({}, {pen.Of(From(to)).x, 0.0});
 }
 
-void Sketch::Bar(const b2Vec2& from, const b2Vec2& to, Color color)
+void Sketch::Bar(const b2Vec2& from, const b2Vec2& to, Paint color)
 {
     const b2Vec2 way = to - from;
     b2Vec2 across(-way.y, way.x);
@@ -147,20 +147,20 @@ void Sketch::Bar(const b2Vec2& from, const b2Vec2& to, Color color)
     m_list.AddSolidPolygon(corners, 4, color);
 }
 
-void Sketch::Arrow(const b2Vec2& from, const b2Vec2& to, Color color)
+void Sketch::Arrow(const b2Vec2& from, const b2Vec2& to, Paint color)
 {
     const Paper paper = OnPaper();
     paper.Arrow(paper.ToPixel(From(from)), paper.ToPixel(From(to)), color);
 }
 
-void Sketch::ArrowAlong(const b2Vec2& from, const b2Vec2& direction, double pixels, Color color)
+void Sketch::ArrowAlong(const b2Vec2& from, const b2Vec2& direction, double pixels, Paint color)
 {
     b2Vec2 unit = direction;
     unit.Normalize();
     Arrow(from, Shifted(from, pixels * unit.x, pixels * unit.y), color);
 }
 
-void Sketch::ArcArrow(const b2Vec2& center, double radius, float32 from, float32 to, Color color)
+void Sketch::ArcArrow(const b2Vec2& center, double radius, float32 from, float32 to, Paint color)
 {
     constexpr float32 kStretch = 0.1f; // [rad]
     const auto at = [&](float32 angle) {
@@ -179,19 +179,19 @@ void Sketch::ArcArrow(const b2Vec2& center, double radius, float32 from, float32
     Arrow(at(last), at(to), color);
 }
 
-void Sketch::Dot(const b2Vec2& at, Color color, double diameter)
+void Sketch::Dot(const b2Vec2& at, Paint color, double diameter)
 {
     Annotate();
     m_list.AddPoint(From(at), float(diameter), color);
 }
 
-void Sketch::Ring(const b2Vec2& at, double radius, Color color)
+void Sketch::Ring(const b2Vec2& at, double radius, Paint color)
 {
     const Paper paper = OnPaper();
     paper.Circle(paper.ToPixel(From(at)), radius, color);
 }
 
-void Sketch::Outline(const std::vector<b2Vec2>& corners, Color color)
+void Sketch::Outline(const std::vector<b2Vec2>& corners, Paint color)
 {
     Annotate();
     std::vector<Vec2> points;
@@ -202,7 +202,7 @@ void Sketch::Outline(const std::vector<b2Vec2>& corners, Color color)
     m_list.AddPolygon(points.data(), points.size(), color);
 }
 
-void Sketch::Trail(const std::vector<b2Vec2>& way, Color color)
+void Sketch::Trail(const std::vector<b2Vec2>& way, Paint color)
 {
     std::vector<Vec2> points;
     for (const b2Vec2& point : way)
@@ -214,13 +214,13 @@ void Sketch::Trail(const std::vector<b2Vec2>& way, Color color)
 }
 
 void Sketch::Measure(const b2Vec2& from, const b2Vec2& to, std::string_view label, double offset,
-                     Color color)
+                     Paint color)
 {
     AddDimension(m_list, m_camera, From(from), From(to),
                  {.offset = offset, .label = std::string(label), .color = color});
 }
 
-void Sketch::LabelAt(PixelPoint at, Side side, std::string_view text, Color color, double gap)
+void Sketch::LabelAt(PixelPoint at, Side side, std::string_view text, Paint color, double gap)
 {
     const Direction way = DirectionOf(side);
     // On a slant the corner of the text is nearest, so as much is left free in less of each axis.
@@ -237,17 +237,17 @@ void Sketch::LabelAt(PixelPoint at, Side side, std::string_view text, Color colo
     }
 }
 
-void Sketch::Label(const b2Vec2& at, Side side, std::string_view text, Color color, double gap)
+void Sketch::Label(const b2Vec2& at, Side side, std::string_view text, Paint color, double gap)
 {
     LabelAt(OnPaper().ToPixel(From(at)), side, text, color, gap);
 }
 
-void Sketch::Caption(double x, double y, Side side, std::string_view text, Color color)
+void Sketch::Caption(double x, double y, Side side, std::string_view text, Paint color)
 {
     LabelAt({x, y}, side, text, color, 0.0);
 }
 
-void Sketch::Note(const b2Vec2& at, double right, double up, std::string_view text, Color color)
+void Sketch::Note(const b2Vec2& at, double right, double up, std::string_view text, Paint color)
 {
     const b2Vec2 end = Shifted(at, right, up);
     Line(at, end, kQuiet);

@@ -17,17 +17,20 @@ namespace figures
 {
 
 // The classic palette's colours, which each theme has its own for, by what they say in a figure.
-inline constexpr boxreel::Color kInk = boxreel::kInk;
-inline constexpr boxreel::Color kQuiet{153, 153, 153};  ///< what was, or helps to see
-inline constexpr boxreel::Color kFixed{128, 230, 128};  ///< of static bodies
-inline constexpr boxreel::Color kDriven{128, 128, 230}; ///< of kinematic bodies
-inline constexpr boxreel::Color kMoving{230, 179, 179}; ///< of dynamic bodies
-inline constexpr boxreel::Color kHelp{77, 77, 242};     ///< skins, rays, axes
-inline constexpr boxreel::Color kPair{77, 230, 230};    ///< of fixtures whose boxes overlap
-inline constexpr boxreel::Color kGood{77, 242, 77};     ///< found, right
-inline constexpr boxreel::Color kBox{230, 77, 230};     ///< bounding boxes
-inline constexpr boxreel::Color kPush{230, 230, 77};    ///< forces and normals
-inline constexpr boxreel::Color kBad{213, 94, 0};       ///< wrong; seen on white and on black
+inline constexpr boxreel::Paint kInk = boxreel::kInk;
+inline constexpr boxreel::Paint kQuiet =
+    boxreel::ColorRole::AsleepBody; ///< what was, or helps to see
+inline constexpr boxreel::Paint kFixed = boxreel::ColorRole::StaticBody; ///< of static bodies
+inline constexpr boxreel::Paint kDriven =
+    boxreel::ColorRole::KinematicBody;                                   ///< of kinematic bodies
+inline constexpr boxreel::Paint kMoving = boxreel::ColorRole::AwakeBody; ///< of dynamic bodies
+inline constexpr boxreel::Paint kHelp = boxreel::ColorRole::OldContact;  ///< skins, rays, axes
+inline constexpr boxreel::Paint kPair =
+    boxreel::ColorRole::Pair; ///< of fixtures whose boxes overlap
+inline constexpr boxreel::Paint kGood = boxreel::ColorRole::NewContact;     ///< found, right
+inline constexpr boxreel::Paint kBox = boxreel::ColorRole::Aabb;            ///< bounding boxes
+inline constexpr boxreel::Paint kPush = boxreel::ColorRole::ContactImpulse; ///< forces and normals
+inline constexpr boxreel::Paint kBad{213, 94, 0}; ///< wrong; seen on white and on black
 
 /// Where a label lies, seen from its point.
 enum class Side
@@ -61,33 +64,33 @@ public:
     void DrawCenterMarks(const b2World& world);
 
     // What explains it, in metres; gaps and sizes in pixels.
-    void Line(const b2Vec2& from, const b2Vec2& to, boxreel::Color color = kInk);
+    void Line(const b2Vec2& from, const b2Vec2& to, boxreel::Paint color = kInk);
     /// A line of three pixels, for what is right or wrong in a figure.
-    void Bar(const b2Vec2& from, const b2Vec2& to, boxreel::Color color);
-    void Dashes(const b2Vec2& from, const b2Vec2& to, boxreel::Color color = kQuiet);
-    void Arrow(const b2Vec2& from, const b2Vec2& to, boxreel::Color color = kInk);
+    void Bar(const b2Vec2& from, const b2Vec2& to, boxreel::Paint color);
+    void Dashes(const b2Vec2& from, const b2Vec2& to, boxreel::Paint color = kQuiet);
+    void Arrow(const b2Vec2& from, const b2Vec2& to, boxreel::Paint color = kInk);
     /// From a point so many pixels along a direction of any length.
     void ArrowAlong(const b2Vec2& from, const b2Vec2& direction, double pixels,
-                    boxreel::Color color = kInk);
+                    boxreel::Paint color = kInk);
     /// Around a point from one angle to another [rad], with a head at the other.
     void ArcArrow(const b2Vec2& center, double radius, float32 from, float32 to,
-                  boxreel::Color color = kInk);
-    void Dot(const b2Vec2& at, boxreel::Color color = kInk, double diameter = 7.0);
-    void Ring(const b2Vec2& at, double radius, boxreel::Color color = kInk);
-    void Outline(const std::vector<b2Vec2>& corners, boxreel::Color color);
-    void Trail(const std::vector<b2Vec2>& way, boxreel::Color color = kHelp);
+                  boxreel::Paint color = kInk);
+    void Dot(const b2Vec2& at, boxreel::Paint color = kInk, double diameter = 7.0);
+    void Ring(const b2Vec2& at, double radius, boxreel::Paint color = kInk);
+    void Outline(const std::vector<b2Vec2>& corners, boxreel::Paint color);
+    void Trail(const std::vector<b2Vec2>& way, boxreel::Paint color = kHelp);
     /// With arrows between extension lines, `offset` pixels away: above or on the left, on the
     /// other side when it is negative.
     void Measure(const b2Vec2& from, const b2Vec2& to, std::string_view label, double offset = 30.0,
-                 boxreel::Color color = kInk);
+                 boxreel::Paint color = kInk);
     /// Lines are parted by line feeds.
-    void Label(const b2Vec2& at, Side side, std::string_view text, boxreel::Color color = kInk,
+    void Label(const b2Vec2& at, Side side, std::string_view text, boxreel::Paint color = kInk,
                double gap = 7.0);
     /// The same at a place of the picture, from the top left corner.
-    void Caption(double x, double y, Side side, std::string_view text, boxreel::Color color = kInk);
+    void Caption(double x, double y, Side side, std::string_view text, boxreel::Paint color = kInk);
     /// A thin line from a point to a label that lies (right, up) pixels from it.
     void Note(const b2Vec2& at, double right, double up, std::string_view text,
-              boxreel::Color color = kInk);
+              boxreel::Paint color = kInk);
 
     b2Vec2 Shifted(const b2Vec2& at, double right, double up) const;
 
@@ -96,7 +99,7 @@ public:
     boxreel::Figure Finished() const;
 
 private:
-    void LabelAt(boxreel::PixelPoint at, Side side, std::string_view text, boxreel::Color color,
+    void LabelAt(boxreel::PixelPoint at, Side side, std::string_view text, boxreel::Paint color,
                  double gap);
     boxreel::Paper OnPaper() { return boxreel::Paper(m_list, m_camera); }
     void Annotate(); // what follows is an annotation

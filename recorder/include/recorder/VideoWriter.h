@@ -83,7 +83,7 @@ struct VideoSettings
     Rational framesPerSecond{60, 1};     ///< above 0, at most 1000
     Quality quality = Quality::Standard; ///< how much survives
     Chroma chroma = Chroma::Half;        ///< how much colour survives
-    std::string codec{};  ///< h264, vp9, av1 or ffv1; empty: the first of the format's
+    std::string codec{};                 ///< one of CodecChoices; empty: the first of the format's
     std::string format{}; ///< of the standard output: y4m, nut, mkv or webm; empty for files
     /// Options of libav's encoder, by its names, over those that the quality sets.
     std::vector<std::pair<std::string, std::string>> codecOptions{};
@@ -103,6 +103,16 @@ struct VideoSettings
 
 /// What the names of films end in, but for pictures and the standard output: ".mp4" and so on.
 std::vector<std::string> VideoEnds();
+
+/// A codec that films can be asked to have.
+struct CodecChoice
+{
+    std::string name;              ///< "h264"
+    std::vector<std::string> ends; ///< of the names of films that can have it: ".mp4", ".mkv"
+};
+
+/// Of formats that can have more than one.
+std::vector<CodecChoice> CodecChoices();
 
 /// Whether `path` names a format that can be written with these settings, without opening anything.
 /// An Error (Unusable) says why not: unknown extension, a size the format cannot hold (with the

@@ -95,9 +95,9 @@ TEST(CommandLine, RecordReadsEveryOption)
     EXPECT_EQ(options.look.velocityIterations, 10);
     EXPECT_EQ(options.look.positionIterations, 4);
     EXPECT_EQ(options.look.view, ViewChoice(FixedView{-5.0, 2.5, 20.0}));
-    SceneLayers layers;
-    layers.joints = false;
-    layers.aabbs = true;
+    LayerSet layers;
+    layers[DrawLayer::Joints] = false;
+    layers[DrawLayer::Aabbs] = true;
     EXPECT_EQ(options.look.layers, layers);
     EXPECT_TRUE(options.look.labels);
     EXPECT_TRUE(options.look.hud);
@@ -113,7 +113,8 @@ TEST(CommandLine, ArrowsHaveScales)
                                .look;
     EXPECT_EQ(look.arrows.velocitySeconds, 0.5);
     EXPECT_EQ(look.arrows.metersPerNewton, 0.001);
-    EXPECT_TRUE(look.layers.forces && look.layers.velocities && !look.layers.shapes);
+    EXPECT_TRUE(look.layers[DrawLayer::JointForces] && look.layers[DrawLayer::Velocities] &&
+                !look.layers[DrawLayer::Shapes]);
 }
 
 TEST(CommandLine, MillisecondsOfAStepComeWithThePanel)

@@ -54,33 +54,17 @@ TEST(ScriptedPanels, ChangeTheSolver)
 
 TEST(ScriptedPanels, ChooseTheLayersOneByOne)
 {
-    const std::vector<std::pair<std::string, bool SceneLayers::*>> checks{
-        {"Shapes", &SceneLayers::shapes},
-        {"Joints", &SceneLayers::joints},
-        {"AABBs", &SceneLayers::aabbs},
-        {"Pairs", &SceneLayers::pairs},
-        {"Contact points", &SceneLayers::contacts},
-        {"Contact normals", &SceneLayers::normals},
-        {"Contact impulses", &SceneLayers::impulses},
-        {"Friction impulses", &SceneLayers::friction},
-        {"Centres of mass", &SceneLayers::centers},
-        {"Mass signs", &SceneLayers::masses},
-        {"Velocities", &SceneLayers::velocities},
-        {"Joint forces", &SceneLayers::forces},
-        {"Joint signs", &SceneLayers::glyphs},
-        {"Names", &SceneLayers::names}};
-    ASSERT_EQ(checks.size(), std::size(kSceneLayers));
     std::string lines;
-    for (const auto& [name, layer] : checks)
+    for (const LayerInfo& layer : kOptionalLayers)
     {
-        lines += "at step 0 click \"Draw/" + name + "\"\n";
+        lines += "at step 0 click \"Draw/" + std::string(layer.label) + "\"\n";
     }
     const SceneSession session = Played(lines + "at step 0 click Draw/Numbers\n", 1);
     ASSERT_TRUE(session.CheckCompanion()) << session.CheckCompanion().GetError().Text();
-    const SceneLayers before;
-    for (const auto& [name, layer] : checks)
+    const LayerSet before;
+    for (const LayerInfo& layer : kOptionalLayers)
     {
-        EXPECT_NE(session.Look().layers.*layer, before.*layer) << name;
+        EXPECT_NE(session.Look().layers[layer.layer], before[layer.layer]) << layer.label;
     }
     EXPECT_TRUE(session.Look().labels);
 }

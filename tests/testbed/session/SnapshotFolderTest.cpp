@@ -81,7 +81,7 @@ SceneSession Open(const SceneEntry& entry, const ViewChoice& view)
 {
     SceneLook look;
     look.view = view;
-    look.layers.contacts = true;
+    look.layers[DrawLayer::Contacts] = true;
     SceneSource source;
     source.entry = &entry;
     source.title = entry.name;

@@ -42,9 +42,9 @@ TEST_F(UiSettingsTest, ComeBackAsTheyWere)
     choices.showsPanels = false;
     choices.keepsSolver = true;
     choices.solver = {11, 7, 4, 120, false, false, false, true};
-    for (const SceneLayer& layer : kSceneLayers)
+    for (const LayerInfo& layer : kOptionalLayers)
     {
-        choices.layers.*layer.layer = !(choices.layers.*layer.layer);
+        choices.layers[layer.layer] = !choices.layers[layer.layer];
     }
     choices.labels = true;
     choices.statistics = false;

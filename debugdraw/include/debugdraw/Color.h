@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+/// @file
+/// Colours, and what they stand for. Themes (Theme.h) have a colour of their own for each role.
+namespace boxreel
+{
+
+/// sRGB, not premultiplied.
+struct Color
+{
+    std::uint8_t r = 0;   ///< red, 0 to 255
+    std::uint8_t g = 0;   ///< green, 0 to 255
+    std::uint8_t b = 0;   ///< blue, 0 to 255
+    std::uint8_t a = 255; ///< opacity, 0 to 255
+    /// Whether all members are equal.
+    friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// What the debug drawing has a colour of its own for.
+enum class ColorRole : std::uint8_t
+{
+    StaticBody,
+    KinematicBody,
+    AwakeBody,
+    AsleepBody,
+    InactiveBody,
+    Joint,
+    Pair,
+    Aabb,
+    NewContact,
+    OldContact,
+    ContactNormal,
+    ContactImpulse,
+    ContactFriction,
+    JointForce,
+    Velocity,
+    Ink,  ///< labels, and whatever is meant to stand out most from the background
+    None, ///< a colour of the user's own, which themes keep
+};
+/// How many roles there are, without None.
+inline constexpr std::size_t kColorRoles = std::size_t(ColorRole::None);
+/// A colour for each role, in the order of the roles.
+using Palette = std::array<Color, kColorRoles>;
+
+/// The colours every user of this debug drawing knows.
+inline constexpr Palette kClassicPalette{{{128, 230, 128},
+                                          {128, 128, 230},
+                                          {230, 179, 179},
+                                          {153, 153, 153},
+                                          {128, 128, 77},
+                                          {128, 204, 204},
+                                          {77, 230, 230},
+                                          {230, 77, 230},
+                                          {77, 242, 77},
+                                          {77, 77, 242},
+                                          {230, 230, 230},
+                                          {230, 230, 77},
+                                          {230, 230, 78},
+                                          {255, 150, 60},
+                                          {90, 170, 255},
+                                          {255, 255, 255}}};
+
+/// What to draw with: a role, in its classic colour until a theme replaces that, or a colour of the
+/// user's own.
+struct Paint
+{
+    Color color;                      ///< as the classic theme draws it
+    ColorRole role = ColorRole::None; ///< what it stands for
+
+    /// Black.
+    constexpr Paint() = default;
+    /// A colour of the user's own.
+    constexpr Paint(Color own) : color(own) {}
+    /// A colour of the user's own, its channels and opacity from 0 to 255.
+    constexpr Paint(std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t a = 255)
+        : color{r, g, b, a}
+    {}
+    /// Any colour that stands for something.
+    constexpr Paint(Color asked, ColorRole standsFor) : color(asked), role(standsFor) {}
+    /// The classic colour of this role (not None) at this opacity.
+    constexpr Paint(ColorRole standsFor, std::uint8_t opacity = 255)
+        : color(kClassicPalette[std::size_t(standsFor)]), role(standsFor)
+    {
+        color.a = opacity;
+    }
+    /// Whether all members are equal.
+    friend bool operator==(const Paint&, const Paint&) = default;
+};
+
+} // namespace boxreel

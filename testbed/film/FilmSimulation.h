@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Progress.h"
+#include "RecordOptions.h"
+#include "RenderReport.h"
+
+#include <session/SnapshotFolder.h>
+
+/// The scene of a film: which step a frame shows, and the simulation up to there. May begin with a
+/// state that another run has left.
+namespace boxreel
+{
+
+class FilmSimulation
+{
+public:
+    /// All are borrowed; `snapshots` and `stages` may be null.
+    FilmSimulation(const RecordOptions& options, SnapshotFolder* snapshots, Progress& progress,
+                   StageTimes* stages)
+        : m_options(options), m_snapshots(snapshots), m_progress(progress), m_stages(stages)
+    {}
+
+    Result<void> Open(SceneSource source);
+
+    /// `number`: of the first frame that is wanted.
+    void Begin(std::int64_t number);
+
+    /// Up to this frame. False: a signal asks for a stop, also between two of many steps.
+    bool AdvanceTo(std::int64_t number);
+
+    /// The same whatever signals came.
+    void FinishAt(std::int64_t number);
+
+    void Fill(FrameContent& content);
+
+    SceneSession& Session() { return *m_session; }
+    SimulationTotals Totals() const;
+
+private:
+    std::int64_t StepOf(std::int64_t number) const;
+    void Step();
+    void Show(std::int64_t number);
+
+    const RecordOptions& m_options;
+    SnapshotFolder* m_snapshots;
+    Progress& m_progress;
+    StageTimes* m_stages;
+    std::optional<SceneSession> m_session;
+    FrameClock m_clock;
+    std::int64_t m_firstStep = 0; // from which on there was something to simulate
+};
+
+} // namespace boxreel

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "SceneWork.h"
+
+#include <debugdraw/DrawList.h>
+#include <render/Window.h>
+
+#include <set>
+
+/// What a person's hand does to a scene: the mouse pulls bodies, moves the view and slings bombs,
+/// and keys are pressed that the scene answers to.
+namespace boxreel
+{
+
+class SceneHand
+{
+public:
+    /// A button goes down; `isOnPanels`: it is theirs until it goes up.
+    void Press(SceneWork& work, const WindowEvent& event, bool isOnPanels);
+    void Release(SceneWork& work, const WindowEvent& event);
+    void Move(SceneWork& work, const WindowEvent& event);
+
+    /// A key goes down; nothing happens when the scene does not know it.
+    void PressKey(SceneWork& work, Key key);
+    void ReleaseKey(SceneWork& work, Key key);
+
+    /// Nobody will say when what is down goes up; the mouse was last at `pointer` [px].
+    void LetGo(SceneWork& work, Vec2 pointer);
+
+    /// Another scene is there: what was held of the one before is gone.
+    void Forget();
+
+    /// While a bomb is pulled back, the way that it was.
+    void AddSling(const SceneWork& work, Vec2 pointer, DrawList& list) const;
+
+private:
+    /// What the mouse's button that is down does.
+    enum class Hold
+    {
+        Nothing,
+        Panels,
+        Scene,
+        View,
+        Bomb,
+    };
+
+    Hold m_hold = Hold::Nothing;
+    int m_button = 0;      // that holds
+    Vec2 m_at{0.0f, 0.0f}; // where it went down, or was last [px]
+    b2Vec2 m_slingFrom{0.0f, 0.0f};
+    std::set<Key> m_keys; // of the scene, that are down
+};
+
+} // namespace boxreel

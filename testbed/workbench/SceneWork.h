@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "WorkbenchLog.h"
+
+#include <session/SessionPanels.h>
+
+#include <string>
+
+/// The scene that a person works at: what is done to it and where it is looked at goes into a log,
+/// so that a script can do it again.
+namespace boxreel
+{
+
+class SceneWork
+{
+public:
+    /// Begin comes next.
+    explicit SceneWork(SceneSession session) : m_session(std::move(session)) {}
+
+    /// The session is at its start: a script begins, whose first actions make the solver `wanted`.
+    void Begin(const SolverChoices& wanted);
+
+    SceneSession& Session() { return m_session; }
+    const SceneSession& Session() const { return m_session; }
+    WorkbenchLog& Log() { return m_log; }
+    /// The scene's own, before anything was set.
+    const SolverChoices& Preferred() const { return m_preferred; }
+    /// What has been done since the scene began.
+    std::string Script() const { return m_log.Text(m_session.SceneStep(), m_session.World()); }
+
+    void Do(const ScriptAction& action);                         ///< to the scene
+    void Set(const std::string& name, const std::string& value); ///< how it is stepped
+    void Step();                                                 ///< simulates one
+
+    Camera View() const;      ///< at full size, over the whole window
+    Camera Uncovered() const; ///< the part of the view that no panel covers, at scale 1
+    b2Vec2 WorldAt(Vec2 pixel) const;
+    void LookAt(double x, double y, double pixelsPerMeter); ///< the middle of what is uncovered [m]
+    void Pan(double x, double y);                           ///< the middle goes by so much [m]
+    void Zoom(double factor, Vec2 about);                   ///< what is at `about` [px] stays there
+    /// The point (x, y) becomes the origin [m]; what is seen stays where it is, unless the view
+    /// goes with what it follows.
+    void Shift(float32 x, float32 y);
+
+private:
+    SceneSession m_session;
+    SolverChoices m_preferred;
+    WorkbenchLog m_log;
+};
+
+} // namespace boxreel
