@@ -526,8 +526,7 @@ Result<void> CheckReferenceName(const std::string& name)
 {
     const std::string why = WhyNotUsable(name);
     return why.empty() ? Result<void>()
-                       : Error{ErrorKind::Unusable,
-                               "\"" + name + "\" cannot name a reference: " + why + "."};
+                       : Error{ErrorKind::Unusable, Quoted(name), why, "choose another name"};
 }
 
 GoldenCandidate CandidateOf(ContactSheet sheet, std::string name)
@@ -589,9 +588,8 @@ Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs a
     RETURN_IF_ERROR(CheckReferenceName(candidate.name));
     if (as == AcceptAs::ForThisRenderer && candidate.renderer.empty())
     {
-        return Error{ErrorKind::Unusable, candidate.name +
-                                              ": nobody knows which renderer drew it; accept it "
-                                              "for all renderers."};
+        return Error{ErrorKind::Unusable, candidate.name, "the renderer that drew it is not known",
+                     "accept it for all renderers"};
     }
     const bool isOfOne =
         as == AcceptAs::ForThisRenderer || HasOwnPicture(candidate.name, candidate.renderer);

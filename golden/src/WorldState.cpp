@@ -188,8 +188,8 @@ Result<WorldState> ParseWorldState(std::string_view text)
         const std::optional<BodyState> body = ParseBody(*line);
         if (!body || (!state.bodies.empty() && body->number <= state.bodies.back().number))
         {
-            return Error{ErrorKind::Unusable,
-                         Shown(*line) + " is no body's number with its place and velocity"};
+            return Error{ErrorKind::Unusable, Shown(*line),
+                         "is not a body's number with its place and velocity"};
         }
         state.bodies.push_back(*body);
     }

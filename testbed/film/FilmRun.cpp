@@ -158,10 +158,10 @@ Result<void> FilmRun::Open(SceneSource source)
     m_clock = {m_plan.film.framesPerSecond, m_session->StepsPerSecond(), m_options.pace.speed};
     for (const Condition& condition : m_options.length.until)
     {
-        const std::string missing = condition.MissingBody(m_session->World(), m_session->Names());
-        if (!missing.empty()) // a scene may yet make it
+        const auto missing = condition.MissingBody(m_session->World(), m_session->Names());
+        if (missing) // a scene may yet make it
         {
-            WriteMessage("boxreel: " + missing);
+            WriteMessage("boxreel: " + missing->Text());
         }
     }
     BeginSimulation();

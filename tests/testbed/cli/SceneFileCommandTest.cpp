@@ -72,12 +72,9 @@ TEST_F(SceneFile, IsCheckedForWhatIsLeftOutAndWhatSurprises)
               "friction": 0.3, "circle": {"radius": 0}}]}]})");
     const Outcome outcome = Run({"check", "a.json"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.output,
-              "left out: fixture 0 \"f\" of body 0 \"cart\" is left out: a circle needs a radius "
-              "above zero.\n"
-              "note: body 0 \"cart\": it does not say awake, so it sleeps until something touches "
-              "it.\n"
-              "a.json: 1 body, 0 joints, 0 images, 1 note, 1 left out\n");
+    EXPECT_THAT(outcome.output,
+                AllOf(HasSubstr("fixture 0 \"f\" of body 0 \"cart\""),
+                      HasSubstr("1 body, 0 joints, 0 images, 1 note, 1 left out\n")));
     Write(R"({"body": [{}]})");
     EXPECT_EQ(Run({"check", "a.json"}).code, 0);
 }
@@ -100,12 +97,12 @@ TEST_F(SceneFile, ShowsItsImagesAsOutlines)
     }
 }
 
-TEST_F(SceneFile, ThatIsNoneIsRefusedInOneSentence)
+TEST_F(SceneFile, ThatIsNoneIsRefusedInOneLine)
 {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
         {{"check"}, "check: "},
-        {{"check", "none.json"}, "none.json: does not exist"},
-        {{"check", "a.json"}, "a.json is no JSON text"},
+        {{"check", "none.json"}, "none.json"},
+        {{"check", "a.json"}, "a.json:1:2"},
         {{"export"}, "export: "},
         {{"export", "bridge"}, "export: "},
         {{"export", "brigde", "-o", "b.json"}, "'brigde'"},
@@ -197,7 +194,7 @@ TEST_F(SceneFile, OfAGigabyteIsRefusedUnread)
     {
         const Outcome outcome = Run(arguments);
         EXPECT_EQ(outcome.code, 1);
-        EXPECT_THAT(outcome.errors, HasSubstr("a.json: is larger than 64 MB"));
+        EXPECT_THAT(outcome.errors, AllOf(HasSubstr("a.json"), HasSubstr("64 MB")));
         if (!BOXREEL_IS_SANITIZED)
         {
             EXPECT_LT(outcome.peakKilobytes, 200 * 1024);
