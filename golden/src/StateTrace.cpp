@@ -125,30 +125,4 @@ std::optional<TraceDifference> FirstDifference(const StateTrace& expected, const
     return std::nullopt;
 }
 
-std::string Describe(const TraceDifference& difference)
-{
-    const std::string number = std::to_string(difference.step);
-    const std::string step = difference.isFirst ? "at step " + number + ", if not before"
-                                                : "from step " + number + " on";
-    const std::vector<int>& bodies = difference.bodies;
-    if (difference.isOfOne)
-    {
-        return step + ", which only one of them has";
-    }
-    if (bodies.empty())
-    {
-        return step;
-    }
-    constexpr std::size_t kNamed = 4;
-    std::string names = bodies.size() == 1 ? "body " : "bodies ";
-    for (std::size_t i = 0; i < std::min(bodies.size(), kNamed); ++i)
-    {
-        names.append(i == 0 ? "" : ", ").append(std::to_string(bodies[i]));
-    }
-    return step + ", " + names +
-           (bodies.size() > kNamed ? " and " + std::to_string(bodies.size() - kNamed) + " more"
-                                   : "") +
-           (difference.isFirst ? "" : " first");
-}
-
 } // namespace boxreel

