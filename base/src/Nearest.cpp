@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <base/Nearest.h>
+#include <base/Quoting.h>
 
 #include <algorithm>
 
@@ -76,34 +77,24 @@ int NearestWord(std::string_view word, const std::vector<std::string>& candidate
     return nearest;
 }
 
-std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates)
+std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates,
+                       const std::string& otherwise)
 {
     const int nearest = NearestWord(word, candidates);
-    return nearest < 0 ? ""
+    return nearest < 0 ? otherwise
                        : "did you mean '" + candidates[static_cast<std::size_t>(nearest)] + "'?";
-}
-
-std::string Suggesting(std::string_view word, const std::vector<std::string>& candidates,
-                       const std::string& remedy)
-{
-    const std::string question = DidYouMean(word, candidates);
-    if (question.empty())
-    {
-        return remedy;
-    }
-    const char first = static_cast<char>(remedy.front() - 'a' + 'A');
-    return question + " " + first + remedy.substr(1);
 }
 
 Error NotOneOf(const std::string& option, const std::string& text,
                const std::vector<std::string>& words)
 {
-    std::string remedy = "give one of ";
+    std::string all;
     for (const std::string& word : words)
     {
-        remedy.append(&word == &words.front() ? "" : ", ").append(word);
+        all.append(all.empty() ? "" : ", ").append(word);
     }
-    return Error{ErrorKind::Unusable, option + " '" + text + "'", Suggesting(text, words, remedy)};
+    return Error{ErrorKind::Unusable, AsTyped(option, text), "must be one of " + all,
+                 DidYouMean(text, words)};
 }
 
 } // namespace boxreel

@@ -33,6 +33,13 @@ std::string Quoted(std::string_view text)
     return std::string(1, '\'').append(text).append(1, '\'');
 }
 
+std::string AsTyped(std::string_view option, std::string_view value)
+{
+    const bool needsQuotes = value.empty() || value.find(' ') != std::string_view::npos;
+    const std::string shown = needsQuotes ? Quoted(value) : std::string(value);
+    return option.empty() ? shown : std::string(option) + " " + shown;
+}
+
 std::string ShellQuoted(std::string_view text)
 {
     std::string quoted(1, '\'');

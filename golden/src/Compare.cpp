@@ -4,12 +4,10 @@
 #include "PixelMarks.h"
 #include <golden/Compare.h>
 
-#include <base/Counting.h>
 #include <base/Nearest.h>
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <tuple>
 #include <vector>
 
@@ -23,139 +21,6 @@ namespace
 {
     return frame.width >= 0 && frame.height >= 0 &&
            frame.rgba.size() == std::size_t(frame.width) * std::size_t(frame.height) * 4;
-}
-
-// The shortest text that reads back, whatever the locale.
-std::string Number(double value)
-{
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
-
-std::string Rounded(double value)
-{
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr;
-    return {text, end};
-}
-
-/// A share as a percentage that, read again, is this share: a limit is never rounded.
-std::string Percent(double share)
-{
-    for (int digits = 3; digits < 17; ++digits)
-    {
-        char text[32];
-        const auto end = std::to_chars(text, text + sizeof text, 100.0 * share,
-                                       std::chars_format::general, digits)
-                             .ptr;
-        double percent = 0.0;
-        std::from_chars(text, end, percent);
-        if (percent / 100.0 == share)
-        {
-            return {text, end};
-        }
-    }
-    return Number(100.0 * share);
-}
-
-std::string Size(const Frame& frame)
-{
-    return std::to_string(frame.width) + "x" + std::to_string(frame.height);
-}
-
-/// "exact", or "exact, with another tolerance and maxPixels,": a program can change each of them.
-/// What options changed has a name of its own.
-std::string Origin(const CompareSettings& settings)
-{
-    std::string changed;
-    for (const CompareSettings& preset : {CompareSettings::Exact(), CompareSettings::SameMachine(),
-                                          CompareSettings::CrossMachine()})
-    {
-        if (preset.preset != settings.preset)
-        {
-            continue;
-        }
-        for (const auto& [isOther, member] :
-             {std::pair(preset.tolerance != settings.tolerance, "tolerance"),
-              std::pair(preset.edgeShift != settings.edgeShift, "edgeShift"),
-              std::pair(preset.maxPixels != settings.maxPixels, "maxPixels"),
-              std::pair(preset.maxRatio != settings.maxRatio, "maxRatio"),
-              std::pair(preset.densityWindow != settings.densityWindow, "densityWindow"),
-              std::pair(preset.maxInWindow != settings.maxInWindow, "maxInWindow")})
-        {
-            changed +=
-                !isOther ? "" : (changed.empty() ? ", with another " : ", ") + std::string(member);
-        }
-    }
-    return settings.preset + changed + (changed.empty() ? "" : ",");
-}
-
-} // namespace
-
-std::string DescribeLimits(const CompareSettings& settings)
-{
-    const std::string side = std::to_string(settings.densityWindow);
-    std::string text = Origin(settings) + " allows ";
-    if (settings.maxPixels != kAnyNumberOfPixels)
-    {
-        text += Counted(settings.maxPixels, "pixel");
-    }
-    if (settings.maxRatio < 1.0 || settings.maxPixels == kAnyNumberOfPixels)
-    {
-        text += (settings.maxPixels == kAnyNumberOfPixels ? "" : ", ") +
-                Percent(settings.maxRatio) + " %";
-    }
-    text += " over a distance of " + Number(settings.tolerance);
-    if (settings.edgeShift > 0.0)
-    {
-        text += " and edges " + Number(settings.edgeShift) + " px elsewhere";
-    }
-    return text + ", " + std::to_string(settings.maxInWindow) + " in any " + side + "x" + side;
-}
-
-namespace
-{
-
-/// A comparison that compares nothing must not pass.
-bool IsAllIgnored(const Comparison& result)
-{
-    return result.compared == 0 && result.ignored > 0;
-}
-
-std::string Verdict(const Comparison& result, const CompareSettings& settings)
-{
-    std::string text = result.equal ? "equal: " : "different: ";
-    const std::string ignored =
-        result.ignored > 0 ? ", " + Counted(result.ignored, "pixel") + " ignored" : std::string();
-    if (IsAllIgnored(result))
-    {
-        return text + "nothing was compared" + ignored + " (" + DescribeLimits(settings) + ")";
-    }
-    if (result.differentPixels == 0)
-    {
-        return text + "no pixel differs" + ignored + " (" + DescribeLimits(settings) + ")";
-    }
-    if (result.overTolerance == 0)
-    {
-        text += Counted(result.differentPixels, "pixel") + " by no more than " +
-                (result.excusedAtEdges > 0 ? "tolerance and edges allow" : "the tolerance");
-    }
-    else
-    {
-        text += Counted(result.overTolerance, "pixel") + " over the tolerance, first at " +
-                std::to_string(result.firstX) + "," + std::to_string(result.firstY) + ", up to " +
-                std::to_string(result.worstWindow) + " in a window";
-    }
-    return text + ", largest distance " + Rounded(result.largestDistance) + ignored + " (" +
-           DescribeLimits(settings) + ")";
-}
-
-std::string SizeVerdict(const Frame& expected, const Frame& actual, const CompareSettings& settings)
-{
-    return "different: the expected picture has " + Size(expected) + " pixels, the actual one " +
-           Size(actual) + " (" + DescribeLimits(settings) + ")";
 }
 
 } // namespace
@@ -203,8 +68,7 @@ std::optional<CompareSettings> ForOtherRenderer(const CompareSettings& settings)
         return std::nullopt;
     }
     CompareSettings other = CompareSettings::CrossMachine();
-    // "same-machine, with --ignore,": what was left out stays so.
-    other.preset += settings.preset.substr(std::min(usual.preset.size(), settings.preset.size()));
+    other.options = settings.options;
     other.ignored = settings.ignored;
     other.ignoredBodies = settings.ignoredBodies;
     other.paintsDifference = settings.paintsDifference;
@@ -234,18 +98,19 @@ Comparison Compare(const Frame& expected, const Frame& actual, const CompareSett
     assert(settings.densityWindow >= 1 && "a window is at least one pixel");
 
     Comparison result;
-    result.sameSize = expected.width == actual.width && expected.height == actual.height;
+    result.expectedSize = {expected.width, expected.height};
+    result.actualSize = {actual.width, actual.height};
+    result.sameSize = result.expectedSize == result.actualSize;
+    result.limits = settings;
     const Marks marks = MarkDifferences(expected, actual, settings, result);
     if (result.overTolerance > 0)
     {
         result.worstWindow = WorstWindow(marks, std::max(settings.densityWindow, 1));
     }
-    result.equal = result.sameSize && !IsAllIgnored(result) &&
+    result.equal = result.sameSize && !result.IsAllIgnored() &&
                    result.overTolerance <= settings.maxPixels &&
                    double(result.overTolerance) <= settings.maxRatio * double(result.compared) &&
                    result.worstWindow <= settings.maxInWindow;
-    result.verdict =
-        result.sameSize ? Verdict(result, settings) : SizeVerdict(expected, actual, settings);
     if (settings.paintsDifference)
     {
         result.difference = PaintDifference(expected, marks);

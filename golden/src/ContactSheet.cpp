@@ -97,9 +97,11 @@ std::string WhyNotUsable(const ContactSheetSettings& settings)
                : "";
 }
 
-Error Unusable(const std::filesystem::path& film, const std::string& why)
+Error Unusable(const std::filesystem::path& film, const std::string& why,
+               const std::string& remedy = "")
 {
-    return Error{ErrorKind::Unusable, film.string() + " makes no contact sheet: " + why + "."};
+    return Error{ErrorKind::Unusable, film.string(), "cannot become a contact sheet: " + why,
+                 remedy};
 }
 
 /// What the film shows at those times. A frame is shown until the next begins, so of two the
@@ -120,10 +122,11 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
         {
             if (pictures.size() == kMostSheetPictures)
             {
-                return Unusable(film, "it has more than " + std::to_string(kMostSheetPictures) +
-                                          " pictures, one every " + std::to_string(settings.every) +
-                                          " steps; take fewer, such as every " +
-                                          std::to_string(2 * settings.every));
+                return Unusable(film,
+                                "it has more than " + std::to_string(kMostSheetPictures) +
+                                    " pictures, one every " + std::to_string(settings.every) +
+                                    " steps",
+                                "take fewer, such as every " + std::to_string(2 * settings.every));
             }
             pictures.push_back(shown);
         }

@@ -3,6 +3,8 @@
 
 #include "FailureFiles.h"
 
+#include <base/ErrorMacros.h>
+#include <base/Nearest.h>
 #include <base/Quoting.h>
 #include <render/Renderer.h>
 
@@ -47,9 +49,7 @@ Result<GoldenAccept> AcceptOf(const std::string& word)
     {
         return GoldenAccept::ThisRenderer;
     }
-    return Error{ErrorKind::Unusable,
-                 "BOXREEL_GOLDEN_ACCEPT is '" + word +
-                     "'; set it to missing, changed, all or this-renderer, or not at all."};
+    return NotOneOf("BOXREEL_GOLDEN_ACCEPT", word, {"missing", "changed", "all", "this-renderer"});
 }
 
 bool IsToBeAccepted(const GoldenVerdict& verdict, GoldenAccept accept)
@@ -121,9 +121,9 @@ Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& refere
     settings.references = folder.empty() ? references : fs::path(folder);
     if (settings.references.empty())
     {
-        return Error{ErrorKind::Unusable,
-                     "No folder of references is given; name one to boxreel_add_golden_tests "
-                     "(REFERENCES DIR) or in BOXREEL_GOLDEN_REFERENCES."};
+        return Error{ErrorKind::Unusable, "BOXREEL_GOLDEN_REFERENCES",
+                     "no folder of references is given",
+                     "name one to boxreel_add_golden_tests (REFERENCES DIR) or in this variable"};
     }
     if (const std::string output = Environment("BOXREEL_GOLDEN_OUTPUT"); !output.empty())
     {
@@ -136,18 +136,14 @@ Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& refere
         const std::string index = Environment("GTEST_SHARD_INDEX");
         if (!IsNumber(shards) || !IsNumber(index))
         {
-            return Error{ErrorKind::Unusable, "GTEST_SHARD_INDEX '" + index +
-                                                  "' of GTEST_TOTAL_SHARDS '" + shards +
-                                                  "' is no shard; set both to whole numbers."};
+            return Error{ErrorKind::Unusable,
+                         AsTyped("GTEST_SHARD_INDEX", index) + ", " +
+                             AsTyped("GTEST_TOTAL_SHARDS", shards),
+                         "must be whole numbers"};
         }
         settings.output /= "shard-" + index + "-of-" + shards;
     }
-    const Result<GoldenAccept> accept = AcceptOf(Environment("BOXREEL_GOLDEN_ACCEPT"));
-    if (!accept)
-    {
-        return accept.GetError();
-    }
-    settings.accept = *accept;
+    ASSIGN_OR_RETURN(settings.accept, AcceptOf(Environment("BOXREEL_GOLDEN_ACCEPT")));
     // ctest sets one of the first two for its tests, depending on its version and on who started it
     // (`cmake --help-manual cmake-env-variables`).
     for (const char* const sign :

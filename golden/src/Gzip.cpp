@@ -16,14 +16,14 @@ namespace
 constexpr int kGzipFormat = 15 + 16; // zlib: the largest window, with a gzip header around it
 constexpr int kMemoryLevel = 9;
 
-Error NotGzip()
+Error NotGzip(const std::string& name)
 {
-    return Error{ErrorKind::Unusable, "it is not a whole gzip file"};
+    return Error{ErrorKind::Unusable, name, "is not a whole gzip file"};
 }
 
-Error NoMemory()
+Error NoMemory(const std::string& name)
 {
-    return Error{ErrorKind::Failed, "there is not enough memory"};
+    return Error{ErrorKind::Failed, name, "not enough memory to pack or unpack it"};
 }
 
 // zlib's streams, ended whatever happens.
@@ -55,18 +55,18 @@ bool FitsZlib(std::string_view bytes)
 
 } // namespace
 
-Result<std::string> Gzip(std::string_view text)
+Result<std::string> Gzip(const std::string& name, std::string_view text)
 {
     Deflater deflater;
     if (!deflater.isReady || !FitsZlib(text))
     {
-        return NoMemory();
+        return NoMemory(name);
     }
     z_stream& stream = deflater.stream;
     std::string out(deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
     if (!FitsZlib(out))
     {
-        return NoMemory();
+        return NoMemory(name);
     }
     stream.next_in = Input(text);
     stream.avail_in = static_cast<uInt>(text.size());
@@ -74,22 +74,22 @@ Result<std::string> Gzip(std::string_view text)
     stream.avail_out = static_cast<uInt>(out.size());
     if (deflate(&stream, Z_FINISH) != Z_STREAM_END)
     {
-        return NoMemory();
+        return NoMemory(name);
     }
     out.resize(stream.total_out);
     return out;
 }
 
-Result<std::string> Gunzip(std::string_view bytes, std::size_t limit)
+Result<std::string> Gunzip(const std::string& name, std::string_view bytes, std::size_t limit)
 {
     Inflater inflater;
     if (!inflater.isReady)
     {
-        return NoMemory();
+        return NoMemory(name);
     }
     if (!FitsZlib(bytes))
     {
-        return NotGzip();
+        return NotGzip(name);
     }
     z_stream& stream = inflater.stream;
     stream.next_in = Input(bytes);
@@ -105,13 +105,13 @@ Result<std::string> Gunzip(std::string_view bytes, std::size_t limit)
         out.append(block.data(), block.size() - stream.avail_out);
         if (out.size() > limit)
         {
-            return Error{ErrorKind::Unusable,
-                         "it unpacks to more than " + std::to_string(limit >> 20) + " MB"};
+            return Error{ErrorKind::Unusable, name,
+                         "unpacks to more than " + std::to_string(limit >> 20) + " MB"};
         }
     }
     if (status != Z_STREAM_END || stream.avail_in != 0)
     {
-        return NotGzip();
+        return NotGzip(name);
     }
     return out;
 }

@@ -371,7 +371,8 @@ Result<FileToWrite> Picture(const fs::path& path, const Frame& frame, int compre
     Result<std::vector<std::uint8_t>> png = EncodePng(frame, compressionLevel, texts);
     if (!png)
     {
-        return Error{png.GetError().kind, path.string() + ": " + png.GetError().Text()};
+        const Error& error = png.GetError();
+        return Error{error.kind, path.string() + ": " + error.culprit, error.problem, error.remedy};
     }
     return FileToWrite{path, std::string(png->begin(), png->end())};
 }
@@ -384,8 +385,8 @@ Result<void> Store(const fs::path& references, const std::string& name, const Mo
                      Encode(references, name, moment, renderer));
     if (files.empty())
     {
-        return Error{ErrorKind::Unusable,
-                     name + " has neither a state nor a draw list nor a frame to accept."};
+        return Error{ErrorKind::Unusable, name,
+                     "has neither a state nor a draw list nor a frame to accept"};
     }
     RETURN_IF_ERROR(WriteAll(files));
     // What the candidate does not have was approved for another one.

@@ -32,9 +32,9 @@ bool IsInside(const fs::path& root, const fs::path& path)
     return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
 }
 
-Error CannotRead(const fs::path& path, const std::string& why)
+Error Unusable(const fs::path& path, const std::string& problem, const std::string& remedy)
 {
-    return Error{ErrorKind::Unusable, path.string(), "cannot be read: " + why};
+    return Error{ErrorKind::Unusable, path.string(), problem, remedy};
 }
 
 fs::path Packed(fs::path pathTxt)
@@ -49,7 +49,7 @@ std::string WhyNotUsable(const std::string& name)
 {
     if (name.empty() || name.size() > kLongestName)
     {
-        return "a name has 1 to " + std::to_string(kLongestName) + " characters";
+        return "must have 1 to " + std::to_string(kLongestName) + " characters";
     }
     // Cut at every slash, the ends included: an absolute name starts with an empty part.
     for (std::size_t begin = 0; begin <= name.size();)
@@ -58,16 +58,16 @@ std::string WhyNotUsable(const std::string& name)
         const std::string_view part = std::string_view(name).substr(begin, end - begin);
         if (part.empty() || part.front() == '.')
         {
-            return "no part between slashes may be empty or start with a dot";
+            return "has a part between slashes that is empty or starts with a dot";
         }
         if (!std::all_of(part.begin(), part.end(), IsNameCharacter))
         {
-            return "use a-z, 0-9, '.', '_', '-' and '/' only";
+            return "may only have a-z, 0-9, '.', '_', '-' and '/'";
         }
         begin = end + 1;
     }
     // A file being written is called so until it is whole.
-    return name.ends_with(".part") ? "\".part\" at the end is kept for unfinished files" : "";
+    return name.ends_with(".part") ? "ends with .part, as unfinished files do" : "";
 }
 
 Result<fs::path> PathInside(const fs::path& root, const fs::path& relative)
@@ -85,9 +85,8 @@ Result<fs::path> PathInside(const fs::path& root, const fs::path& relative)
         const fs::path target = code ? fs::path() : fs::canonical(here, code);
         if (code || !IsInside(realRoot, target))
         {
-            return Error{ErrorKind::Unusable, here.string(),
-                         "is a link that does not lead to a place in " + root.string(),
-                         "remove it"};
+            return Unusable(here, "is a link that does not lead to a place in " + root.string(),
+                            "remove it");
         }
     }
     return here;
@@ -103,11 +102,11 @@ Result<bool> IsFile(const fs::path& path)
     }
     if (code)
     {
-        return CannotRead(path, code.message());
+        return Unusable(path, "cannot be read: " + code.message(), "make it readable");
     }
     if (!fs::is_regular_file(status))
     {
-        return CannotRead(path, "it is not a file; move it away");
+        return Unusable(path, "is not a file", "move it away");
     }
     return true;
 }
@@ -128,9 +127,9 @@ Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs
     }
     if (*hasPlain && *hasPacked)
     {
-        return CannotRead(*plain,
-                          packed->filename().string() +
-                              " lies beside it and only one can be right; remove the other");
+        return Unusable(*plain,
+                        packed->filename().string() + " lies beside it and only one can be right",
+                        "remove the other");
     }
     if (!*hasPlain && !*hasPacked)
     {
@@ -141,10 +140,12 @@ Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs
     {
         return std::optional<std::string>(std::move(bytes));
     }
-    Result<std::string> text = Gunzip(bytes, kLargestText);
+    Result<std::string> text = Gunzip(packed->string(), bytes, kLargestText);
     if (!text)
     {
-        return CannotRead(*packed, text.GetError().Text() + "; restore it");
+        Error error = std::move(text).TakeError();
+        error.remedy = "restore it";
+        return error;
     }
     return std::optional<std::string>(*std::move(text));
 }
@@ -155,13 +156,9 @@ Result<FileToWrite> StoredText(const fs::path& pathTxt, std::string text)
     {
         return FileToWrite{pathTxt, std::move(text)};
     }
-    Result<std::string> packed = Gzip(text);
-    if (!packed)
-    {
-        return Error{packed.GetError().kind,
-                     "Cannot pack " + pathTxt.string() + ": " + packed.GetError().Text() + "."};
-    }
-    return FileToWrite{Packed(pathTxt), *std::move(packed)};
+    const fs::path path = Packed(pathTxt);
+    ASSIGN_OR_RETURN(std::string packed, Gzip(path.string(), text));
+    return FileToWrite{path, std::move(packed)};
 }
 
 Result<void> WriteAll(const std::vector<FileToWrite>& files)
@@ -173,9 +170,9 @@ Result<void> WriteAll(const std::vector<FileToWrite>& files)
         fs::create_directories(file.path.parent_path(), code);
         if (code)
         {
-            return Error{ErrorKind::Unusable, "Cannot create the folder " +
-                                                  file.path.parent_path().string() + ": " +
-                                                  code.message() + "; choose another place."};
+            return Unusable(file.path.parent_path(),
+                            "this folder cannot be created: " + code.message(),
+                            "choose another place");
         }
         ASSIGN_OR_RETURN(AtomicFile opened, AtomicFile::Create(file.path, true));
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.bytes.data());
@@ -195,8 +192,7 @@ Result<void> RemoveFile(const fs::path& path)
     fs::remove(path, code);
     if (code && code != std::errc::not_a_directory)
     {
-        return Error{ErrorKind::Failed,
-                     "Cannot remove " + path.string() + ": " + code.message() + "."};
+        return Error{ErrorKind::Failed, path.string(), "cannot be removed: " + code.message()};
     }
     return {};
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <base/Counting.h>
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
 #include <golden/ReferenceStore.h>
@@ -67,131 +66,26 @@ std::optional<std::int64_t> FirstPicture(const SheetView& expected, const SheetV
                : std::optional(expected.layout.Step(count));
 }
 
-/// "3 pictures instead of 4, ", "pictures of 160x90 instead of 320x180, ", or nothing.
-std::string OtherLayout(const SheetLayout& expected, const SheetLayout& actual)
-{
-    const auto size = [](const SheetLayout& sheet) {
-        return std::to_string(sheet.width) + "x" + std::to_string(sheet.height);
-    };
-    if (!HaveSameSize(expected, actual))
-    {
-        return "pictures of " + size(actual) + " instead of " + size(expected) + ", ";
-    }
-    return expected.pictures == actual.pictures
-               ? ""
-               : Counted(actual.pictures, "picture") + " instead of " +
-                     std::to_string(expected.pictures) + ", ";
-}
-
-struct Differences
-{
-    bool state = false; // at this moment, or on the way
-    std::optional<TraceDifference> onTheWay;
-    std::optional<LineDifference> list;
-    bool pixels = false;
-    bool moments = false;              // of a film, on the sheets
-    std::optional<std::int64_t> since; // the step of the picture of a sheet that differs first
-    std::string layout;                // how many pictures it has, or how large, where that differs
-};
-
 std::string FirstLine(const std::string& text)
 {
     return text.substr(0, text.find('\n'));
 }
 
-std::string Join(const std::vector<std::string>& words)
+GoldenStatus StatusOf(const GoldenVerdict& verdict)
 {
-    std::string text;
-    for (const std::string& word : words)
-    {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
-}
-
-GoldenStatus StatusOf(const Differences& differences)
-{
-    if (differences.state)
-    {
-        return GoldenStatus::State;
-    }
-    if (differences.list)
-    {
-        return GoldenStatus::DrawList;
-    }
-    return differences.pixels || differences.moments ? GoldenStatus::Pixels : GoldenStatus::Same;
-}
-
-// Since when the worlds differ, and by how much at this moment.
-std::string ExplainState(const Moment& expected, const Moment& actual,
-                         const Differences& differences)
-{
-    if (*actual.state == *expected.state)
-    {
-        return "the worlds differ on the way, " + Describe(*differences.onTheWay) +
-               ", and come to the same state";
-    }
-    std::string text = "the worlds differ";
-    if (differences.onTheWay)
-    {
-        text.append(" ").append(Describe(*differences.onTheWay));
-    }
-    text.append(" (state " + *actual.state + " instead of " + *expected.state);
-    const bool areKept = !expected.bodies.bodies.empty() && !actual.bodies.bodies.empty();
-    const std::string now = areKept ? DescribeDifference(expected.bodies, actual.bodies) : "";
-    return text + (now.empty() ? ")" : "; now " + now + ")");
-}
-
-/// What differs first, then the depths below it.
-std::vector<std::string> Explain(const Moment& expected, const Moment& actual,
-                                 const Differences& differences, const Comparison& pixels)
-{
-    const std::string list = differences.list
-                                 ? "the draw list differs (" + Describe(*differences.list) + ")"
-                                 : "the draw list is the same";
-    const std::string picture = "pixels " + pixels.verdict;
-    std::vector<std::string> findings;
-    switch (StatusOf(differences))
-    {
-    case GoldenStatus::State:
-        findings.push_back(ExplainState(expected, actual, differences));
-        if (actual.list)
-        {
-            findings.push_back(list);
-        }
-        break;
-    case GoldenStatus::DrawList:
-        findings.push_back((actual.state ? "same world, other geometry: " : "other geometry: ") +
-                           list);
-        break;
-    case GoldenStatus::Pixels:
-        if (differences.moments)
-        {
-            findings.push_back("other moments of a film: " + FirstLine(*actual.sheet) +
-                               " instead of " + FirstLine(*expected.sheet));
-            break;
-        }
-        return {
-            (actual.list ? "same geometry, other pixels: " : "other pixels: ") +
-            differences.layout +
-            (differences.since ? "from step " + std::to_string(*differences.since) + " on: " : "") +
-            picture};
-    default:
-        return {std::string("same") + (actual.state ? ", state" : "") +
-                (actual.list ? ", draw list" : "") + (actual.frame ? ", " + picture : "")};
-    }
-    if (actual.frame)
-    {
-        findings.push_back(picture);
-    }
-    return findings;
+    const bool hasOtherMoments = verdict.film && verdict.film->HasOtherMoments();
+    const bool hasOtherPixels = verdict.compared.frame && !verdict.pixels.equal;
+    return verdict.world                       ? GoldenStatus::State
+           : verdict.list                      ? GoldenStatus::DrawList
+           : hasOtherPixels || hasOtherMoments ? GoldenStatus::Pixels
+                                               : GoldenStatus::Same;
 }
 
 // The failure stays known even when its files cannot be written.
 Error With(const GoldenVerdict& verdict, const Error& error)
 {
     return Error{error.kind, verdict.name,
-                 JoinedFindings(verdict.findings) + "; " + error.culprit + ": " + error.problem,
+                 Join(verdict.Findings(), "; ") + "; " + error.culprit + ": " + error.problem,
                  error.remedy};
 }
 
@@ -226,17 +120,6 @@ Moment Comparable(const Moment& expected, Moment actual)
         actual.sheet.reset();
     }
     return actual;
-}
-
-/// What there is does not differ, or there is nothing.
-void SayMissing(GoldenVerdict& verdict, const Moment& expected,
-                const std::vector<std::string>& missing, const fs::path& references)
-{
-    const std::string files = " (" + Join(missing) + " missing in " + references.string() + ")";
-    verdict.status = GoldenStatus::Missing;
-    verdict.findings = {IsNothingKept(expected) ? "there is no reference" + files
-                                                : "a part of the reference is not there" + files +
-                                                      ", and the rest is the same"};
 }
 
 /// With which the command makes this sheet of a film.
@@ -308,9 +191,18 @@ struct Judged
     GoldenVerdict verdict{};
     Moment expected{}, actual{};
     CompareSettings limits; // those that held, with what was left out
-    std::optional<std::int64_t> firstStep{};
-    std::vector<int> firstBodies{};
 };
+
+/// "bodies 3, 17"
+std::string Bodies(const std::vector<int>& numbers)
+{
+    std::string text;
+    for (const int number : numbers)
+    {
+        text += (text.empty() ? "" : ", ") + std::to_string(number);
+    }
+    return (numbers.size() == 1 ? "body " : "bodies ") + text;
+}
 
 /// Empty when each body can be left out.
 std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate& candidate,
@@ -352,26 +244,58 @@ std::string WhyNotWhole(const Moment& expected, const Moment& actual)
                                          : "";
 }
 
-/// What differs, of two moments that have the same depths.
-Differences Compare(const Moment& expected, const Moment& actual, const CompareSettings& settings,
-                    Comparison& pixels)
+std::optional<WorldDifference> CompareWorlds(const Moment& expected, const Moment& actual)
 {
-    Differences differences;
+    if (!actual.state)
+    {
+        return std::nullopt;
+    }
+    WorldDifference world{*expected.state, *actual.state, {}, {}};
     if (actual.trace)
     {
-        differences.onTheWay = FirstDifference(*expected.trace, *actual.trace);
+        world.onTheWay = FirstDifference(*expected.trace, *actual.trace);
     }
-    differences.state = actual.state && (*actual.state != *expected.state || differences.onTheWay);
+    if (world.expected == world.actual)
+    {
+        return world.onTheWay ? std::optional(world) : std::nullopt;
+    }
+    if (!expected.bodies.bodies.empty() && !actual.bodies.bodies.empty())
+    {
+        world.now = DifferenceOf(expected.bodies, actual.bodies);
+    }
+    return world;
+}
+
+/// Fills in what differs, of two moments that have the same depths.
+void CompareMoments(const Moment& expected, const Moment& actual, const CompareSettings& settings,
+                    GoldenVerdict& verdict)
+{
+    verdict.compared = {actual.state.has_value(), actual.list.has_value(),
+                        actual.frame.has_value()};
+    verdict.world = CompareWorlds(expected, actual);
     if (actual.list)
     {
-        differences.list = FirstDifference(*expected.list, *actual.list);
+        verdict.list = FirstDifference(*expected.list, *actual.list);
     }
     if (actual.frame)
     {
-        pixels = Compare(*expected.frame, *actual.frame, settings);
-        differences.pixels = !pixels.equal;
+        verdict.pixels = Compare(*expected.frame, *actual.frame, settings);
     }
-    return differences;
+}
+
+/// Of two sheets, whose pictures have been compared.
+FilmComparison CompareFilms(const Moment& expected, const Moment& actual,
+                            const SheetLayout& expectedSheet, const SheetLayout& actualSheet,
+                            const CompareSettings& settings, bool differ)
+{
+    FilmComparison film{FirstLine(*expected.sheet), FirstLine(*actual.sheet), expectedSheet,
+                        actualSheet, std::nullopt};
+    if (differ && !film.HasOtherMoments())
+    {
+        film.firstStep =
+            FirstPicture({*expected.frame, expectedSheet}, {*actual.frame, actualSheet}, settings);
+    }
+    return film;
 }
 
 /// What a person runs to make the candidate the reference.
@@ -383,12 +307,12 @@ std::string CommandToAccept(const GoldenCandidate& candidate, const fs::path& re
 
 /// The reference is damaged; the candidate may become a new one.
 Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::path& references,
-                  const std::string& why)
+                  const Error& why)
 {
     judged.expected = Moment{};
     judged.actual = Take(candidate, judged.expected);
     judged.verdict.status = GoldenStatus::NotCompared;
-    judged.verdict.findings = {"its reference is damaged: " + why};
+    judged.verdict.problem = why;
     judged.verdict.accept = CommandToAccept(candidate, references);
     return judged;
 }
@@ -439,16 +363,17 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     Result<Moment> expected = ReadReference(references, candidate.name, candidate.renderer);
     if (!expected)
     {
-        return SayDamaged(std::move(judged), candidate, references, expected.GetError().Text());
+        return SayDamaged(std::move(judged), candidate, references, expected.GetError());
     }
     judged.expected = *std::move(expected);
     judged.actual = Take(candidate, judged.expected);
     verdict.limits = ChooseLimits(judged.expected, judged.actual, judged.limits);
-    const std::vector<std::string> missing =
-        MissingFiles(candidate.name, judged.expected, judged.actual);
+    verdict.references = references.string();
+    verdict.missing = MissingFiles(candidate.name, judged.expected, judged.actual);
     if (IsNothingKept(judged.expected))
     {
-        SayMissing(verdict, judged.expected, missing, references);
+        verdict.status = GoldenStatus::Missing;
+        verdict.absence = GoldenAbsence::All;
         verdict.accept = CommandToAccept(candidate, references);
         return judged;
     }
@@ -456,15 +381,15 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     if (const std::string why = WhyNotWhole(judged.expected, actual); !why.empty())
     {
         return SayDamaged(std::move(judged), candidate, references,
-                          "in " + references.string() + " " + why + "; restore it");
+                          {ErrorKind::Unusable, references.string(), why, "restore it"});
     }
     const std::optional<SheetLayout> sheet =
         actual.sheet ? LayoutOf(*judged.expected.sheet) : std::nullopt;
     if (actual.sheet && (!sheet || !LiesOn(*judged.expected.frame, *sheet)))
     {
         return SayDamaged(std::move(judged), candidate, references,
-                          "in " + references.string() +
-                              " its sheet's text is not that of its picture; restore it");
+                          {ErrorKind::Unusable, references.string(),
+                           "the text of its sheet is not that of its picture", "restore it"});
     }
     Moment less[2]; // the files of a failure have the bodies that are left out
     const Moment* before = &judged.expected;
@@ -478,44 +403,25 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
             !why.empty())
         {
             verdict.status = GoldenStatus::NotCompared;
-            verdict.findings = {"bodies cannot be left out: " + why};
+            verdict.problem = {ErrorKind::Unusable, Bodies(settings.ignoredBodies),
+                               "cannot be left out: " + why};
             return judged;
         }
         before = &less[0];
         now = &less[1];
     }
-    Differences differences = Compare(*before, *now, judged.limits, verdict.pixels);
+    CompareMoments(*before, *now, judged.limits, verdict);
     if (sheet)
     {
-        differences.moments = FirstLine(*actual.sheet) != FirstLine(*judged.expected.sheet);
-        differences.layout = OtherLayout(*sheet, *candidate.sheet);
+        verdict.film = CompareFilms(*before, *now, *sheet, *candidate.sheet, judged.limits,
+                                    !verdict.pixels.equal);
     }
-    if (differences.pixels && sheet && !differences.moments)
+    verdict.status = StatusOf(verdict);
+    if (verdict.status == GoldenStatus::Same && !verdict.missing.empty())
     {
-        differences.since =
-            FirstPicture({*before->frame, *sheet}, {*now->frame, *candidate.sheet}, judged.limits);
-    }
-    judged.firstStep = differences.since;
-    if (differences.onTheWay)
-    {
-        judged.firstStep = differences.onTheWay->step;
-        judged.firstBodies = differences.onTheWay->bodies;
-    }
-    verdict.status = StatusOf(differences);
-    verdict.findings = Explain(*before, *now, differences, verdict.pixels);
-    if (!missing.empty())
-    {
-        verdict.findings.push_back(Join(missing) + " missing in " + references.string());
-    }
-    if (verdict.status == GoldenStatus::Same && !missing.empty())
-    {
-        SayMissing(verdict, judged.expected, missing, references);
+        verdict.status = GoldenStatus::Missing;
+        verdict.absence = GoldenAbsence::Part;
         verdict.accept = CommandToAccept(candidate, references);
-    }
-    if (verdict.status == GoldenStatus::Pixels && verdict.limits == LimitsChoice::OtherRenderer)
-    {
-        verdict.findings.emplace_back(
-            "these limits hold because another renderer drew the reference");
     }
     return judged;
 }
@@ -526,8 +432,7 @@ Result<void> CheckReferenceName(const std::string& name)
 {
     const std::string why = WhyNotUsable(name);
     return why.empty() ? Result<void>()
-                       : Error{ErrorKind::Unusable,
-                               "\"" + name + "\" cannot name a reference: " + why + "."};
+                       : Error{ErrorKind::Unusable, Quoted(name), why, "choose another name"};
 }
 
 GoldenCandidate CandidateOf(ContactSheet sheet, std::string name)
@@ -562,13 +467,12 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     RETURN_IF_ERROR(files.Remove());
     ASSIGN_OR_RETURN(Judged judged, JudgeMoment(m_references, candidate, settings));
     GoldenVerdict& verdict = judged.verdict;
-    const Result<void> written = files.WriteVerdict(
-        {verdict, candidate, judged.limits, judged.firstStep, judged.firstBodies});
+    const Result<void> written = files.WriteVerdict({verdict, candidate, judged.limits});
     if (verdict.status == GoldenStatus::Same)
     {
         // What passes also passes where nothing can be written, such as in a folder that is read
         // only; only that nobody can read of it later.
-        verdict.warning = written ? "" : written.GetError().Text();
+        verdict.warning = written ? std::nullopt : std::optional(written.GetError());
         return std::move(verdict);
     }
     if (!written)
@@ -589,9 +493,8 @@ Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs a
     RETURN_IF_ERROR(CheckReferenceName(candidate.name));
     if (as == AcceptAs::ForThisRenderer && candidate.renderer.empty())
     {
-        return Error{ErrorKind::Unusable, candidate.name +
-                                              ": nobody knows which renderer drew it; accept it "
-                                              "for all renderers."};
+        return Error{ErrorKind::Unusable, candidate.name, "the renderer that drew it is not known",
+                     "accept it for all renderers"};
     }
     const bool isOfOne =
         as == AcceptAs::ForThisRenderer || HasOwnPicture(candidate.name, candidate.renderer);

@@ -94,8 +94,8 @@ Result<StateTrace> ParseStateTrace(std::string_view text)
         std::optional<TraceStep> step = ParseStep(*line);
         if (!step || (!trace.steps.empty() && step->step <= trace.steps.back().step))
         {
-            return Error{ErrorKind::Unusable,
-                         Shown(*line) + " is no step's number with its hashes"};
+            return Error{ErrorKind::Unusable, Shown(*line),
+                         "is not a step's number with its hashes"};
         }
         trace.steps.push_back(*std::move(step));
     }
@@ -123,32 +123,6 @@ std::optional<TraceDifference> FirstDifference(const StateTrace& expected, const
         return TraceDifference{a != expected.steps.end() ? a->step : b->step, {}, true};
     }
     return std::nullopt;
-}
-
-std::string Describe(const TraceDifference& difference)
-{
-    const std::string number = std::to_string(difference.step);
-    const std::string step = difference.isFirst ? "at step " + number + ", if not before"
-                                                : "from step " + number + " on";
-    const std::vector<int>& bodies = difference.bodies;
-    if (difference.isOfOne)
-    {
-        return step + ", which only one of them has";
-    }
-    if (bodies.empty())
-    {
-        return step;
-    }
-    constexpr std::size_t kNamed = 4;
-    std::string names = bodies.size() == 1 ? "body " : "bodies ";
-    for (std::size_t i = 0; i < std::min(bodies.size(), kNamed); ++i)
-    {
-        names.append(i == 0 ? "" : ", ").append(std::to_string(bodies[i]));
-    }
-    return step + ", " + names +
-           (bodies.size() > kNamed ? " and " + std::to_string(bodies.size() - kNamed) + " more"
-                                   : "") +
-           (difference.isFirst ? "" : " first");
 }
 
 } // namespace boxreel

@@ -24,24 +24,6 @@ std::size_t CountLines(std::string_view text)
     return count;
 }
 
-std::string DescribeLine(const LineDifference& difference)
-{
-    const std::string line = "line " + std::to_string(difference.line);
-    if (!difference.actual && !difference.expected)
-    {
-        return "only the newline at the end differs";
-    }
-    if (!difference.actual)
-    {
-        return line + " is missing: \"" + *difference.expected + "\"";
-    }
-    if (!difference.expected)
-    {
-        return line + " is one too many: \"" + *difference.actual + "\"";
-    }
-    return line + " is \"" + *difference.actual + "\" instead of \"" + *difference.expected + "\"";
-}
-
 } // namespace
 
 std::optional<LineDifference> FirstDifference(std::string_view expected, std::string_view actual)
@@ -61,15 +43,6 @@ std::optional<LineDifference> FirstDifference(std::string_view expected, std::st
             return LineDifference{number, Copy(a), Copy(b), expectedLines, actualLines};
         }
     }
-}
-
-std::string Describe(const LineDifference& difference)
-{
-    const std::string text = DescribeLine(difference);
-    return difference.expectedLines == difference.actualLines
-               ? text
-               : text + ", and there are " + std::to_string(difference.actualLines) +
-                     " lines instead of " + std::to_string(difference.expectedLines);
 }
 
 } // namespace boxreel

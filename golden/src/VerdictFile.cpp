@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <tuple>
+
 namespace boxreel
 {
 namespace
@@ -31,6 +33,7 @@ void AddLimits(ordered_json& object, const CompareSettings& limits)
 {
     object["limits"] = DescribeLimits(limits);
     object["preset"] = limits.preset;
+    object["options"] = limits.options;
     object["tolerance"] = limits.tolerance;
     object["edgeShift"] = limits.edgeShift;
     object["maxPixels"] = limits.maxPixels == kAnyNumberOfPixels ? ordered_json(nullptr)
@@ -44,7 +47,7 @@ void AddLimits(ordered_json& object, const CompareSettings& limits)
 
 void AddPixels(ordered_json& object, const Comparison& pixels)
 {
-    object["pixels"] = pixels.verdict;
+    object["pixels"] = pixels.Text();
     object["compared"] = pixels.compared;
     object["different"] = pixels.differentPixels;
     object["overTolerance"] = pixels.overTolerance;
@@ -61,15 +64,20 @@ void AddSteps(ordered_json& object, const VerdictRecord& record)
         object["since"] = steps.front().step; // the first that was compared
         object["step"] = steps.back().step;
     }
-    if (!record.firstStep)
+    const auto& [world, film] = std::tie(record.verdict.world, record.verdict.film);
+    const TraceDifference* const trace = world && world->onTheWay ? &*world->onTheWay : nullptr;
+    const std::optional<std::int64_t> first = trace  ? std::optional(trace->step)
+                                              : film ? film->firstStep
+                                                     : std::nullopt;
+    if (!first)
     {
         return;
     }
-    object["firstStep"] = *record.firstStep;
-    object["firstBodies"] = record.firstBodies;
+    object["firstStep"] = *first;
+    object["firstBodies"] = trace ? trace->bodies : std::vector<int>();
     for (const TraceStep& step : steps)
     {
-        if (*record.firstStep == step.step)
+        if (*first == step.step)
         {
             // By which a program that goes the steps again sees that it does the same.
             object["firstHash"] = step.world;
@@ -86,14 +94,14 @@ std::string ToJson(const VerdictRecord& record)
     ordered_json object{{"verdict", 2}, // the format's version
                         {"name", verdict.name},
                         {"status", StatusWord(verdict.status)},
-                        {"findings", verdict.findings}};
+                        {"findings", verdict.Findings()}};
     if (!verdict.accept.empty())
     {
         object["accept"] = verdict.accept;
     }
     AddLimits(object, record.limits);
     object["limitsChoice"] = LimitsWord(verdict.limits);
-    if (!verdict.pixels.verdict.empty())
+    if (verdict.compared.frame)
     {
         AddPixels(object, verdict.pixels);
     }

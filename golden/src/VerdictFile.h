@@ -20,8 +20,6 @@ struct VerdictRecord
     const GoldenVerdict& verdict;
     const GoldenCandidate& candidate;
     const CompareSettings& limits;
-    std::optional<std::int64_t> firstStep{}; ///< at which the worlds, or the film, part
-    std::vector<int> firstBodies{};          ///< which part there, as far as it can be told
 };
 
 /// As JSON (RFC 8259), a field a line.

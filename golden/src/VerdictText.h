@@ -31,7 +31,7 @@ const char* StatusWord(GoldenStatus status);
 /// "as given", "same renderer" or "other renderer".
 const char* LimitsWord(LimitsChoice choice);
 
-/// With "; " between.
-std::string JoinedFindings(const std::vector<std::string>& findings);
+/// Of a list.
+std::string Join(const std::vector<std::string>& parts, const char* between);
 
 } // namespace boxreel

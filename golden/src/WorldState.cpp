@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace boxreel
 {
@@ -27,65 +28,9 @@ bool HasVelocity(const BodyState& body)
     return body.velocityX != 0.0f || body.velocityY != 0.0f || body.angularVelocity != 0.0f;
 }
 
-std::string Rounded(double value)
-{
-    char digits[32];
-    const auto end =
-        std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 3).ptr;
-    return {digits, end};
-}
-
-std::string Exact(float value)
-{
-    std::string text;
-    AddNumber(text, value);
-    return text.substr(1);
-}
-
-std::string Instead(const char* quantity, float expected, float actual)
-{
-    return std::string(" (") + quantity + " " + Exact(actual) + " instead of " + Exact(expected) +
-           ")";
-}
-
 double Offset(const BodyState& a, const BodyState& b)
 {
     return std::hypot(double(a.x) - double(b.x), double(a.y) - double(b.y));
-}
-
-/// What differs most tells most: places before angles before velocities.
-std::string DescribeBody(const BodyState& expected, const BodyState& actual)
-{
-    const double dx = double(actual.x) - double(expected.x);
-    const double dy = double(actual.y) - double(expected.y);
-    if (std::abs(dy) > 0.0 && std::abs(dy) >= std::abs(dx))
-    {
-        return Rounded(std::abs(dy)) + (dy < 0.0 ? " m lower" : " m higher") +
-               Instead("y", expected.y, actual.y);
-    }
-    if (dx != 0.0)
-    {
-        return Rounded(std::abs(dx)) + " m further to the " + (dx < 0.0 ? "left" : "right") +
-               Instead("x", expected.x, actual.x);
-    }
-    if (expected.angle != actual.angle)
-    {
-        const double turned = double(actual.angle) - double(expected.angle);
-        return "turned by " + Rounded(turned) + " rad more" +
-               Instead("angle", expected.angle, actual.angle);
-    }
-    if (expected.velocityX != actual.velocityX)
-    {
-        return "at the same place with another velocity" +
-               Instead("x", expected.velocityX, actual.velocityX);
-    }
-    if (expected.velocityY != actual.velocityY)
-    {
-        return "at the same place with another velocity" +
-               Instead("y", expected.velocityY, actual.velocityY);
-    }
-    return "at the same place with another angular velocity" +
-           Instead("rad/s", expected.angularVelocity, actual.angularVelocity);
 }
 
 std::optional<BodyState> ParseBody(std::string_view line)
@@ -145,19 +90,6 @@ Matched Match(const WorldState& expected, const WorldState& actual)
     return matched;
 }
 
-std::string Numbers(const std::vector<int>& numbers, const char* what)
-{
-    return numbers.empty()       ? ""
-           : numbers.size() == 1 ? "body " + std::to_string(numbers.front()) + " is " + what
-                                 : std::to_string(numbers.size()) + " bodies are " + what +
-                                       " (number " + std::to_string(numbers.front()) + " first)";
-}
-
-void Join(std::string& text, const std::string& more)
-{
-    text.append(text.empty() || more.empty() ? "" : ", ").append(more);
-}
-
 } // namespace
 
 std::string ToText(const WorldState& state)
@@ -188,43 +120,35 @@ Result<WorldState> ParseWorldState(std::string_view text)
         const std::optional<BodyState> body = ParseBody(*line);
         if (!body || (!state.bodies.empty() && body->number <= state.bodies.back().number))
         {
-            return Error{ErrorKind::Unusable,
-                         Shown(*line) + " is no body's number with its place and velocity"};
+            return Error{ErrorKind::Unusable, Shown(*line),
+                         "is not a body's number with its place and velocity"};
         }
         state.bodies.push_back(*body);
     }
     return state;
 }
 
-std::string DescribeDifference(const WorldState& expected, const WorldState& actual)
+StateDifference DifferenceOf(const WorldState& expected, const WorldState& actual)
 {
-    const Matched matched = Match(expected, actual);
-    std::string text = Numbers(matched.missing, "missing");
-    Join(text, Numbers(matched.extra, "one too many"));
-    std::size_t different = 0;
-    const std::pair<const BodyState*, const BodyState*>* most = nullptr;
-    for (const auto& pair : matched.pairs)
+    Matched matched = Match(expected, actual);
+    StateDifference difference;
+    difference.missing = std::move(matched.missing);
+    difference.extra = std::move(matched.extra);
+    difference.compared = matched.pairs.size();
+    for (const auto& [before, now] : matched.pairs)
     {
-        if (*pair.first == *pair.second)
+        if (*before == *now)
         {
             continue;
         }
-        ++different;
-        if (most == nullptr ||
-            Offset(*pair.first, *pair.second) > Offset(*most->first, *most->second))
+        if (difference.different++ == 0 ||
+            Offset(*before, *now) > Offset(difference.expected, difference.actual))
         {
-            most = &pair;
+            difference.expected = *before;
+            difference.actual = *now;
         }
     }
-    if (most != nullptr)
-    {
-        Join(text,
-             std::to_string(different) + " of " + std::to_string(matched.pairs.size()) +
-                 (different == 1 ? " bodies differs, body " : " bodies differ, most of all body ") +
-                 std::to_string(most->first->number) + ": " +
-                 DescribeBody(*most->first, *most->second));
-    }
-    return text;
+    return difference;
 }
 
 } // namespace boxreel

@@ -175,9 +175,9 @@ Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettin
     }
     if (const char* what = Overridden(*context, plan, settings); what != nullptr)
     {
-        return Error{ErrorKind::Unusable, "Of the codec options " + Given(settings) +
-                                              " one changes the film's " + what +
-                                              ", which other options decide; leave it out."};
+        return Error{ErrorKind::Unusable, "--codec-option " + Given(settings),
+                     std::string("changes the film's ") + what + ", which other options decide",
+                     "leave it out"};
     }
     return FFmpegCodec(std::move(context));
 }
@@ -225,9 +225,9 @@ Result<FFmpegOwner<AVPacket>> FFmpegCodec::EncodeBlack()
     status = status < 0 ? status : Receive(*packet);
     if (status < 0)
     {
-        return Error{ErrorKind::Failed, std::string("The encoder ") + m_context->codec->name +
-                                            " does not take a picture (" + FFmpegText(status) +
-                                            "); try another quality or format."};
+        return Error{ErrorKind::Failed, m_context->codec->name,
+                     "the encoder does not take a picture (" + FFmpegText(status) + ")",
+                     "try another quality or format"};
     }
     return packet;
 }
@@ -246,10 +246,11 @@ Result<FFmpegOwner<AVFrame>> FFmpegCodec::MakePicture() const
     const int status = FFmpeg().av_frame_get_buffer(picture.get(), 0);
     if (status < 0)
     {
-        return Error{ErrorKind::Failed, "A picture of " + std::to_string(picture->width) + "x" +
-                                            std::to_string(picture->height) +
-                                            " pixels cannot be made (" + FFmpegText(status) +
-                                            "); free some memory or film a smaller one."};
+        return Error{ErrorKind::Failed,
+                     std::to_string(picture->width) + "x" + std::to_string(picture->height) +
+                         " pixels",
+                     "no memory for a picture (" + FFmpegText(status) + ")",
+                     "free some memory or film a smaller one"};
     }
     return picture;
 }

@@ -87,7 +87,7 @@ Error UnknownName(const std::filesystem::path& path, const VideoSettings& settin
     }
     const std::string extension = path.extension().string();
     return unusable(extension.empty() ? "has no extension" : "unsupported extension " + extension,
-                    Suggesting(extension, VideoEnds(), formats));
+                    DidYouMean(extension, VideoEnds(), formats));
 }
 
 std::string SizeText(int width, int height)

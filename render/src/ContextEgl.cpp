@@ -186,12 +186,13 @@ std::string WithCode(const char* what, const Egl& egl)
     return text;
 }
 
-/// A context that draws as asked; the Error says in a few words why there is none.
-Result<std::unique_ptr<Context>> CreateAt(const Egl& egl, void* display, bool onGpu)
+/// A context that draws as asked. The culprit of an Error is the place.
+Result<std::unique_ptr<Context>> CreateAt(const Egl& egl, const Place& place, bool onGpu)
 {
+    void* const display = place.display;
     if (display == nullptr || !egl.initialize(display, nullptr, nullptr))
     {
-        return Error{ErrorKind::Absent, WithCode("does not start", egl)};
+        return Error{ErrorKind::Absent, place.name, WithCode("does not start", egl)};
     }
     egl.bindApi(kOpenGl); // of this thread
     const int attributes[] = {kMajorVersion, 3,    kMinorVersion, 3, kProfileMask,
@@ -199,19 +200,20 @@ Result<std::unique_ptr<Context>> CreateAt(const Egl& egl, void* display, bool on
     void* const made = egl.createContext(display, nullptr, nullptr, attributes);
     if (made == nullptr)
     {
-        return Error{ErrorKind::Absent, WithCode("has no GL 3.3 core context", egl)};
+        return Error{ErrorKind::Absent, place.name, WithCode("has no GL 3.3 core context", egl)};
     }
     auto context = std::make_unique<EglContext>(egl, display, made);
     if (const Result<void> current = context->MakeCurrent(); !current)
     {
-        return Error{ErrorKind::Absent, WithCode("cannot draw without a surface", egl)};
+        return Error{ErrorKind::Absent, place.name, WithCode("cannot draw without a surface", egl)};
     }
     const std::string renderer = context->RendererName();
     if (IsSoftware(renderer) == onGpu)
     {
-        return Error{ErrorKind::Absent, "draws with " + renderer +
-                                            (onGpu ? ", which is no GPU"
-                                                   : ", which BOXREEL_BACKEND=egl-gpu asks for")};
+        return Error{
+            ErrorKind::Absent, place.name,
+            "draws with " + renderer +
+                (onGpu ? ", which is not a GPU" : ", which BOXREEL_BACKEND=egl-gpu asks for")};
     }
     return std::unique_ptr<Context>(std::move(context));
 }
@@ -229,12 +231,12 @@ Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bo
     std::string failures;
     for (const Place& place : PlacesOf(egl, onGpu))
     {
-        Result<std::unique_ptr<Context>> context = CreateAt(egl, place.display, onGpu);
+        Result<std::unique_ptr<Context>> context = CreateAt(egl, place, onGpu);
         if (context)
         {
             return context;
         }
-        failures += (failures.empty() ? "" : "; ") + place.name + ": " + context.GetError().Text();
+        failures += (failures.empty() ? "" : "; ") + context.GetError().Text();
     }
     return Error{ErrorKind::Absent, library,
                  "cannot draw (" + (failures.empty() ? "it needs a screen" : failures) + ")",

@@ -5,6 +5,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <rube/RubeFile.h>
+#include <rube/RubeNames.h>
 #include <rube/RubeScene.h>
 
 namespace boxreel
@@ -21,18 +22,18 @@ std::string Count(std::size_t number, const std::string& thing)
 
 Result<int> Run(const CheckOptions& options)
 {
-    std::vector<std::string> leftOut;
+    RubeNotes leftOut;
     ASSIGN_OR_RETURN(const std::unique_ptr<Scene> scene, LoadRubeScene(options.file, leftOut));
-    ASSIGN_OR_RETURN(const std::vector<std::string> traps, TrapsOfFile(options.file));
+    ASSIGN_OR_RETURN(const RubeNotes traps, TrapsOfFile(options.file));
     const RubeScene& content = *ContentOfFile(*scene);
     std::string text;
-    for (const std::string& sentence : leftOut)
+    for (const RubeNote& part : leftOut)
     {
-        text += "left out: " + sentence + "\n";
+        text += "left out: " + part.Text() + "\n";
     }
-    for (const std::string& sentence : traps)
+    for (const RubeNote& note : traps)
     {
-        text += "note: " + sentence + "\n";
+        text += "note: " + note.Text() + "\n";
     }
     text += options.file.string() + ": " + std::to_string(content.bodies.size()) +
             (content.bodies.size() == 1 ? " body, " : " bodies, ") +

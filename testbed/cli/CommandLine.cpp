@@ -58,8 +58,7 @@ std::vector<std::string> OptionNames(const CLI::App& command)
 std::string Suggestion(const CLI::App& command, const std::string& word,
                        const std::vector<std::string>& candidates, const std::string& what)
 {
-    const std::string question = DidYouMean(word, candidates);
-    return question.empty() ? "`" + NameOf(command) + " --help` lists the " + what : question;
+    return DidYouMean(word, candidates, "`" + NameOf(command) + " --help` lists the " + what);
 }
 
 /// The word after a command that is none of its own: a mistyped subcommand or option, or one word

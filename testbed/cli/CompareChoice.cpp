@@ -11,12 +11,12 @@ namespace
 
 template <class Value>
 void Replace(Value& limit, const std::optional<Value>& given, const char* option,
-             std::string& options)
+             std::vector<std::string>& options)
 {
     if (given)
     {
         limit = *given;
-        options += (options.empty() ? ", with " : ", ") + std::string(option);
+        options.emplace_back(option);
     }
 }
 
@@ -25,7 +25,7 @@ void Replace(Value& limit, const std::optional<Value>& given, const char* option
 CompareSettings Effective(const CompareChoice& choice)
 {
     CompareSettings settings = choice.preset;
-    std::string options;
+    std::vector<std::string>& options = settings.options;
     Replace(settings.tolerance, choice.tolerance, "--tolerance", options);
     Replace(settings.edgeShift, choice.edgeShift, "--edge-shift", options);
     Replace(settings.maxPixels, choice.maxPixels, "--max-pixels", options);
@@ -39,9 +39,11 @@ CompareSettings Effective(const CompareChoice& choice)
          {std::pair(!choice.ignored.empty(), "--ignore"),
           std::pair(!choice.ignoredBodies.empty(), "--ignore-body")})
     {
-        options += !isGiven ? "" : (options.empty() ? ", with " : ", ") + std::string(option);
+        if (isGiven)
+        {
+            options.emplace_back(option);
+        }
     }
-    settings.preset += options + (options.empty() ? "" : ",");
     return settings;
 }
 

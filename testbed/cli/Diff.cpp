@@ -50,7 +50,7 @@ Result<int> Run(const DiffOptions& options)
     settings.paintsDifference = !options.output.empty();
     const Comparison comparison = Compare(expected, actual, settings);
     RETURN_IF_ERROR(WriteDifference(options, comparison));
-    RETURN_IF_ERROR(WriteOutput(comparison.verdict + "\n"));
+    RETURN_IF_ERROR(WriteOutput(comparison.Text() + "\n"));
     return comparison.equal ? 0 : static_cast<int>(ErrorKind::Different);
 }
 

@@ -20,7 +20,7 @@ Result<int> Run(const ExportOptions& options)
     ASSIGN_OR_RETURN(SceneSession session, SceneSession::Open(std::move(source), options.look));
     session.AdvanceTo(options.at ? StepAt(*options.at, session.StepsPerSecond())
                                  : options.step.value_or(0));
-    std::vector<std::string> leftOut;
+    RubeNotes leftOut;
     const RubeScene said = ExportScene(session.CurrentScene(), session.Steps(),
                                        float32(session.StepsPerSecond().ToDouble()), leftOut);
     const std::string text = WriteRubeText(said);
@@ -30,9 +30,9 @@ Result<int> Run(const ExportOptions& options)
                      "cannot be a scene file at this moment: " + back.GetError().Text(),
                      "choose another --at"};
     }
-    for (const std::string& sentence : leftOut)
+    for (const RubeNote& part : leftOut)
     {
-        WriteMessage("boxreel: " + sentence);
+        WriteMessage("left out: " + part.Text());
     }
     const Result<void> written =
         options.output == "-" ? WriteOutput(text) : WriteWhole(options.output, text, options.force);

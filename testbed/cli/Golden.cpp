@@ -134,7 +134,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     std::size_t failures = 0;
     std::size_t ofOthers = 0; // whose reference another renderer drew
     std::set<std::string> names;
-    std::string warning; // the first: where one file cannot be written, none can
+    std::optional<Error> warning; // the first: where one file cannot be written, none can
     for (const GoldenSelection& selection : selections)
     {
         ASSIGN_OR_RETURN(const std::vector<GoldenVerdict> verdicts,
@@ -143,7 +143,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
         {
             const bool isSame = verdict.status == GoldenStatus::Same;
             names.insert(verdict.name);
-            warning = warning.empty() ? verdict.warning : warning;
+            warning = warning ? warning : verdict.warning;
             ++moments;
             failures += isSame ? 0 : 1;
             ofOthers += verdict.limits == LimitsChoice::OtherRenderer ? 1 : 0;
@@ -152,9 +152,9 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
                                             : Red("FAIL", stdout) + "  " + verdict.Text() + "\n"));
         }
     }
-    if (!warning.empty())
+    if (warning)
     {
-        WriteMessage("boxreel: no verdict is kept of what passed: " + warning);
+        WriteMessage("boxreel: no verdict is kept of what passed: " + warning->Text());
     }
     const std::string what = Counted(moments, "moment");
     const std::string output = folders.output.string();
@@ -245,12 +245,14 @@ Result<int> Run(const GoldenOptions& options)
         return Error{ErrorKind::Unusable, "--ignore-body", "cannot be used with --film",
                      "ignore rectangles with --ignore"};
     }
-    if (!options.against.empty() && Effective(options.compare).preset != CompareSettings().preset)
+    const CompareSettings limits = Effective(options.compare);
+    if (!options.against.empty() && limits.preset != CompareSettings().preset)
     {
-        return Error{ErrorKind::Unusable, "--against",
-                     "compares states bit by bit, without the options of '" +
-                         Effective(options.compare).preset + "'",
-                     "leave these out"};
+        return Conflict("--against", "--preset");
+    }
+    if (!options.against.empty() && !limits.options.empty())
+    {
+        return Conflict("--against", limits.options.front());
     }
     if (!options.against.empty() && !options.report.empty())
     {

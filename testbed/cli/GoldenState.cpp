@@ -113,7 +113,7 @@ Result<std::string> CompareWith(const std::filesystem::path& program,
         return !before ? before.GetError() : now.GetError();
     }
     return scene + ": differs from " + program.string() + " " + Describe(*parted) + " (" +
-           DescribeDifference(*before, now->state) + ").";
+           Describe(DifferenceOf(*before, now->state)) + ").";
 }
 
 Result<int> Run(const GoldenStateOptions& options)

@@ -291,13 +291,11 @@ std::string NumberText(double value)
 Result<void> CheckBody(const Play& play, const Expectation& expectation,
                        const SceneSession& session)
 {
-    const std::string missing =
+    const std::optional<Error> missing =
         expectation.condition ? expectation.condition->MissingBody(session.World(), session.Names())
-                              : "";
-    return missing.empty() || session.MakesBodiesLater()
-               ? Result<void>()
-               : play.script.At(expectation.line,
-                                Error{ErrorKind::Unusable, missing, "no such body"});
+                              : std::nullopt;
+    return !missing || session.MakesBodiesLater() ? Result<void>()
+                                                  : play.script.At(expectation.line, *missing);
 }
 
 /// What an expectation says now.

@@ -109,9 +109,9 @@ Result<int> Run(const RecordOptions& options)
         snapshots = std::move(folder);
     }
     ASSIGN_OR_RETURN(SceneSource source, OpenScene(options.scene));
-    for (const std::string& line : source.leftOut)
+    for (const RubeNote& part : source.leftOut)
     {
-        WriteMessage(line);
+        WriteMessage("left out: " + part.Text());
     }
     const StopSignals stopSignals;
     return FilmRun(options, std::move(plan), snapshots ? &*snapshots : nullptr)
@@ -148,8 +148,7 @@ Result<NameAndValue> ParseCodecOption(const std::string& option, const std::stri
     const std::size_t sign = text.find('=');
     if (sign == 0 || sign == std::string::npos || sign + 1 == text.size())
     {
-        return Error{ErrorKind::Unusable,
-                     option + " '" + text + "': give a name and a value, such as crf=20."};
+        return BadValue(option, text, "must be a name and a value, such as crf=20");
     }
     return NameAndValue{text.substr(0, sign), text.substr(sign + 1)};
 }

@@ -261,9 +261,9 @@ Result<int> Run(const ShotOptions& options)
     const std::vector<Picture> pictures = PicturesOf(options);
     RETURN_IF_ERROR(CheckPictures(options, pictures));
     ASSIGN_OR_RETURN(SceneSource source, OpenScene(options.scene));
-    for (const std::string& line : source.leftOut)
+    for (const RubeNote& part : source.leftOut)
     {
-        WriteMessage(line);
+        WriteMessage("left out: " + part.Text());
     }
     const Result<void> taken = TakePictures(options, pictures, std::move(source));
     return taken ? Result<int>(0) : taken.GetError();

@@ -78,9 +78,9 @@ Result<SceneSource> Desk::Source(const UiSettings& settings) const
 Result<void> Desk::Open(const UiSettings& settings)
 {
     ASSIGN_OR_RETURN(SceneSource source, Source(settings));
-    for (const std::string& line : source.leftOut)
+    for (const RubeNote& part : source.leftOut)
     {
-        WriteMessage(line);
+        WriteMessage("left out: " + part.Text());
     }
     WorkbenchSettings bench;
     bench.choices = settings.choices;

@@ -54,10 +54,10 @@ Result<void> FilmRun::Open(SceneSource source)
     SceneSession& session = m_simulation.Session();
     for (const Condition& condition : m_options.length.until)
     {
-        const std::string missing = condition.MissingBody(session.World(), session.Names());
-        if (!missing.empty()) // a scene may yet make it
+        const auto missing = condition.MissingBody(session.World(), session.Names());
+        if (missing) // a scene may yet make it
         {
-            WriteMessage("boxreel: " + missing);
+            WriteMessage("boxreel: " + missing->Text());
         }
     }
     const std::int64_t index = IsThumbnailThere() ? m_thumbnail.Index() : m_resumed;

@@ -21,12 +21,10 @@ Error NoSuchBody(const std::string& option, const std::string& name,
     {
         known.push_back(body);
     }
-    const int nearest = NearestWord(name, known);
-    const std::string hint =
-        known.empty()  ? "give a number; --labels shows them"
-        : nearest >= 0 ? "did you mean '" + known[static_cast<std::size_t>(nearest)] + "'?"
-                       : "--draw shapes,names shows the names";
-    return BadValue(option, name, "no body has this name", hint);
+    return BadValue(option, name, "no body has this name",
+                    DidYouMean(name, known,
+                               known.empty() ? "give a number; --labels shows them"
+                                             : "--draw shapes,names shows the names"));
 }
 
 } // namespace

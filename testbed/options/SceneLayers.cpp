@@ -39,9 +39,8 @@ Error UnknownLayer(const std::string& option, const std::string& layer)
     {
         all.append(all.empty() ? "" : ",").append(name);
     }
-    const std::string question = DidYouMean(layer, LayerNames());
     return BadValue(option, layer, "unknown layer",
-                    question.empty() ? "use any of " + all : question);
+                    DidYouMean(layer, LayerNames(), "use any of " + all));
 }
 
 bool HasContacts(const ContactLook& look)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Values.h"
 
+#include <base/Quoting.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -71,11 +73,7 @@ bool ReadNanoseconds(std::string_view text, std::int64_t unit, std::int64_t& nan
 Error BadValue(std::string_view option, std::string_view text, std::string problem,
                std::string remedy)
 {
-    const bool needsQuotes = text.empty() || text.find(' ') != std::string_view::npos;
-    std::string culprit(option);
-    culprit.append(option.empty() ? "" : " ");
-    culprit.append(needsQuotes ? "'" : "").append(text).append(needsQuotes ? "'" : "");
-    return {ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
+    return {ErrorKind::Unusable, AsTyped(option, text), std::move(problem), std::move(remedy)};
 }
 
 std::vector<std::string> SplitAt(char separator, std::string_view text)

@@ -11,8 +11,6 @@ namespace boxreel
 namespace
 {
 
-constexpr std::size_t kMostFindings = 1000; ///< nobody reads more, and memory stays bounded
-
 /// More of a body are weighed together, not again with each that comes.
 constexpr std::size_t kManyFixtures = 100;
 
@@ -39,7 +37,7 @@ std::vector<b2Vec2> WithoutRepeats(const std::vector<b2Vec2>& vertices)
 class Builder
 {
 public:
-    Builder(const RubeScene& scene, b2World& world, std::vector<std::string>& leftOut)
+    Builder(const RubeScene& scene, b2World& world, RubeNotes& leftOut)
         : m_scene(scene), m_world(world), m_leftOut(leftOut)
     {}
 
@@ -50,14 +48,8 @@ public:
         {
             BuildBody(body);
         }
-        const auto report = [this](const std::string& sentence) { Report(sentence); };
-        std::vector<const b2Joint*> joints = BuildRubeJoints(m_scene, m_bodies, m_world, report);
-        if (m_findings > kMostFindings)
-        {
-            m_leftOut.push_back("And so are " + std::to_string(m_findings - kMostFindings) +
-                                " more parts.");
-        }
-        return joints;
+        return BuildRubeJoints(m_scene, m_bodies, m_world,
+                               [this](const RubeNote& note) { LeaveOut(note); });
     }
 
 private:
@@ -71,13 +63,7 @@ private:
         m_world.SetSubStepping(m_scene.subStepping);
     }
 
-    void Report(const std::string& sentence)
-    {
-        if (++m_findings <= kMostFindings)
-        {
-            m_leftOut.push_back(sentence + ".");
-        }
-    }
+    void LeaveOut(const RubeNote& note) { AddNote(m_leftOut, m_notes, note); }
 
     // ---- Bodies and fixtures
 
@@ -106,8 +92,9 @@ private:
             const std::string why = BuildFixture(source.fixtures[i], *body);
             if (!why.empty())
             {
-                Report(WithName("fixture", i, source.fixtures[i].name) + " of " +
-                       NameOfBody(m_scene, m_bodies.size() - 1) + " is left out: " + why);
+                LeaveOut({WithName("fixture", i, source.fixtures[i].name) + " of " +
+                              NameOfBody(m_scene, m_bodies.size() - 1),
+                          why});
             }
         }
         if (m_weighsTogether)
@@ -150,9 +137,8 @@ private:
         const float32 ofCenter = data.mass * data.center.LengthSquared();
         if (data.I > 0.0f && !(data.I >= ofCenter))
         {
-            Report("the mass of " + NameOfBody(m_scene, m_bodies.size() - 1) +
-                   " is left out: its inertia is too small for a centre of mass so far from the "
-                   "origin");
+            LeaveOut({"mass of " + NameOfBody(m_scene, m_bodies.size() - 1),
+                      "its inertia is too small for a centre of mass so far from the origin"});
             return;
         }
         body.SetMassData(&data);
@@ -288,8 +274,8 @@ private:
 
     const RubeScene& m_scene;
     b2World& m_world;
-    std::vector<std::string>& m_leftOut;
-    std::size_t m_findings = 0;
+    RubeNotes& m_leftOut;
+    std::size_t m_notes = 0;       ///< with those that are not listed
     bool m_weighsTogether = false; ///< the body that is being built
     std::vector<b2Body*> m_bodies; ///< in the order of the file
 };
@@ -297,7 +283,7 @@ private:
 } // namespace
 
 std::vector<const b2Joint*> BuildRubeScene(const RubeScene& scene, b2World& world,
-                                           std::vector<std::string>& leftOut)
+                                           RubeNotes& leftOut)
 {
     return Builder(scene, world, leftOut).Build();
 }

@@ -16,6 +16,8 @@ namespace boxreel
 namespace
 {
 
+constexpr const char* kNoWord = "scene files cannot say this";
+
 /// A list of the engine's, which begins with the newest, in the order of creation.
 template <class Part>
 std::vector<Part*> InOrder(Part* newest)
@@ -256,8 +258,7 @@ void Describe(RubeJoint& said, b2RopeJoint& joint)
 class Exporter
 {
 public:
-    Exporter(b2World& world, std::vector<std::string>& leftOut) : m_world(world), m_leftOut(leftOut)
-    {}
+    Exporter(b2World& world, RubeNotes& leftOut) : m_world(world), m_leftOut(leftOut) {}
 
     RubeScene Export(const std::map<std::uint32_t, std::string>& bodyNames,
                      const std::map<const b2Joint*, std::string>& jointNames, const Scene* file)
@@ -298,8 +299,7 @@ private:
         m_said.subStepping = world.GetSubStepping();
         if (world.GetSubStepCount() != 1)
         {
-            m_leftOut.push_back("The world takes " + std::to_string(world.GetSubStepCount()) +
-                                " small steps a step, for which scene files have no word.");
+            m_leftOut.push_back({std::to_string(world.GetSubStepCount()) + " sub-steps", kNoWord});
         }
     }
 
@@ -310,10 +310,9 @@ private:
         {
             if (IsOneSided(*fixtures[i]->GetShape()))
             {
-                m_leftOut.push_back("That " + WithName("fixture", i, "") + " of " +
-                                    NameOfBody(m_said, m_said.bodies.size() - 1) +
-                                    " stops one side only is left out: scene files have no word "
-                                    "for it.");
+                m_leftOut.push_back({"one-sidedness of " + WithName("fixture", i, "") + " of " +
+                                         NameOfBody(m_said, m_said.bodies.size() - 1),
+                                     kNoWord});
             }
         }
     }
@@ -336,9 +335,9 @@ private:
             Describe(said, static_cast<b2DistanceJoint&>(joint));
             if (HasUnsaidLimits(static_cast<b2DistanceJoint&>(joint)))
             {
-                m_leftOut.push_back("The minimum and maximum length of " +
-                                    WithName("joint", m_said.joints.size(), "") +
-                                    " are left out, for which scene files have no word.");
+                m_leftOut.push_back(
+                    {"minimum and maximum length of " + WithName("joint", m_said.joints.size(), ""),
+                     kNoWord});
             }
             break;
         case e_pulleyJoint:
@@ -421,13 +420,13 @@ private:
         }
         else if (body.GetType() == b2_dynamicBody)
         {
-            m_leftOut.push_back("The mass of " + NameOfBody(m_said, m_said.bodies.size() - 1) +
-                                " is left out: it is more than a scene file may give.");
+            m_leftOut.push_back({"mass of " + NameOfBody(m_said, m_said.bodies.size() - 1),
+                                 "more than a scene file may give"});
         }
     }
 
     b2World& m_world;
-    std::vector<std::string>& m_leftOut;
+    RubeNotes& m_leftOut;
     RubeScene m_said;
     std::map<const b2Body*, std::size_t> m_bodies; ///< only to look up: addresses
     std::map<const b2Joint*, std::size_t> m_joints;
@@ -436,7 +435,7 @@ private:
 } // namespace
 
 RubeScene ExportScene(Scene& scene, const StepSettings& steps, float32 stepsPerSecond,
-                      std::vector<std::string>& leftOut)
+                      RubeNotes& leftOut)
 {
     RubeScene said =
         Exporter(scene.World(), leftOut).Export(scene.Names(), scene.JointNames(), &scene);
@@ -447,8 +446,7 @@ RubeScene ExportScene(Scene& scene, const StepSettings& steps, float32 stepsPerS
 }
 
 RubeScene ExportWorld(b2World& world, const std::map<std::uint32_t, std::string>& bodyNames,
-                      const std::map<const b2Joint*, std::string>& jointNames,
-                      std::vector<std::string>& leftOut)
+                      const std::map<const b2Joint*, std::string>& jointNames, RubeNotes& leftOut)
 {
     return Exporter(world, leftOut).Export(bodyNames, jointNames, nullptr);
 }

@@ -24,7 +24,7 @@ namespace
 class RubeFileScene : public Scene
 {
 public:
-    RubeFileScene(RubeScene said, std::vector<std::string>& leftOut)
+    RubeFileScene(RubeScene said, RubeNotes& leftOut)
         : Scene(SceneSettings{}), m_content(std::move(said))
     {
         const RubeScene& content = m_content;
@@ -130,8 +130,7 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
-                                             std::vector<std::string>& leftOut)
+Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file, RubeNotes& leftOut)
 {
     const Result<std::string> text = ReadWhole(file, kMostBytes);
     return text ? SceneOfText(*text, file.string(), leftOut)
@@ -139,24 +138,24 @@ Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
 }
 
 Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::string& source,
-                                           std::vector<std::string>& leftOut)
+                                           RubeNotes& leftOut)
 {
     ASSIGN_OR_RETURN(RubeScene content, ParseRubeScene(text, source));
     auto scene = std::make_unique<RubeFileScene>(std::move(content), leftOut);
     if (IsTooCrowded(scene->World()))
     {
-        return Error{ErrorKind::Unusable,
-                     source + " has more than " + std::to_string(kMostPairs) +
-                         " pairs of shapes that lie on each other; move its bodies apart."};
+        return Error{ErrorKind::Unusable, source,
+                     "has more than " + std::to_string(kMostPairs) +
+                         " pairs of shapes that lie on each other",
+                     "move its bodies apart"};
     }
     return std::unique_ptr<Scene>(std::move(scene));
 }
 
-Result<std::vector<std::string>> TrapsOfFile(const std::filesystem::path& file)
+Result<RubeNotes> TrapsOfFile(const std::filesystem::path& file)
 {
     const Result<std::string> text = ReadWhole(file, kMostBytes);
-    return text ? RubeTraps(*text, file.string())
-                : Result<std::vector<std::string>>(text.GetError());
+    return text ? RubeTraps(*text, file.string()) : Result<RubeNotes>(text.GetError());
 }
 
 const RubeScene* ContentOfFile(const Scene& scene)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "RubeNames.h"
+
 #include <base/Result.h>
 #include <scenes/Scene.h>
 
@@ -16,19 +18,18 @@ namespace boxreel
 struct RubeScene;
 
 /// Loads a R.U.B.E. / b2dJson scene file as a scene whose PreferredSteps are the file's. Called by
-/// whoever is given a file instead of a scene's name. What cannot be built is left out, with a
-/// sentence in `leftOut` for each part (see RubeBuilder.h). A file that is missing, too large,
+/// whoever is given a file instead of a scene's name. What cannot be built is left out
+/// and named in `leftOut` (see RubeBuilder.h). A file that is missing, too large,
 /// truncated, foreign or malformed is an Error that names it and the place; memory and time are
 /// bounded by the limits of RubeJson.h.
-Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file,
-                                             std::vector<std::string>& leftOut);
+Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file, RubeNotes& leftOut);
 
 /// The same of a text in memory; `source` names it in messages.
 Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::string& source,
-                                           std::vector<std::string>& leftOut);
+                                           RubeNotes& leftOut);
 
 /// RubeTraps of a file.
-Result<std::vector<std::string>> TrapsOfFile(const std::filesystem::path& file);
+Result<RubeNotes> TrapsOfFile(const std::filesystem::path& file);
 
 /// What the file said of a scene that came from one; null of others.
 const RubeScene* ContentOfFile(const Scene& scene);

@@ -23,11 +23,11 @@ std::string Shown(const std::string& type)
 class JointBuilder
 {
 public:
-    using Report = std::function<void(const std::string&)>;
+    using LeaveOut = std::function<void(const RubeNote&)>;
 
     JointBuilder(const RubeScene& scene, const std::vector<b2Body*>& bodies, b2World& world,
-                 const Report& report)
-        : m_scene(scene), m_bodies(bodies), m_world(world), m_report(report),
+                 const LeaveOut& leaveOut)
+        : m_scene(scene), m_bodies(bodies), m_world(world), m_leaveOut(leaveOut),
           m_joints(scene.joints.size())
     {}
 
@@ -62,7 +62,7 @@ private:
                              source.details);
         if (!why.empty())
         {
-            m_report(m_who + " is left out: " + why);
+            m_leaveOut({m_who, why});
         }
     }
 
@@ -83,7 +83,7 @@ private:
 
     void ReportLimit()
     {
-        m_report("the limit of " + m_who + " is left out: its lower end is above its upper end");
+        m_leaveOut({"limit of " + m_who, "its lower end is above its upper end"});
     }
 
     // Empty when made, else why not.
@@ -286,19 +286,19 @@ private:
     const RubeScene& m_scene;
     const std::vector<b2Body*>& m_bodies;
     b2World& m_world;
-    const Report& m_report;
+    const LeaveOut& m_leaveOut;
     std::vector<b2Joint*> m_joints; ///< in the order of the file
     std::size_t m_index = 0;        ///< of the joint that is being made
-    std::string m_who;              ///< its name in sentences
+    std::string m_who;              ///< its name in messages
 };
 
 } // namespace
 
 std::vector<const b2Joint*> BuildRubeJoints(const RubeScene& scene,
                                             const std::vector<b2Body*>& bodies, b2World& world,
-                                            const std::function<void(const std::string&)>& report)
+                                            const std::function<void(const RubeNote&)>& leaveOut)
 {
-    return JointBuilder(scene, bodies, world, report).Build();
+    return JointBuilder(scene, bodies, world, leaveOut).Build();
 }
 
 } // namespace boxreel

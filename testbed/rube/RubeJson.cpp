@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace boxreel
 {
@@ -26,11 +27,17 @@ struct JsonDocument::Content
 namespace
 {
 
+constexpr const char* kSplit = "split the scene into smaller files";
+constexpr const char* kCorrect = "correct it or export the scene again";
+constexpr const char* kExport = "export it again";
+constexpr const char* kCopy = "copy or export it again";
+
 // Walks a text without storing it and stops at the first thing that would make storing it costly.
 class Guard : public nlohmann::json_sax<json>
 {
 public:
-    const std::string& Refusal() const { return m_refusal; }
+    /// Without a culprit; no problem: none.
+    const Error& Refusal() const { return m_refusal; }
     std::size_t ErrorPosition() const { return m_errorPosition; }
     bool IsNumberTooLarge() const { return m_isNumberTooLarge; }
 
@@ -65,18 +72,19 @@ private:
     {
         if (count > most)
         {
-            m_refusal = "has more than " + std::to_string(most) + " " + what +
-                        "; split the scene into smaller files.";
+            m_refusal.problem = "has more than " + std::to_string(most) + " " + what;
+            m_refusal.remedy = kSplit;
         }
-        return m_refusal.empty();
+        return m_refusal.problem.empty();
     }
 
     bool Enter()
     {
         if (++m_depth > kDeepest)
         {
-            m_refusal = "nests lists and objects more than " + std::to_string(kDeepest) +
-                        " deep, which no scene file does; export it again.";
+            m_refusal.problem =
+                "nests lists and objects more than " + std::to_string(kDeepest) + " deep";
+            m_refusal.remedy = kExport;
         }
         return CountValue();
     }
@@ -87,7 +95,7 @@ private:
         return true;
     }
 
-    std::string m_refusal;
+    Error m_refusal{ErrorKind::Unusable, ""};
     std::size_t m_values = 0;
     std::size_t m_objects = 0;
     std::size_t m_depth = 0;
@@ -95,12 +103,12 @@ private:
     bool m_isNumberTooLarge = false;
 };
 
-Error Unusable(const std::string& message)
+Error Unusable(std::string culprit, std::string problem, std::string remedy)
 {
-    return {ErrorKind::Unusable, message};
+    return {ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
 }
 
-// "line 3, column 5" of the last byte that was read; `position` counts them.
+// "3:5", line and column of the last byte that was read; `position` counts them.
 std::string Place(std::string_view text, std::size_t position)
 {
     const std::size_t at = std::min(position > 0 ? position - 1 : 0, text.size());
@@ -108,7 +116,7 @@ std::string Place(std::string_view text, std::size_t position)
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t lastBreak = before.rfind('\n');
     const std::size_t column = lastBreak == std::string_view::npos ? at + 1 : at - lastBreak;
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+    return std::to_string(line) + ":" + std::to_string(column);
 }
 
 // Where the parser gave up.
@@ -116,14 +124,13 @@ Error SyntaxError(std::string_view text, std::size_t position, const std::string
 {
     if (text.empty())
     {
-        return Unusable(source + " is empty; copy or export it again.");
+        return Unusable(source, "is empty", kCopy);
     }
     if (position > text.size())
     {
-        return Unusable(source + " ends in the middle of its JSON text; copy or export it again.");
+        return Unusable(source, "ends in the middle of its JSON text", kCopy);
     }
-    return Unusable(source + " is no JSON text: " + Place(text, position) +
-                    " cannot be read; export it again.");
+    return Unusable(source + ":" + Place(text, position), "is not JSON", kExport);
 }
 
 // Long names would drown the message; control characters could garble the terminal.
@@ -210,8 +217,8 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
 {
     if (text.size() > kMostBytes)
     {
-        return Unusable(source + " is larger than " + std::to_string(kMostBytes >> 20) +
-                        " MB; split the scene into smaller files.");
+        return Unusable(source, "is larger than " + std::to_string(kMostBytes >> 20) + " MB",
+                        kSplit);
     }
     // The library takes a zero byte for the end of the text and would ignore what follows.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
@@ -223,20 +230,20 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
     {
         if (guard.IsNumberTooLarge())
         {
-            return Unusable(source + ": the number at " + Place(text, guard.ErrorPosition()) +
-                            " is too large; correct it or export the scene again.");
+            return Unusable(source + ":" + Place(text, guard.ErrorPosition()),
+                            "the number is too large", kCorrect);
         }
-        return guard.Refusal().empty() ? SyntaxError(text, guard.ErrorPosition(), source)
-                                       : Unusable(source + " " + guard.Refusal());
+        const Error& refusal = guard.Refusal();
+        return refusal.problem.empty() ? SyntaxError(text, guard.ErrorPosition(), source)
+                                       : Unusable(source, refusal.problem, refusal.remedy);
     }
     auto content = std::make_unique<Content>();
     content->root = json::parse(text.begin(), text.end(), nullptr, false);
     content->source = std::move(source);
     if (!content->root.is_object())
     {
-        return Unusable(content->source +
-                        " is no scene file: its outermost value must be an object; name a R.U.B.E. "
-                        "export.");
+        return Unusable(content->source, "is not a scene file: its outermost value is no object",
+                        "name a R.U.B.E. export");
     }
     return JsonDocument(std::move(content));
 }
@@ -271,7 +278,7 @@ JsonValue JsonValue::Required(const char* name) const
     const JsonValue member = Member(name);
     if (Exists() && !member.Exists())
     {
-        Complain("has no \"" + std::string(name) + "\"");
+        ComplainAt(name, "is missing");
     }
     return member;
 }
@@ -384,7 +391,12 @@ bool JsonValue::IsZero() const
     return Exists() && Node(m_node).is_number() && Node(m_node) == 0;
 }
 
-void JsonValue::Complain(const std::string& isWrongHow) const
+void JsonValue::Complain(const std::string& problem) const
+{
+    ComplainAt("", problem);
+}
+
+void JsonValue::ComplainAt(const std::string& member, const std::string& problem) const
 {
     if (IsHopeless() || !Exists())
     {
@@ -392,9 +404,9 @@ void JsonValue::Complain(const std::string& isWrongHow) const
     }
     std::string path;
     AppendPath(m_content->root, &Node(m_node), path);
-    const std::string place = path.empty() ? std::string("its outermost object") : path;
-    m_content->complaint = Unusable(m_content->source + ": " + place + " " + isWrongHow +
-                                    "; correct it or export the scene again.");
+    path += (path.empty() || member.empty() ? "" : ".") + member;
+    m_content->complaint =
+        Unusable(m_content->source + (path.empty() ? "" : ": " + path), problem, kCorrect);
 }
 
 bool JsonValue::IsHopeless() const

@@ -81,14 +81,17 @@ public:
 
     bool IsZero() const; ///< the literal 0, which stands for a vector, too
 
-    /// Remembers that this value `isWrongHow`, e.g. "must be a list".
-    void Complain(const std::string& isWrongHow) const;
+    /// Remembers the problem of this value, such as "must be a list".
+    void Complain(const std::string& problem) const;
 
     /// Whether anything in the document has been complained about: time to stop reading.
     bool IsHopeless() const;
 
 private:
     friend class JsonDocument;
+
+    /// Of the member of that name; empty: of this value.
+    void ComplainAt(const std::string& member, const std::string& problem) const;
 
     JsonValue(const void* node, JsonDocument::Content* content) : m_node(node), m_content(content)
     {}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "RubeNames.h"
 
+#include <utility>
+
 namespace boxreel
 {
 
@@ -26,6 +28,22 @@ std::size_t ControlAt(const std::string& text, std::size_t index)
 }
 
 } // namespace
+
+std::string RubeNote::Text() const
+{
+    return part + ": " + reason;
+}
+
+void AddNote(RubeNotes& notes, std::size_t& count, RubeNote note)
+{
+    if (++count <= kMostNotes)
+    {
+        notes.push_back(std::move(note));
+        return;
+    }
+    notes.resize(kMostNotes);
+    notes.push_back({std::to_string(count - kMostNotes) + " more parts", "not listed"});
+}
 
 // Names come from the file: long ones would drown the message, control characters could garble the
 // terminal. Bytes of other scripts pass; a name is cut between characters only.

@@ -3,11 +3,31 @@
 
 #include "RubeScene.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
-/// How sentences about a scene file call its parts.
+/// How messages about a scene file call its parts.
 namespace boxreel
 {
+
+/// A part of a scene file that cannot be built, cannot be written, or may surprise.
+struct RubeNote
+{
+    std::string part;   ///< such as `fixture 3 "left wheel" of body 0`
+    std::string reason; ///< lower case, no full stop
+
+    /// "part: reason"
+    std::string Text() const;
+};
+
+/// In the order of the file, at most kMostNotes and one that counts the others.
+using RubeNotes = std::vector<RubeNote>;
+
+constexpr std::size_t kMostNotes = 1000; ///< nobody reads more, and memory stays bounded
+
+/// Adds to notes of which there have been `count` so far.
+void AddNote(RubeNotes& notes, std::size_t& count, RubeNote note);
 
 /// In quotes, at most 60 bytes long, and without control characters.
 std::string QuotedName(const std::string& name);

@@ -323,7 +323,7 @@ std::size_t ReadBodyIndex(const JsonValue& joint, const char* name, std::size_t 
     const JsonValue index = joint.Required(name);
     if (bodyCount == 0)
     {
-        joint.Complain("connects bodies, but the file has none");
+        index.Complain("names a body, but the file has none");
         return 0;
     }
     return static_cast<std::size_t>(index.Integer(0, 0, static_cast<std::int64_t>(bodyCount) - 1));

@@ -12,8 +12,6 @@ namespace boxreel
 namespace
 {
 
-constexpr std::size_t kMost = 1000; ///< sentences: nobody reads more
-
 /// In the order in which the reader looks for them.
 constexpr const char* kShapeKinds[] = {"circle", "edge", "chain", "loop", "polygon"};
 
@@ -31,15 +29,14 @@ public:
         const bool isDynamic = body.Member("type").Integer(0, 0, 2) == 2;
         if (isDynamic && !body.Member("awake").Exists())
         {
-            Say("it does not say awake, so it sleeps until something touches it");
+            Note("does not say awake, so it sleeps until something touches it");
         }
         const bool hasMass = body.Member("massData-mass").Exists();
         if (!hasMass &&
             (body.Member("massData-center").Exists() || body.Member("massData-I").Exists()))
         {
-            Say("it gives a centre of mass or an inertia without a mass; the mass of its fixtures "
-                "is "
-                "taken");
+            Note("gives a centre of mass or an inertia without a mass; that of its fixtures is "
+                 "taken");
         }
         const JsonValue fixtures = body.Member("fixture");
         bool weighs = hasMass;
@@ -53,7 +50,7 @@ public:
         m_who = Part("body", index, body);
         if (isDynamic && fixtures.Count() > 0 && !weighs)
         {
-            Say("none of its fixtures has a density, so it weighs 1 kg and does not turn");
+            Note("none of its fixtures has a density, so it weighs 1 kg and does not turn");
         }
     }
 
@@ -62,44 +59,37 @@ public:
         m_who = Part("joint", index, joint);
         if (joint.Member("localAxis1").Exists() && !joint.Member("localAxisA").Exists())
         {
-            Say("its axis is called localAxis1, as in old files; it is taken");
+            Note("its axis is called localAxis1, as in old files; it is taken");
         }
         if (joint.Member("type").Text() == "motor" && !joint.Member("linearOffset").Exists() &&
             joint.Member("anchorA").Exists())
         {
-            Say("its offset is called anchorA, as in files before 1.7; it is taken");
+            Note("its offset is called anchorA, as in files before 1.7; it is taken");
         }
         if (joint.Member("jointSpeed").Exists())
         {
-            Say("jointSpeed says nothing that is not in the bodies' speeds; it is ignored");
+            Note("jointSpeed says nothing that is not in the bodies' speeds; it is ignored");
         }
     }
 
-    std::vector<std::string> Finish()
-    {
-        if (m_count > kMost)
-        {
-            m_sentences.push_back("And " + std::to_string(m_count - kMost) + " more.");
-        }
-        return std::move(m_sentences);
-    }
+    RubeNotes Finish() { return std::move(m_notes); }
 
 private:
     void LookAtFixture(const JsonValue& fixture)
     {
         if (!fixture.Member("friction").Exists() && !fixture.Member("sensor").Bool(false))
         {
-            Say("it does not say friction, so it has none, not the engine's usual 0.2");
+            Note("does not say friction, so it has none, not the engine's usual 0.2");
         }
         const std::string taken = ShapeOf(fixture);
         if (taken == "loop")
         {
-            Say("it is called loop, as in old files; a chain is made that closes itself");
+            Note("is called loop, as in old files; a chain is made that closes itself");
         }
         if (taken == "polygon" &&
             fixture.Member("polygon").Member("vertices").Member("x").Count() == 2)
         {
-            Say("it is a polygon of two vertices; an edge is made");
+            Note("is a polygon of two vertices; an edge is made");
         }
     }
 
@@ -115,7 +105,7 @@ private:
             }
             if (!taken.empty())
             {
-                Say("it has more than one shape; its " + taken + " is taken");
+                Note("has more than one shape; its " + taken + " is taken");
                 break;
             }
             taken = kind;
@@ -123,22 +113,16 @@ private:
         return taken;
     }
 
-    void Say(const std::string& sentence)
-    {
-        if (++m_count <= kMost)
-        {
-            m_sentences.push_back(m_who + ": " + sentence + ".");
-        }
-    }
+    void Note(std::string reason) { AddNote(m_notes, m_count, {m_who, std::move(reason)}); }
 
     std::string m_who;
     std::size_t m_count = 0;
-    std::vector<std::string> m_sentences;
+    RubeNotes m_notes;
 };
 
 } // namespace
 
-Result<std::vector<std::string>> RubeTraps(std::string_view text, const std::string& source)
+Result<RubeNotes> RubeTraps(std::string_view text, const std::string& source)
 {
     ASSIGN_OR_RETURN(const JsonDocument document, JsonDocument::Parse(text, source));
     Finder finder;

@@ -341,7 +341,6 @@ Result<void> Parser::TakeAt(Words& words)
     const std::string verb = words.IsEmpty() ? "" : words.Take();
     if (std::find(kVerbs.begin(), kVerbs.end(), verb) == kVerbs.end())
     {
-        const int nearest = verb.empty() ? -1 : NearestWord(verb, kVerbs);
         std::string all;
         for (const std::string& known : kVerbs)
         {
@@ -349,8 +348,7 @@ Result<void> Parser::TakeAt(Words& words)
         }
         return Unusable(Quoted(verb.empty() ? "at" : verb),
                         verb.empty() ? "requires an action" : "unknown action",
-                        nearest < 0 ? "use one of " + all
-                                    : "did you mean '" + kVerbs[std::size_t(nearest)] + "'?");
+                        DidYouMean(verb, kVerbs, "use one of " + all));
     }
     if (hasEnd != (verb == "drag"))
     {
@@ -417,10 +415,8 @@ Result<void> Parser::TakeLine(Words& words)
         return TakeProduct(verb, std::nullopt, words);
     }
     static const std::vector<std::string> kVerbs{"scene", "at", "record", "shot"};
-    const int nearest = NearestWord(verb, kVerbs);
     return Unusable(Quoted(verb), "unknown statement",
-                    nearest < 0 ? "use scene, at, record or shot"
-                                : "did you mean '" + kVerbs[std::size_t(nearest)] + "'?");
+                    DidYouMean(verb, kVerbs, "use scene, at, record or shot"));
 }
 
 Result<Script> Parser::Finish()
@@ -451,8 +447,7 @@ std::vector<std::string> ScriptMoment::AsOption() const
 
 Error Script::At(int line, const Error& error) const
 {
-    return Error{error.kind, file.string() + ":" + std::to_string(line) + ": " + error.culprit,
-                 error.problem, error.remedy};
+    return AtLine(file, line, error);
 }
 
 bool Script::ThrowsBombs() const
@@ -485,6 +480,12 @@ std::vector<std::string> Script::SceneOptions() const
     return all;
 }
 
+Error AtLine(const std::filesystem::path& file, int line, const Error& error)
+{
+    return Error{error.kind, file.string() + ":" + std::to_string(line) + ": " + error.culprit,
+                 error.problem, error.remedy};
+}
+
 Result<Script> ParseScript(const std::string& text, const std::filesystem::path& file)
 {
     constexpr std::string_view kMark = "\xEF\xBB\xBF"; // some editors begin UTF-8 with it
@@ -494,10 +495,7 @@ Result<Script> ParseScript(const std::string& text, const std::filesystem::path&
     for (const std::string& line : SplitAt('\n', plain))
     {
         ++number;
-        const auto fail = [&](const Error& error) {
-            return Error{error.kind,
-                         file.string() + ":" + std::to_string(number) + ": " + error.Text()};
-        };
+        const auto fail = [&](const Error& error) { return AtLine(file, number, error); };
         Result<std::vector<std::string>> words = WordsOf(line);
         if (!words)
         {

@@ -100,9 +100,12 @@ struct Script
     /// The scene's, and the camera's way.
     std::vector<std::string> SceneOptions() const;
 
-    /// "walk.play:12: " in front of the message.
+    /// AtLine of its file.
     Error At(int line, const Error& error) const;
 };
+
+/// The error with "walk.play:12: " in front of its culprit.
+Error AtLine(const std::filesystem::path& file, int line, const Error& error);
 
 /// An Error (Unusable) names file, line, what is wrong and the remedy; Failed: the file cannot be
 /// read.

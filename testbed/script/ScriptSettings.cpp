@@ -53,11 +53,9 @@ Error UnknownSetting(const std::string& name)
         names.emplace_back(setting.name);
         all += (all.empty() ? "" : ", ") + names.back();
     }
-    const int nearest = name.empty() ? -1 : NearestWord(name, names);
     return Error{ErrorKind::Unusable, name.empty() ? "'set'" : "'" + name + "'",
                  name.empty() ? "requires a setting and its value" : "unknown setting",
-                 nearest < 0 ? "use one of " + all
-                             : "did you mean '" + names[std::size_t(nearest)] + "'?"};
+                 DidYouMean(name, names, "use one of " + all)};
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 #include <base/Quoting.h>
 #include <options/Values.h>
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <vector>
@@ -83,9 +82,8 @@ Result<Condition::Quantity> Condition::QuantityOf(std::string_view word, bool is
         all.append(candidates.empty() ? "" : ", ").append(known.text);
         candidates.emplace_back(known.text);
     }
-    const std::string question = DidYouMean(word, candidates);
     return Error{ErrorKind::Unusable, Quoted(word), "must be one of " + all,
-                 question.empty() ? kRemedy : question};
+                 DidYouMean(word, candidates, kRemedy)};
 }
 
 Result<Condition> Condition::Parse(std::string_view option, std::string_view text)
@@ -98,6 +96,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const bool isTwo = at + 1 < text.size() && text[at + 1] == '=';
     const std::string_view sign = text.substr(at, isTwo ? 2 : 1);
     Condition condition;
+    condition.m_option = option;
     condition.m_text = Trimmed(text);
     if (sign == "=" || sign == "!")
     {
@@ -238,38 +237,35 @@ bool Condition::IsSubject(const b2Body& body,
     return body.GetType() != b2_staticBody;
 }
 
-std::string Condition::MissingBody(const b2World& world,
-                                   const std::map<std::uint32_t, std::string>& names) const
+std::optional<Error> Condition::MissingBody(const b2World& world,
+                                            const std::map<std::uint32_t, std::string>& names) const
 {
     if (m_of != Of::Number && m_of != Of::Name)
     {
-        return "";
+        return std::nullopt;
     }
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
     {
         if (IsSubject(*body, names))
         {
-            return "";
+            return std::nullopt;
         }
     }
+    Error missing{ErrorKind::Unusable, AsTyped(m_option, m_text)};
     if (m_of == Of::Number)
     {
-        return "No body has the number " + m_name + " yet (the scene begins with " +
-               std::to_string(world.GetBodyCount()) + " bodies, counted from 0): '" + m_text +
-               "' waits for it.";
+        missing.problem = "no body has the number " + m_name + " yet; the scene begins with " +
+                          std::to_string(world.GetBodyCount()) + ", counted from 0";
+        return missing;
     }
     std::vector<std::string> candidates{"any", "all"};
     for (const auto& [number, name] : names)
     {
         candidates.push_back(name);
     }
-    std::string lowered = m_name;
-    std::transform(lowered.begin(), lowered.end(), lowered.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const int nearest = NearestWord(lowered, candidates);
-    return "No body is called " + Quoted(m_name) + " yet" +
-           (nearest < 0 ? "" : "; did you mean " + Quoted(candidates[std::size_t(nearest)]) + "?") +
-           (nearest < 0 ? ": '" : " '") + m_text + "' waits for it.";
+    missing.problem = "no body has the name " + Quoted(m_name) + " yet";
+    missing.remedy = DidYouMean(m_name, candidates);
+    return missing;
 }
 
 std::optional<double> Condition::ValueIn(const b2World& world,

@@ -28,9 +28,9 @@ public:
     bool Holds(const b2World& world, const std::map<std::uint32_t, std::string>& names,
                double seconds) const;
 
-    /// A sentence when it is about a body that is not there, with the nearest name; else nothing.
-    std::string MissingBody(const b2World& world,
-                            const std::map<std::uint32_t, std::string>& names) const;
+    /// An Error (Unusable) when it is about a body that is not there, with the nearest name.
+    std::optional<Error> MissingBody(const b2World& world,
+                                     const std::map<std::uint32_t, std::string>& names) const;
 
     /// What it compares with its number: of the world, of the body that it names; none for several
     /// bodies and for one that is not there.
@@ -81,6 +81,7 @@ private:
     bool Compare(double value) const;
     bool IsSubject(const b2Body& body, const std::map<std::uint32_t, std::string>& names) const;
 
+    std::string m_option; ///< for messages
     std::string m_text;
     Of m_of = Of::World;
     std::uint32_t m_number = 0;

@@ -171,7 +171,7 @@ Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection
             !store.HasOwnPicture(candidate.name, candidate.renderer))
         {
             verdict.status = GoldenStatus::Missing;
-            verdict.findings = {"this renderer had no picture of its own"};
+            verdict.absence = GoldenAbsence::OwnPicture;
         }
         const bool isMissing = verdict.status == GoldenStatus::Missing;
         const bool isSame = verdict.status == GoldenStatus::Same;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <base/Result.h>
+#include <rube/RubeNames.h>
 #include <scenes/Scene.h>
 
 #include <memory>
@@ -31,7 +32,7 @@ struct SceneSource
     std::unique_ptr<Scene> scene;
     std::string asked; ///< what OpenScene was given
     std::string title;
-    std::vector<std::string> leftOut; ///< one line each: what the file asked for and is not there
+    RubeNotes leftOut; ///< what the file asks for and is not there
 };
 
 /// Finds the scene, loads it when it is a file. Names of scenes come first; anything that ends in

@@ -4,6 +4,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>
+#include <base/Quoting.h>
 
 #include <algorithm>
 #include <cctype>
@@ -74,7 +75,7 @@ private:
     void Press(SceneSession& session, const ScriptAction& action);
     void Strike(SceneSession& session, const ScriptAction& action);
     void Shortcut(SceneSession& session, const Hit& hit);
-    void Fail(const ScriptAction& action, const std::string& message);
+    void Fail(const ScriptAction& action, const std::string& problem, const std::string& remedy);
 
     Panels m_panels;
     PanelChoices m_choices;
@@ -173,12 +174,13 @@ void ScriptedPanels::Answer(SceneSession& session, const PanelAnswer& answer)
     }
 }
 
-void ScriptedPanels::Fail(const ScriptAction& action, const std::string& message)
+void ScriptedPanels::Fail(const ScriptAction& action, const std::string& problem,
+                          const std::string& remedy)
 {
     if (m_failure)
     {
-        m_failure =
-            Error{ErrorKind::Unusable, m_scriptFile + ":" + std::to_string(action.line), message};
+        m_failure = AtLine(m_scriptFile, action.line,
+                           Error{ErrorKind::Unusable, Quoted(action.name), problem, remedy});
     }
 }
 
@@ -189,11 +191,9 @@ void ScriptedPanels::Press(SceneSession& session, const ScriptAction& action)
     const std::optional<Vec2> place = m_panels.Controls().Find(action.name);
     if (!place)
     {
-        const std::vector<std::string> names = m_panels.Controls().Names();
-        const int nearest = NearestWord(action.name, names);
-        Fail(action, "no control is called '" + action.name + "' at that moment" +
-                         (nearest < 0 ? "; give one such as Solver/Sleep or Run/Pause."
-                                      : "; did you mean '" + names[std::size_t(nearest)] + "'?"));
+        Fail(action, "no such control at this moment",
+             DidYouMean(action.name, m_panels.Controls().Names(),
+                        "give one such as Solver/Sleep or Run/Pause"));
         return;
     }
     m_pointer = *place;
@@ -212,8 +212,7 @@ void ScriptedPanels::Strike(SceneSession& session, const ScriptAction& action)
     const std::optional<Hit> hit = ParseHit(action.name);
     if (!hit)
     {
-        Fail(action, "'" + action.name +
-                         "' is no key; give one such as enter, escape, down, tab, p or ctrl+o.");
+        Fail(action, "unknown key", "give one such as enter, escape, down, tab, p or ctrl+o");
         return;
     }
     if (!m_panels.WantsKeys(m_choices))

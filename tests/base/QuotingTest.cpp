@@ -9,6 +9,14 @@ namespace
 
 using namespace boxreel;
 
+TEST(Quoting, OptionAsTypedHasQuotesWhereItsValueNeedsThem)
+{
+    EXPECT_EQ(AsTyped("--fps", "0"), "--fps 0");
+    EXPECT_EQ(AsTyped("--label", "two words"), "--label 'two words'");
+    EXPECT_EQ(AsTyped("--out", ""), "--out ''");
+    EXPECT_EQ(AsTyped("", "0"), "0");
+}
+
 TEST(Quoting, ShellWordKeepsSingleQuotes)
 {
     EXPECT_EQ(ShellQuoted("it's $HOME"), "'it'\\''s $HOME'");

@@ -20,39 +20,25 @@ namespace
 using namespace boxreel;
 
 constexpr char kSource[] = "scene.json"; ///< what messages call the text
-constexpr std::size_t kLongest = 700;    ///< of a sentence: two names, a path and reasons
+constexpr std::size_t kLongest = 700;    ///< of a line: two names, a path and reasons
 constexpr int kSteps = 3;
 
-using Sentences = std::vector<std::string>;
-
-/// Printable in one line, with an end, and not drowned in what the file says.
-bool IsSentence(const std::string& text)
+/// Printable in one line, and not drowned in what the file says.
+bool IsLine(const std::string& text)
 {
     const bool isPrintable = std::none_of(text.begin(), text.end(), [](char c) {
         return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
     });
-    return isPrintable && text.ends_with('.') && text.size() <= kLongest;
-}
-
-std::string WhyNoSentences(const Sentences& sentences)
-{
-    for (const std::string& sentence : sentences)
-    {
-        if (!IsSentence(sentence))
-        {
-            return "this is no sentence: " + sentence;
-        }
-    }
-    return "";
+    return isPrintable && text.size() <= kLongest;
 }
 
 std::string WhyBadRefusal(const Error& error)
 {
-    if (error.kind != ErrorKind::Unusable || error.Text().find(kSource) == std::string::npos)
+    if (error.kind != ErrorKind::Unusable || !error.culprit.starts_with(kSource))
     {
         return "the refusal does not blame the file: " + error.Text();
     }
-    return WhyNoSentences({error.Text()});
+    return IsLine(error.Text()) ? "" : "this is not a line: " + error.Text();
 }
 
 bool IsFinite(const b2World& world)
@@ -85,7 +71,7 @@ bool IsExact(const b2World& world)
 std::string Export(Scene& scene)
 {
     const StepSettings steps = scene.PreferredSteps();
-    Sentences leftOut;
+    RubeNotes leftOut;
     return WriteRubeText(ExportScene(scene, steps, ContentOfFile(scene)->stepsPerSecond, leftOut));
 }
 
@@ -102,7 +88,7 @@ void Step(Scene& scene)
 /// not been stepped before, for what contacts and joints have gathered is no part of a file.
 std::string WhyDifferent(Scene& scene, const std::string& exported, int steps)
 {
-    Sentences leftOut;
+    RubeNotes leftOut;
     const Result<std::unique_ptr<Scene>> back = SceneOfText(exported, kSource, leftOut);
     if (!back)
     {
@@ -110,7 +96,7 @@ std::string WhyDifferent(Scene& scene, const std::string& exported, int steps)
     }
     if (!leftOut.empty())
     {
-        return "of its export is left out: " + leftOut.front();
+        return "of its export is left out: " + leftOut.front().Text();
     }
     if (!IsExact(scene.World()))
     {
@@ -134,9 +120,9 @@ std::string WhyDifferent(Scene& scene, const std::string& exported, int steps)
 
 std::string WhyWrong(const std::string& text)
 {
-    Sentences leftOut;
+    RubeNotes leftOut;
     const Result<std::unique_ptr<Scene>> loaded = SceneOfText(text, kSource, leftOut);
-    const Result<Sentences> traps = RubeTraps(text, kSource);
+    const Result<RubeNotes> traps = RubeTraps(text, kSource);
     if (!loaded)
     {
         return WhyBadRefusal(loaded.GetError());
@@ -145,11 +131,14 @@ std::string WhyWrong(const std::string& text)
     {
         return "it is built but its traps are refused: " + traps.GetError().Text();
     }
-    for (const Sentences& sentences : {leftOut, *traps})
+    for (const RubeNotes& notes : {leftOut, *traps})
     {
-        if (const std::string why = WhyNoSentences(sentences); !why.empty())
+        for (const RubeNote& note : notes)
         {
-            return why;
+            if (!IsLine(note.Text()))
+            {
+                return "this is not a line: " + note.Text();
+            }
         }
     }
     Scene& scene = **loaded;

@@ -70,7 +70,7 @@ TEST(EdgeRule, PassesALineThatLiesAFifthOfAPixelElsewhere)
         {
             const Frame actual = WithLine(left + shift, width, color, ground);
             const Comparison result = CrossMachine(expected, actual);
-            EXPECT_EQ(result.overTolerance, 0) << shift << ": " << result.verdict;
+            EXPECT_EQ(result.overTolerance, 0) << shift << ": " << result.Text();
             EXPECT_GT(result.excusedAtEdges, 0);
             EXPECT_FALSE(Compare(expected, actual).equal) << "the same machine moves no edge";
         }

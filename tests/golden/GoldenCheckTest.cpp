@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <golden/GoldenCheck.h>
 
+#include "../base/Errors.h"
 #include "../base/TemporaryFolder.h"
 #include "Environment.h"
 #include "TestPictures.h"
@@ -51,9 +52,8 @@ TEST_F(GoldenCheck, SaysHowToAcceptAMissingReference)
 {
     const GoldenOutcome outcome = Check(candidate);
     EXPECT_FALSE(outcome.passed);
-    EXPECT_THAT(outcome.message, HasSubstr("start: there is no reference"));
-    EXPECT_THAT(outcome.message, HasSubstr("If it is right, run this test once with "
-                                           "BOXREEL_GOLDEN_ACCEPT=missing in the environment."));
+    EXPECT_THAT(outcome.message, testing::StartsWith("start: "));
+    EXPECT_THAT(outcome.message, HasSubstr("BOXREEL_GOLDEN_ACCEPT=missing"));
     EXPECT_THAT(outcome.message, testing::Not(HasSubstr("boxreel golden accept")))
         << "the program knows nothing of this test";
     EXPECT_FALSE(fs::exists(settings.references)) << "nothing is approved by itself";
@@ -64,9 +64,8 @@ TEST_F(GoldenCheck, SaysWhatDiffersFirstAndHowToAcceptIt)
     Approve(candidate);
     const GoldenOutcome outcome = Check(changed);
     EXPECT_FALSE(outcome.passed);
-    EXPECT_THAT(outcome.message, HasSubstr("same world, other geometry"));
-    EXPECT_THAT(outcome.message, HasSubstr("run this test once with BOXREEL_GOLDEN_ACCEPT=changed "
-                                           "in the environment."));
+    EXPECT_THAT(outcome.message, testing::StartsWith("start: "));
+    EXPECT_THAT(outcome.message, HasSubstr("BOXREEL_GOLDEN_ACCEPT=changed"));
     EXPECT_TRUE(fs::exists(settings.output / "start.side-by-side.png"));
 }
 
@@ -205,7 +204,7 @@ TEST_F(GoldenCheck, AnUnusableNameFailsAndIsNotAccepted)
     candidate.name = "../start";
     const GoldenOutcome outcome = Check(candidate);
     EXPECT_FALSE(outcome.passed);
-    EXPECT_THAT(outcome.message, HasSubstr("cannot name a reference"));
+    EXPECT_THAT(outcome.message, HasSubstr("'../start'"));
 }
 
 TEST(GoldenSettings, OfAnEmptyEnvironmentAreTheCompiledOnes)
@@ -242,18 +241,14 @@ TEST(GoldenSettings, RefuseAWordThatAcceptsNothing)
 {
     GoldenEnvironment environment;
     environment.accept.Set("yes");
-    const auto settings = GoldenSettingsFromEnvironment("compiled");
-    ASSERT_FALSE(settings);
-    EXPECT_EQ(settings.GetError().Text(), "BOXREEL_GOLDEN_ACCEPT is 'yes'; set it to missing, "
-                                          "changed, all or this-renderer, or not at all.");
+    EXPECT_THAT(GoldenSettingsFromEnvironment("compiled"),
+                RefusesWith("BOXREEL_GOLDEN_ACCEPT yes", "missing, changed, all, this-renderer"));
 }
 
 TEST(GoldenSettings, AskForAFolderOfReferences)
 {
     const GoldenEnvironment environment;
-    const auto settings = GoldenSettingsFromEnvironment("");
-    ASSERT_FALSE(settings);
-    EXPECT_THAT(settings.GetError().Text(), HasSubstr("BOXREEL_GOLDEN_REFERENCES"));
+    EXPECT_THAT(GoldenSettingsFromEnvironment(""), Refuses("BOXREEL_GOLDEN_REFERENCES"));
 }
 
 TEST(GoldenSettings, GiveEachShardAFolderOfItsOwn)
@@ -265,9 +260,8 @@ TEST(GoldenSettings, GiveEachShardAFolderOfItsOwn)
     environment.shard.Set("1");
     EXPECT_EQ(GoldenSettingsFromEnvironment("r")->output, "golden-output/shard-1-of-2");
     environment.shard.Set("../../elsewhere");
-    ASSERT_FALSE(GoldenSettingsFromEnvironment("r"));
-    EXPECT_THAT(GoldenSettingsFromEnvironment("r").GetError().Text(),
-                HasSubstr("'../../elsewhere' of GTEST_TOTAL_SHARDS '2' is no shard"));
+    EXPECT_THAT(GoldenSettingsFromEnvironment("r"),
+                Refuses("GTEST_SHARD_INDEX ../../elsewhere, GTEST_TOTAL_SHARDS 2"));
     environment.shards.Set("1");
     EXPECT_EQ(GoldenSettingsFromEnvironment("r")->output, "golden-output");
 }

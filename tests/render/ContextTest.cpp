@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Context.h"
+#include "../base/Errors.h"
 #include "FakeEgl.h"
 #include "Pictures.h"
+
+#include <base/Quoting.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -247,23 +250,17 @@ TEST(Backend, IsReadFromItsName)
     EXPECT_EQ(*ParseBackend("--backend", "egl-gpu"), Backend::EglGpu);
     for (const std::string bad : {"", "EGL", "gpu", "egl ", "vulkan"})
     {
-        const Result<Backend> backend = ParseBackend("--backend", bad);
-        ASSERT_FALSE(backend) << bad;
-        EXPECT_EQ(backend.GetError().kind, ErrorKind::Unusable);
-        EXPECT_EQ(backend.GetError().culprit, "--backend '" + bad + "'");
+        EXPECT_THAT(ParseBackend("--backend", bad), Refuses(AsTyped("--backend", bad)));
     }
 }
 
 TEST(Backend, OfAnUnknownNameInTheVariableIsRefused)
 {
     const Variable variable("vulkan");
-    EXPECT_THAT(Refusal(Backend::Auto, {}, ErrorKind::Unusable),
-                HasSubstr("BOXREEL_BACKEND 'vulkan'"));
+    EXPECT_THAT(CreateContext(Backend::Auto, {}), Refuses("BOXREEL_BACKEND vulkan"));
     EXPECT_THAT(Refusal(Backend::OSMesa, kNoLibraries), HasSubstr("libNoSuchMesa"))
         << "what the settings name is not looked up";
-    const Result<Renderer> renderer = RendererOf(Backend::Auto);
-    ASSERT_FALSE(renderer);
-    EXPECT_EQ(renderer.GetError().kind, ErrorKind::Unusable);
+    EXPECT_THAT(RendererOf(Backend::Auto), Refuses("BOXREEL_BACKEND vulkan"));
 }
 
 TEST(Context, ListsLibraryAndPackageOfEachTriedBackEnd)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../base/Errors.h"
 #include "FontAtlas.h"
 #include "Pictures.h"
 
@@ -167,12 +168,11 @@ TEST(AnOverlay, IsRefusedWhenACommandNamesIndicesThatItDoesNotHave)
     Renderer renderer = MakeRenderer(64, 64);
     Overlay overlay = Triangle();
     overlay.commands[0].firstIndex = 1;
-    const Result<void> submitted = renderer.Submit({}, PixelCamera(64, 64), &overlay);
-    ASSERT_FALSE(submitted);
-    EXPECT_EQ(submitted.GetError().kind, ErrorKind::Unusable);
-    EXPECT_EQ(submitted.GetError().culprit, "overlay");
-    overlay.commands[0].firstIndex = 0xffffffff;
-    EXPECT_FALSE(renderer.Submit({}, PixelCamera(64, 64), &overlay)) << "no sum overflows";
+    EXPECT_THAT(renderer.Submit({}, PixelCamera(64, 64), &overlay),
+                RefusesWith("overlay", "index 4 of 3"));
+    overlay.commands[0].firstIndex = 0xffffffff; // no sum overflows
+    EXPECT_THAT(renderer.Submit({}, PixelCamera(64, 64), &overlay),
+                RefusesWith("overlay", "index 4294967298 of 3"));
 }
 
 TEST(AnOverlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
@@ -183,10 +183,7 @@ TEST(AnOverlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
     const Frame first = DrawWith(renderer, {}, camera, &good);
     Overlay bad = good;
     bad.indices[1] = 3;
-    const Result<void> submitted = renderer.Submit({}, camera, &bad);
-    ASSERT_FALSE(submitted);
-    EXPECT_EQ(submitted.GetError().kind, ErrorKind::Unusable);
-    EXPECT_EQ(submitted.GetError().culprit, "overlay");
+    EXPECT_THAT(renderer.Submit({}, camera, &bad), RefusesWith("overlay", "vertex 3 of 3"));
     EXPECT_TRUE(DrawWith(renderer, {}, camera, &good) == first) << "and nothing has changed";
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// @file
-/// What a mistyped word was probably meant to be, for the sentence that refuses it.
+/// What a mistyped word was probably meant to be, for the error that refuses it.
 namespace boxreel
 {
 
@@ -19,16 +19,11 @@ int EditDistance(std::string_view a, std::string_view b);
 /// count as small letters, and a candidate that begins with the word as near.
 int NearestWord(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "did you mean 'high'?" when a candidate is near, else nothing.
-std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates);
+/// The remedy of an Error: "did you mean 'high'?" when a candidate is near, else `otherwise`.
+std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates,
+                       const std::string& otherwise = "");
 
-/// "did you mean 'high'? Give one of …" when a candidate is near, else "give one of …": what a
-/// refusal goes on with. `remedy` begins with a small letter.
-std::string Suggesting(std::string_view word, const std::vector<std::string>& candidates,
-                       const std::string& remedy);
-
-/// Why a value is refused that has to be one of a few (Unusable): "--quality 'hihg': did you mean
-/// 'high'? Give one of draft, standard, high, lossless."
+/// Refuses a value that must be one of a few (Unusable).
 Error NotOneOf(const std::string& option, const std::string& text,
                const std::vector<std::string>& words);
 

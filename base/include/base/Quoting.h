@@ -12,6 +12,10 @@ namespace boxreel
 /// 'text', for messages.
 std::string Quoted(std::string_view text);
 
+/// An option as it was typed, for the culprit of an Error: "--fps 0", "--label 'two words'". The
+/// value alone where `option` is empty.
+std::string AsTyped(std::string_view option, std::string_view value);
+
 /// One word of a POSIX shell, in single quotes.
 std::string ShellQuoted(std::string_view text);
 

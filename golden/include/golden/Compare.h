@@ -4,6 +4,7 @@
 #include <base/Result.h>
 #include <render/Frame.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -24,7 +25,10 @@ namespace boxreel
 /// what an edge that lies `edgeShift` elsewhere changes.
 struct CompareSettings
 {
-    std::string preset = "same-machine"; ///< where the limits came from, printed in the verdict
+    std::string preset = "same-machine"; ///< where the limits came from, printed with them
+    /// That replaced limits of the preset or leave something out; printed with it, such as
+    /// --tolerance.
+    std::vector<std::string> options{};
     /// Of one pixel: OKLab distance (black to white is 1). The default lies below the smallest
     /// distance that a channel off by 4/255 makes anywhere in sRGB (0.00028, red in bright cyan),
     /// so that no such change is overlooked. 0: any bit counts.
@@ -91,11 +95,18 @@ struct Comparison
     double largestDistance = 0.0;     ///< OKLab, of the pixels that both pictures have
     int firstX = -1; ///< column of the first pixel over the tolerance, row by row [px]; -1: none
     int firstY = -1; ///< row of the first pixel over the tolerance [px]; -1: none
-    std::string verdict; ///< one line for a person, with the limits and where they came from
+    std::array<int, 2> expectedSize{}; ///< width and height [px]
+    std::array<int, 2> actualSize{};   ///< width and height [px]
+    CompareSettings limits;            ///< those of the comparison
     /// The expected picture faded to dark gray, pixels over the tolerance in red inside one thin
     /// white box, pixels that differ within the tolerance, or as their edge explains, in dull blue,
     /// ignored ones hatched. Opaque, of the larger size.
     Frame difference;
+
+    /// A comparison that compares nothing does not pass.
+    bool IsAllIgnored() const { return compared == 0 && ignored > 0; }
+    /// One line for a person, with the limits and where they came from.
+    std::string Text() const;
 };
 
 /// Compares two pictures, the first of which was approved; never fails: other sizes are a

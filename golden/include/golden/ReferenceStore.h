@@ -9,6 +9,8 @@
 #include <golden/WorldState.h>
 #include <render/Frame.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -73,19 +75,78 @@ enum class LimitsChoice
     OtherRenderer, ///< the fingerprints differ: those of CompareSettings::CrossMachine
 };
 
+/// Where two texts part, line by line. Without either line, the texts differ by the newline at
+/// their end alone.
+struct LineDifference
+{
+    std::size_t line = 0;                ///< counted from 1
+    std::optional<std::string> expected; ///< none: the expected text ends before this line
+    std::optional<std::string> actual;   ///< none: the actual text ends before this line
+    std::size_t expectedLines = 0;       ///< in the whole text
+    std::size_t actualLines = 0;
+};
+
+/// How the worlds of two moments differ.
+struct WorldDifference
+{
+    std::string expected;                    ///< hash of the state, 16 hex digits
+    std::string actual;                      ///< hash of the state, 16 hex digits
+    std::optional<TraceDifference> onTheWay; ///< the first step that differs, where steps are kept
+    std::optional<StateDifference> now;      ///< at the moment, where the bodies are kept
+};
+
+/// How two films are compared, by their contact sheets.
+struct FilmComparison
+{
+    std::string expectedMoments;           ///< first line of the sheet's text
+    std::string actualMoments;             ///< first line of the sheet's text
+    SheetLayout expected;                  ///< of the reference
+    SheetLayout actual;                    ///< of the candidate
+    std::optional<std::int64_t> firstStep; ///< of the first picture that differs by itself
+
+    /// Whether the pictures show other moments, and are not compared one by one.
+    bool HasOtherMoments() const { return expectedMoments != actualMoments; }
+};
+
+/// What is not there of GoldenStatus::Missing.
+enum class GoldenAbsence
+{
+    Nothing,    ///< all is there
+    All,        ///< there is no reference
+    Part,       ///< some of its files; the others are the same
+    OwnPicture, ///< a picture of this renderer alone
+};
+
+/// The depths of a moment.
+struct GoldenDepths
+{
+    bool state = false; ///< of the world
+    bool list = false;  ///< the draw list
+    bool frame = false; ///< the picture
+};
+
 /// What comparing one candidate has found.
 struct GoldenVerdict
 {
-    std::string name;                            ///< of the reference
-    GoldenStatus status = GoldenStatus::Missing; ///< how it ended
-    std::vector<std::string> findings = {};      ///< what differs, or was compared, the worst first
-    std::vector<std::string> look = {};          ///< the files of a failure to look at first
+    std::string name;                               ///< of the reference
+    GoldenStatus status = GoldenStatus::Missing;    ///< how it ended
+    GoldenDepths compared = {};                     ///< what there was to compare with
+    std::optional<WorldDifference> world = {};      ///< none: the worlds do not differ
+    std::optional<LineDifference> list = {};        ///< none: the draw lists do not differ
+    std::optional<FilmComparison> film = {};        ///< none: not of a film
+    std::string references = {};                    ///< the approved folder
+    std::vector<std::string> missing = {};          ///< files that are not there
+    GoldenAbsence absence = GoldenAbsence::Nothing; ///< what there is not
+    Error problem = {};                             ///< of GoldenStatus::NotCompared: why
+    std::vector<std::string> look = {};             ///< the files of a failure to look at first
     std::string accept = {}; ///< what a person runs where there is nothing to compare with; empty:
                              ///< there is, or accepting would not help
     Comparison pixels;       ///< what comparing the pictures has found
     LimitsChoice limits = LimitsChoice::AsGiven; ///< why those of the pictures hold
-    std::string warning = {}; ///< of what passed: why no file says so; empty when one does
+    std::optional<Error> warning = {};           ///< of what passed: why no file says so
 
+    /// For a person: what differs, or was compared, the worst first.
+    std::vector<std::string> Findings() const;
     /// For a person: name, findings, files, and what to do if the change is right. `remedy`
     /// replaces the command to accept; lower case, no full stop.
     std::string Text(const std::string& remedy = "") const;

@@ -3,6 +3,7 @@
 
 #include <base/Result.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,8 +11,8 @@
 #include <vector>
 
 /// @file
-/// A world's state as plain numbers, how it went there step by step, and how two of them differ in
-/// words. Knows no engine: <golden/StateHash.h> reads them from a world.
+/// A world's state as plain numbers, how it went there step by step, and how two of them differ.
+/// Knows no engine: <golden/StateHash.h> reads them from a world.
 namespace boxreel
 {
 
@@ -41,9 +42,23 @@ std::string ToText(const WorldState& state);
 /// What ToText wrote; Unusable with the line that is not of this kind.
 Result<WorldState> ParseWorldState(std::string_view text);
 
+/// How the bodies of two states differ.
+struct StateDifference
+{
+    std::vector<int> missing;  ///< numbers of bodies that only the expected state has
+    std::vector<int> extra;    ///< numbers of bodies that only the actual state has
+    std::size_t compared = 0;  ///< bodies that both have …
+    std::size_t different = 0; ///< … and those of them that differ
+    BodyState expected;        ///< of the one whose place differs most, where any differs
+    BodyState actual;          ///< of the same body
+};
+
+/// Compares body by body.
+StateDifference DifferenceOf(const WorldState& expected, const WorldState& actual);
+
 /// "3 of 55 bodies differ, most of all body 17: 0.031 m lower (y 1.02 instead of 1.051)"; empty
 /// when all are equal.
-std::string DescribeDifference(const WorldState& expected, const WorldState& actual);
+std::string Describe(const StateDifference& difference);
 
 /// A step's state in few characters.
 struct TraceStep

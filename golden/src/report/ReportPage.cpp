@@ -135,7 +135,7 @@ Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
     {
         text += "<p class=\"other\">This is of " + MarkupEscaped(shown.folder) + "; " +
                 MarkupEscaped(other.folder) + " says <b>" + MarkupEscaped(LabelOf(other.status)) +
-                "</b>: " + MarkupEscaped(JoinedFindings(other.findings)) + "</p>\n";
+                "</b>: " + MarkupEscaped(Join(other.findings, "; ")) + "</p>\n";
     }
     return text + "<div class=\"views\"></div>\n<script type=\"application/json\">" + data +
            "</script>\n</article>\n";

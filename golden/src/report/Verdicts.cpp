@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr const char* kEnd = ".verdict.json";
+constexpr const char* kRemedy =
+    "run `boxreel golden verify`, or your tests, and name the folder that they write to";
 constexpr std::uintmax_t kLargest = 1024 * 1024; // a message quotes a line or two of a draw list
 
 /// The worst is shown when shards disagree.
@@ -89,9 +91,9 @@ ReportedVerdict FromJson(const json& file)
     return verdict;
 }
 
-Error Unusable(const fs::path& path, const std::string& why)
+Error Unusable(const fs::path& path, const std::string& problem, const std::string& remedy)
 {
-    return Error{ErrorKind::Unusable, "'" + path.string() + "' " + why};
+    return Error{ErrorKind::Unusable, path.string(), problem, remedy};
 }
 
 Result<ReportedVerdict> ReadVerdict(const fs::path& path)
@@ -104,8 +106,8 @@ Result<ReportedVerdict> ReadVerdict(const fs::path& path)
     }
     catch (const std::exception&)
     {
-        return Error{ErrorKind::Unusable, path.string(), "is not a verdict of a golden test",
-                     "remove it, or run the test again that left it"};
+        return Unusable(path, "is not a verdict of a golden test",
+                        "remove it, or run the test again that left it");
     }
 }
 
@@ -125,9 +127,7 @@ Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
     std::error_code code;
     if (!fs::is_directory(folder, code))
     {
-        return Unusable(folder,
-                        "is no folder that golden tests have written to; run `boxreel golden "
-                        "verify` first, or name the folder of your tests' output.");
+        return Unusable(folder, "no such folder", kRemedy);
     }
     std::vector<fs::path> paths;
     for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
@@ -141,7 +141,7 @@ Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
     }
     if (code)
     {
-        return Unusable(folder, "cannot be read: " + code.message() + "; make it readable.");
+        return Unusable(folder, "cannot be read: " + code.message(), "make it readable");
     }
     std::sort(paths.begin(), paths.end());
     return paths;
@@ -190,9 +190,7 @@ Result<std::vector<ReportedMoment>> CollectVerdicts(const std::vector<fs::path>&
         ASSIGN_OR_RETURN(const std::vector<fs::path> paths, FindVerdicts(folder));
         if (paths.empty())
         {
-            return Unusable(folder,
-                            "holds no verdict of a golden test; run `boxreel golden verify`, "
-                            "or your tests, and name the folder they write to.");
+            return Unusable(folder, "holds no verdict of a golden test", kRemedy);
         }
         for (const fs::path& path : paths)
         {

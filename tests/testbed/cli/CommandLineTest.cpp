@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <cli/CommandLine.h>
+#include "ParseLine.h"
 
 #include <gmock/gmock.h>
 
@@ -14,18 +14,6 @@ namespace
 {
 
 using testing::HasSubstr;
-
-/// The request of a command line written as a person would, words apart by spaces.
-Result<Request> Parse(const std::string& line)
-{
-    std::istringstream words(line);
-    std::vector<std::string> arguments;
-    for (std::string word; words >> word;)
-    {
-        arguments.push_back(word);
-    }
-    return ParseCommandLine(arguments);
-}
 
 template <class Options>
 Options Parsed(const std::string& line)
@@ -154,7 +142,7 @@ TEST(CommandLine, GoldenReportTakesFoldersAndAFile)
     EXPECT_EQ(report.backend, Backend::OSMesa);
     EXPECT_TRUE(report.force);
     EXPECT_EQ(Parsed<GoldenOptions>("golden verify --report page.html").report, "page.html");
-    EXPECT_THAT(Refusal("golden accept --report page.html"), testing::HasSubstr("--report"));
+    EXPECT_EQ(Refusal("golden accept --report page.html"), "--report");
 }
 
 TEST(CommandLine, BackendIsOneOfTheNamesWhereverPicturesAreDrawn)
@@ -165,7 +153,7 @@ TEST(CommandLine, BackendIsOneOfTheNamesWhereverPicturesAreDrawn)
               Backend::EglGpu);
     EXPECT_EQ(Parsed<GoldenOptions>("golden verify --backend osmesa").backend, Backend::OSMesa);
     EXPECT_EQ(Parsed<GoldenOptions>("golden accept a --backend auto").backend, Backend::Auto);
-    EXPECT_THAT(Refusal("record a -o a.mp4 --backend gpu"), testing::StartsWith("--backend"));
+    EXPECT_EQ(Refusal("record a -o a.mp4 --backend gpu"), "--backend gpu");
 }
 
 TEST(CommandLine, DiffTakesTwoPicturesAndAPreset)
@@ -214,7 +202,6 @@ TEST(CommandLine, ValuesOutOfRangeAreRefused)
                             "--camera follow:",
                             "--camera path:0s=0,0,5",
                             "--draw",
-                            "--draw shapes,,joints",
                             "--draw everything",
                             "--velocity-scale 0",
                             "--velocity-scale -1",
@@ -223,12 +210,12 @@ TEST(CommandLine, ValuesOutOfRangeAreRefused)
                             "--force-scale nan",
                             "--force-scale 1N"})
     {
-        const std::string option = std::string(bad).substr(0, std::string(bad).find(' '));
-        EXPECT_THAT(Refusal(record + bad), testing::StartsWith(option)) << bad;
+        EXPECT_EQ(Refusal(record + bad), bad);
     }
-    EXPECT_THAT(Refusal("shot pyramid -o a.png --at -3s"), testing::StartsWith("--at -3s"));
-    EXPECT_THAT(Refusal("shot pyramid -o a.png --step -1"), testing::StartsWith("--step -1"));
-    EXPECT_THAT(Refusal("diff a.png b.png --preset sloppy"), HasSubstr("sloppy"));
+    EXPECT_EQ(Refusal(record + "--draw shapes,,joints"), "--draw ''");
+    EXPECT_EQ(Refusal("shot pyramid -o a.png --at -3s"), "--at -3s");
+    EXPECT_EQ(Refusal("shot pyramid -o a.png --step -1"), "--step -1");
+    EXPECT_EQ(Refusal("diff a.png b.png --preset sloppy"), "--preset sloppy");
 }
 
 /// A line that is refused, what is at fault, and a word that the remedy must name if any.
@@ -327,26 +314,19 @@ INSTANTIATE_TEST_SUITE_P(
         {"record a -o a.mp4 --until awak==0", "--until awak==0", "awake"},
     }));
 
-TEST(CommandLine, AMistypedValueSuggestsTheNearest)
-{
-    const std::pair<const char*, const char*> lines[] = {
-        {"record a -o a.mp4 --quality hihg", "'high'"},
-        {"record a -o a.mp4 --codec h246", "'h264'"},
-        {"record a -o - --format y5m", "'y4m'"},
-        {"record a -o a.mp4 --progress jsn", "'json'"},
-        {"record a -o a.mp4 --backend OSMESSA", "'osmesa'"},
-        {"record a -o a.mp4 --theme darc", "'dark'"},
-        {"shot a --at 1s -o a.png --theme boht", "'both'"},
-        {"diff a.png b.png --preset exat", "'exact'"},
-        {"completion bahs", "'bash'"},
-    };
-    for (const auto& [line, word] : lines)
-    {
-        const Result<Request> request = Parse(line);
-        ASSERT_FALSE(request) << line;
-        EXPECT_THAT(request.GetError().Text(), HasSubstr(word)) << line;
-    }
-}
+INSTANTIATE_TEST_SUITE_P(Mistyped, RefusedLine,
+                         testing::ValuesIn(std::vector<BadLine>{
+                             {"record a -o a.mp4 --quality hihg", "--quality hihg", "'high'"},
+                             {"record a -o a.mp4 --codec h246", "--codec h246", "'h264'"},
+                             {"record a -o - --format y5m", "--format y5m", "'y4m'"},
+                             {"record a -o a.mp4 --progress jsn", "--progress jsn", "'json'"},
+                             {"record a -o a.mp4 --backend OSMESSA", "--backend OSMESSA",
+                              "'osmesa'"},
+                             {"record a -o a.mp4 --theme darc", "--theme darc", "'dark'"},
+                             {"shot a --at 1s -o a.png --theme boht", "--theme boht", "'both'"},
+                             {"diff a.png b.png --preset exat", "--preset exat", "'exact'"},
+                             {"completion bahs", "SHELL bahs", "'bash'"},
+                         }));
 
 TEST(CommandLine, AcceptsThePanelInTheSmallestPicture)
 {
@@ -356,16 +336,6 @@ TEST(CommandLine, AcceptsThePanelInTheSmallestPicture)
 TEST(CommandLine, NothingAtAllShowsTheHelp)
 {
     EXPECT_THAT(Parsed<TextRequest>("").text, HasSubstr("record"));
-}
-
-TEST(CommandLine, HelpNamesEveryCommand)
-{
-    const std::string help = Parsed<TextRequest>("--help").text;
-    for (const char* command :
-         {"list", "record", "shot", "diff", "golden", "--version", "Examples:"})
-    {
-        EXPECT_THAT(help, HasSubstr(command));
-    }
 }
 
 // docs/golden.md is run by a test, so a build lies where it says.
@@ -382,47 +352,12 @@ TEST(CommandLine, HelpNamesAnotherBuildWhereTheDocumentsDo)
     }
 }
 
-TEST(CommandLine, HelpOfACommandNamesEveryOptionAndAnExample)
+TEST(CommandLine, HelpCommandShowsWhatTheHelpOptionShows)
 {
-    const std::vector<std::string> look{"--size",
-                                        "--camera",
-                                        "--draw",
-                                        "--velocity-scale",
-                                        "--force-scale",
-                                        "--labels",
-                                        "--backend",
-                                        "--hud",
-                                        "--hud-ms",
-                                        "--hz",
-                                        "--seed",
-                                        "--velocity-iterations",
-                                        "--position-iterations"};
-    std::vector<std::string> record{"-o,--output", "--seconds", "--frames",   "--fps",  "--speed",
-                                    "--quality",   "--force",   "--progress", "--stats"};
-    std::vector<std::string> shot{"-o,--output",     "--at",    "--step",      "--force",
-                                  "--columns",       "--trail", "--strobe",    "--onion",
-                                  "--trail-seconds", "--axes",  "--scale-bar", "--dimension",
-                                  "--caption",       "--stats"};
-    record.insert(record.end(), look.begin(), look.end());
-    shot.insert(shot.end(), look.begin(), look.end());
-    const std::pair<std::string, std::vector<std::string>> commands[] = {
-        {"list", {"--names"}},
-        {"record", record},
-        {"shot", shot},
-        {"diff", {"-o,--output", "--preset", "--force"}},
-        {"golden", {"verify", "accept"}},
-        {"golden verify", {"--references", "--output", "--backend"}},
-        {"golden accept", {"--references", "--output", "--backend"}},
-    };
-    for (const auto& [command, options] : commands)
+    for (const std::string command : {"record", "golden verify"})
     {
-        const std::string help = Parsed<TextRequest>(command + " --help").text;
-        EXPECT_THAT(help, HasSubstr("  boxreel " + command)) << "an example of " << command;
-        for (const std::string& option : options)
-        {
-            EXPECT_THAT(help, HasSubstr("\n  " + option)) << command;
-        }
-        EXPECT_EQ(Parsed<TextRequest>("help " + command).text, help);
+        EXPECT_EQ(Parsed<TextRequest>("help " + command).text,
+                  Parsed<TextRequest>(command + " --help").text);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The real program: exit codes, messages, and what lies in the folder afterwards.
-#include "Subprocess.h"
+#include "Refusals.h"
 
 #include <render/Png.h>
 #include <scenes/Scene.h>
@@ -28,19 +28,15 @@ protected:
         return RunBoxreel(arguments, folder.Path());
     }
 
-    /// Runs what cannot work: the code, one sentence that names the culprit, nothing left behind.
+    /// Runs what cannot work: the code, one line that names the culprit, nothing left behind.
     void ExpectRefusal(const std::vector<std::string>& arguments, int code,
                        const std::string& culprit) const
     {
         const std::vector<std::string> before = folder.Files();
         const Outcome outcome = Run(arguments);
         const std::string line = testing::PrintToString(arguments);
-        EXPECT_EQ(outcome.code, code) << line << "\n" << outcome.errors;
-        EXPECT_THAT(outcome.errors, testing::StartsWith("boxreel: ")) << line;
-        EXPECT_THAT(outcome.errors, HasSubstr(culprit)) << line;
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
-            << line << "\n"
-            << outcome.errors;
+        SCOPED_TRACE(line);
+        ExpectRefused(outcome, culprit, code);
         EXPECT_EQ(outcome.output, "") << line;
         EXPECT_EQ(folder.Files(), before) << line;
     }
@@ -187,7 +183,7 @@ TEST_F(Command, CamerasOnBodiesThatAreNotThereAreRefusedBeforeAnythingIsDrawn)
         ExpectRefusal({"record", "bridge", "-o", "a.mp4", "--camera", camera}, 1, "--camera 9999");
     }
     ExpectRefusal({"record", "bridge", "-o", "a.mp4", "--camera", "path:2s=0,0,5;1s=0,0,5"}, 1,
-                  "times must grow");
+                  "--camera path:2s=0,0,5;1s=0,0,5");
 }
 
 TEST_F(Command, LookOptionsChangeThePicture)
@@ -222,9 +218,9 @@ TEST_F(Command, LookOptionsChangeThePicture)
     EXPECT_NE(picture, shot("hz.png", {"--hz", "30"}));
 }
 
-TEST_F(Command, UnknownEndsOfNamesSuggestTheNearest)
+TEST_F(Command, RefusesUnknownExtensions)
 {
-    ExpectRefusal({"record", "pyramid", "-o", "a.mp5"}, 1, "did you mean '.mp4'? Use .mp4, .mkv");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp5"}, 1, "a.mp5");
     ExpectRefusal({"shot", "pyramid", "--at", "1s", "-o", "a.pgn"}, 1, "a.pgn");
     ExpectRefusal({"shot", "pyramid", "--at", "1s", "-o", "a.bmp"}, 1, "a.bmp");
 }
@@ -252,11 +248,11 @@ TEST_F(Command, ColoursAreForTerminalsThatWantThem)
     EXPECT_THAT(Run({"lsit"}).errors, testing::Not(HasSubstr("\x1b"))) << "no terminal";
 }
 
-TEST_F(Command, UnknownScenesSuggestTheNearest)
+TEST_F(Command, UnknownScenesAreRefused)
 {
-    ExpectRefusal({"shot", "pyrmid", "--at", "1s", "-o", "a.png"}, 1, "did you mean 'pyramid'?");
-    ExpectRefusal({"record", "brigde", "-o", "a.mp4"}, 1, "did you mean 'bridge'?");
-    ExpectRefusal({"golden", "verify", "xylophone", "--references", "."}, 1, "`boxreel list`");
+    ExpectRefusal({"shot", "pyrmid", "--at", "1s", "-o", "a.png"}, 1, "'pyrmid'");
+    ExpectRefusal({"record", "brigde", "-o", "a.mp4"}, 1, "'brigde'");
+    ExpectRefusal({"golden", "verify", "xylophone", "--references", "."}, 1, "'xylophone'");
 }
 
 TEST_F(Command, ScenefilesThatAreNoneAreRefused)
@@ -265,7 +261,7 @@ TEST_F(Command, ScenefilesThatAreNoneAreRefused)
     Write("truncated.json", R"({"body":[{"name":"a","type":2,"fixture":[{"circle":)");
     ExpectRefusal({"shot", "truncated.json", "--at", "1s", "-o", "a.png"}, 1, "truncated.json");
     Write("foreign.json", "\x89PNG\r\n");
-    ExpectRefusal({"record", "foreign.json", "-o", "a.mp4"}, 1, "foreign.json");
+    ExpectRefusal({"record", "foreign.json", "-o", "a.mp4"}, 1, "foreign.json:1:1");
     Write("empty.json", "");
     ExpectRefusal({"record", "empty.json", "-o", "a.mp4"}, 1, "empty.json");
     std::filesystem::create_directory(folder / "folder.json");
@@ -288,11 +284,11 @@ TEST_F(Command, OutputsThatCannotBeWrittenAreRefusedBeforeAnythingIsSimulated)
     ExpectRefusal(record("film.xyz"), 1, "film.xyz");
     ExpectRefusal(record("film"), 1, "film");
     ExpectRefusal(record("folder.mp4"), 1, "folder.mp4");
-    ExpectRefusal(record("there.mp4"), 1, "--force");
-    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "there.png"}, 1, "--force");
+    ExpectRefusal(record("there.mp4"), 1, "there.mp4");
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "there.png"}, 1, "there.png");
     ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "picture.jpg"}, 1,
                   "picture.jpg");
-    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "."}, 1, "folder");
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "."}, 1, ".");
     ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "none/a.png"}, 1, "none");
     EXPECT_EQ(ReadFile(folder / "there.mp4"), "a film");
     EXPECT_EQ(ReadFile(folder / "there.png"), "a picture");
@@ -310,19 +306,18 @@ TEST_F(Command, AFolderThatIsNotThereIsNamed)
 TEST_F(Command, OddSizesAreRefusedWhereTheFormatCannotHoldThem)
 {
     ExpectRefusal({"record", "pyramid", "--frames", "2", "--size", "321x180", "-o", "a.mp4"}, 1,
-                  "32");
+                  "size 321x180");
 }
 
 TEST_F(Command, MistypedOptionsAndValuesAreRefused)
 {
-    ExpectRefusal({"recrod"}, 1, "did you mean 'record'?");
-    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--secnds", "3"}, 1,
-                  "did you mean '--seconds'?");
+    ExpectRefusal({"recrod"}, 1, "'recrod'");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--secnds", "3"}, 1, "--secnds");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--size", "0x720"}, 1, "--size 0x720");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--seconds", "nan"}, 1, "--seconds nan");
-    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--seconds", ""}, 1, "--seconds");
+    ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--seconds", ""}, 1, "--seconds ''");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--seconds", "1000000", "--fps", "1000"}, 1,
-                  "1000000000 frames");
+                  "film");
 }
 
 TEST_F(Command, DiffTellsEqualFromDifferentFromUnreadable)
@@ -339,7 +334,7 @@ TEST_F(Command, DiffTellsEqualFromDifferentFromUnreadable)
     Write("foreign.png", "not a picture");
     ExpectRefusal({"diff", "a.png", "foreign.png"}, 1, "foreign.png");
     ExpectRefusal({"diff", "a.png", "missing.png"}, 1, "missing.png");
-    ExpectRefusal({"diff", "a.png", "other.png", "--preset", "sloppy"}, 1, "sloppy");
+    ExpectRefusal({"diff", "a.png", "other.png", "--preset", "sloppy"}, 1, "--preset sloppy");
 }
 
 TEST_F(Command, DiffNeverWritesOverWhatItCompares)
@@ -349,7 +344,8 @@ TEST_F(Command, DiffNeverWritesOverWhatItCompares)
     const std::string before = ReadFile(folder / "a.png");
     for (const char* output : {"a.png", "./other.png"})
     {
-        ExpectRefusal({"diff", "a.png", "other.png", "-o", output, "--force"}, 1, "-o ");
+        ExpectRefusal({"diff", "a.png", "other.png", "-o", output, "--force"}, 1,
+                      std::string("-o ") + output);
     }
     EXPECT_EQ(ReadFile(folder / "a.png"), before);
 }
@@ -362,7 +358,7 @@ TEST_F(Command, DiffWritesThePictureOfTheDifferences)
     const Result<Frame> difference = ReadPng(folder / "diff.png");
     ASSERT_TRUE(difference);
     EXPECT_EQ(difference->width, 64);
-    ExpectRefusal({"diff", "a.png", "other.png", "-o", "diff.png"}, 1, "--force");
+    ExpectRefusal({"diff", "a.png", "other.png", "-o", "diff.png"}, 1, "diff.png");
 }
 
 TEST_F(Command, StandardOutputThatIsFullIsAnError)

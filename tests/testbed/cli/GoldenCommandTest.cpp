@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `boxreel golden`: the real program, as a shell runs it.
-#include "Subprocess.h"
+#include "Refusals.h"
 
 #include <golden/ReferenceStore.h>
 #include <render/Png.h>
@@ -43,13 +43,9 @@ protected:
         return Run(std::move(arguments));
     }
 
-    void ExpectRefusal(const std::vector<std::string>& arguments, const std::string& remedy) const
+    void ExpectRefusal(const std::vector<std::string>& arguments, const std::string& culprit) const
     {
-        const Outcome outcome = Run(arguments);
-        EXPECT_EQ(outcome.code, 1);
-        EXPECT_THAT(outcome.errors, HasSubstr(remedy));
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
-            << outcome.errors;
+        ExpectRefused(Run(arguments), culprit);
     }
 
     void Blacken(const std::string& picture) const
@@ -84,10 +80,10 @@ protected:
 
 TEST_F(GoldenCommand, NeedsAFolderOfReferences)
 {
-    ExpectRefusal({"verify"}, "--references");
-    ExpectRefusal({"verify", "--references", "none"}, "none");
-    ExpectRefusal({"verify", "pyramid/3s", "--references", "."}, "0.5s, 2s, 5s");
-    ExpectRefusal({"verify", "pyrmid/2s", "--references", "."}, "did you mean 'pyramid'?");
+    ExpectRefusal({"verify"}, "golden/references");
+    ExpectRefusal({"verify", "--references", "none"}, "--references none");
+    ExpectRefusal({"verify", "pyramid/3s", "--references", "."}, "'pyramid/3s'");
+    ExpectRefusal({"verify", "pyrmid/2s", "--references", "."}, "'pyrmid'");
 }
 
 TEST_F(GoldenCommand, AcceptsThenVerifiesThenFindsAChange)
@@ -128,13 +124,12 @@ TEST_F(GoldenCommand, AcceptsOnlyWhatIsMissingOrOnlyWhatChanged)
                                       HasSubstr("1 moment accepted"), Not(HasSubstr("bridge/2s"))));
     const Outcome changed = RunIn({"accept", "bridge", "--only", "changed"});
     EXPECT_THAT(changed.output,
-                AllOf(StartsWith("accepted  bridge/2s: same geometry, other pixels"),
-                      HasSubstr("1 moment accepted")));
+                AllOf(StartsWith("accepted  bridge/2s: "), HasSubstr("1 moment accepted")));
     EXPECT_THAT(RunIn({"accept", "bridge", "--only", "changed"}).output,
                 StartsWith("0 moments accepted"));
     EXPECT_FALSE(fs::exists(folder / "o")) << "accepting leaves nothing to look at";
     EXPECT_EQ(RunIn({"verify", "bridge"}).code, 0);
-    ExpectRefusal({"accept", "--only", "mising"}, "did you mean 'missing'?");
+    ExpectRefusal({"accept", "--only", "mising"}, "--only mising");
 }
 
 TEST_F(GoldenCommand, AcceptsAPictureForOneRendererAlone)
@@ -196,7 +191,7 @@ TEST_F(GoldenCommand, SaysThatAVerdictOfWhatPassedIsNotKept)
     std::ofstream(folder / "o") << "a file where the folder should be";
     const Outcome outcome = RunIn({"verify", "bridge"});
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_THAT(outcome.errors, StartsWith("boxreel: no verdict is kept of what passed: Cannot"));
+    EXPECT_THAT(outcome.errors, AllOf(StartsWith("boxreel: "), HasSubstr(": o/bridge: ")));
     EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
 }
 
@@ -224,8 +219,8 @@ TEST_F(GoldenCommand, SaysWhereAChangedWorldParted)
     ASSERT_EQ(planted.code, 0) << planted.errors;
     const Outcome outcome = RunIn({"verify", "bridge/0.5s"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.output, AllOf(HasSubstr("the worlds differ from step 12 on, body 17 first"),
-                                      HasSubstr("1 of 39 bodies differs, body 17: 0.5 m lower")))
+    EXPECT_THAT(outcome.output, AllOf(StartsWith("FAIL  bridge/0.5s: "), HasSubstr("step 12"),
+                                      HasSubstr("body 17"), HasSubstr("0.5 m")))
         << outcome.errors;
 }
 
@@ -248,10 +243,8 @@ TEST_F(GoldenCommand, LeavesOutBodies)
     const Outcome beyond =
         RunIn({"verify", "bridge/0.5s", "pyramid/0.5s", "--ignore-body", "3,17,99"});
     EXPECT_EQ(beyond.code, 2);
-    EXPECT_THAT(beyond.output,
-                AllOf(HasSubstr("FAIL  bridge/0.5s: bodies cannot be left out: there is no "
-                                "body 99, the last is 38."),
-                      HasSubstr("same  pyramid/0.5s")));
+    EXPECT_THAT(beyond.output, AllOf(HasSubstr("FAIL  bridge/0.5s: bodies 3, 17, 99: "),
+                                     HasSubstr("no body 99"), HasSubstr("same  pyramid/0.5s")));
 }
 
 TEST_F(GoldenCommand, ComparesFilmsByTheirContactSheets)
@@ -288,7 +281,7 @@ TEST_F(GoldenCommand, ComparesFilmsByTheirContactSheets)
               0);
     const Outcome faster = RunIn({"verify", "films/a", "--film", "c.mkv"});
     EXPECT_EQ(faster.code, 2);
-    EXPECT_THAT(faster.output, HasSubstr("FAIL  films/a: other pixels: from step 30 on: "));
+    EXPECT_THAT(faster.output, AllOf(StartsWith("FAIL  films/a: "), HasSubstr("step 30")));
     ExpectRefusal({"verify", "a", "b", "--film", "a.mkv"}, "'b'");
     ExpectRefusal({"verify", "--every", "3"}, "--every");
     ExpectRefusal({"verify", "--film", "a.mkv", "--against", "x"}, "--against");
@@ -306,8 +299,8 @@ TEST_F(GoldenCommand, PrintsAStateAndTheStepsToIt)
                                       "[0-9a-f]{8} [0-9a-f]{39}\n"));
     ExpectRefusal({"state"}, "golden state");
     ExpectRefusal({"state", "--setp", "3"}, "--setp");
-    ExpectRefusal({"state", "bride"}, "did you mean 'bridge'?");
-    ExpectRefusal({"state", "bridge", "--step", "-1"}, "--step");
+    ExpectRefusal({"state", "bride"}, "'bride'");
+    ExpectRefusal({"state", "bridge", "--step", "-1"}, "--step -1");
 }
 
 TEST_F(GoldenCommand, FindsTheStepTheBodyAndTheDistanceByAnotherBuildsRun)
@@ -318,9 +311,9 @@ TEST_F(GoldenCommand, FindsTheStepTheBodyAndTheDistanceByAnotherBuildsRun)
     const fs::path other = OtherProgram();
     const Outcome differs = Run({"verify", "bridge", "--against", other.string()});
     EXPECT_EQ(differs.code, 2) << differs.errors;
-    EXPECT_THAT(differs.output, AllOf(HasSubstr("from step 43 on, body 17 first"),
-                                      HasSubstr("body 17: 0.03 m lower")));
-    EXPECT_THAT(Run({"verify", "bridge", "--against", "other"}).output, HasSubstr("from step 43"))
+    EXPECT_THAT(differs.output,
+                AllOf(HasSubstr("step 43"), HasSubstr("body 17"), HasSubstr("0.03 m")));
+    EXPECT_THAT(Run({"verify", "bridge", "--against", "other"}).output, HasSubstr("step 43"))
         << "the file here, not one of this name along PATH";
     EXPECT_EQ(Run({"verify", "bridge/0.5s", "--against", other.string()}).code, 0)
         << "until half a second it is the same";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `boxreel shot` with motion and annotations.
-#include "Subprocess.h"
+#include "Refusals.h"
 
 #include <render/Png.h>
 
@@ -43,9 +43,8 @@ protected:
         arguments.insert(arguments.end(), extra.begin(), extra.end());
         const Outcome outcome = RunBoxreel(arguments, folder.Path());
         const std::string line = testing::PrintToString(arguments);
-        EXPECT_EQ(outcome.code, 1) << line;
-        EXPECT_THAT(outcome.errors, HasSubstr(culprit)) << line;
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << line;
+        SCOPED_TRACE(line);
+        ExpectRefused(outcome, culprit);
         EXPECT_TRUE(folder.Files().empty()) << line;
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `boxreel export` and `boxreel check`.
-#include "Subprocess.h"
+#include "Refusals.h"
 
 #include <gmock/gmock.h>
 
@@ -17,7 +17,6 @@ namespace
 
 using testing::AllOf;
 using testing::ElementsAre;
-using testing::EndsWith;
 using testing::HasSubstr;
 
 class SceneFile : public testing::Test
@@ -72,12 +71,9 @@ TEST_F(SceneFile, IsCheckedForWhatIsLeftOutAndWhatSurprises)
               "friction": 0.3, "circle": {"radius": 0}}]}]})");
     const Outcome outcome = Run({"check", "a.json"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.output,
-              "left out: fixture 0 \"f\" of body 0 \"cart\" is left out: a circle needs a radius "
-              "above zero.\n"
-              "note: body 0 \"cart\": it does not say awake, so it sleeps until something touches "
-              "it.\n"
-              "a.json: 1 body, 0 joints, 0 images, 1 note, 1 left out\n");
+    EXPECT_THAT(outcome.output,
+                AllOf(HasSubstr("fixture 0 \"f\" of body 0 \"cart\""),
+                      HasSubstr("1 body, 0 joints, 0 images, 1 note, 1 left out\n")));
     Write(R"({"body": [{}]})");
     EXPECT_EQ(Run({"check", "a.json"}).code, 0);
 }
@@ -100,26 +96,24 @@ TEST_F(SceneFile, ShowsItsImagesAsOutlines)
     }
 }
 
-TEST_F(SceneFile, ThatIsNoneIsRefusedInOneSentence)
+TEST_F(SceneFile, ThatIsNoneIsRefusedInOneLine)
 {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
-        {{"check"}, "check: "},
-        {{"check", "none.json"}, "none.json: does not exist"},
-        {{"check", "a.json"}, "a.json is no JSON text"},
-        {{"export"}, "export: "},
-        {{"export", "bridge"}, "export: "},
+        {{"check"}, "check"},
+        {{"check", "none.json"}, "none.json"},
+        {{"check", "."}, "."},
+        {{"check", "a.json"}, "a.json:1:2"},
+        {{"export"}, "export"},
+        {{"export", "bridge"}, "export"},
         {{"export", "brigde", "-o", "b.json"}, "'brigde'"},
         {{"export", "bridge", "-o", "b.json", "--at", "1s", "--step", "3"}, "--at"},
-        {{"export", "bridge", "-o", "none/b.json"}, "none"},
+        {{"export", "bridge", "-o", "none/b.json"}, "none/b.json"},
         {{"export", "bridge", "-o", "b.txt"}, "-o b.txt"},
     };
     Write("no json");
-    for (const auto& [arguments, message] : cases)
+    for (const auto& [arguments, culprit] : cases)
     {
-        const Outcome outcome = Run(arguments);
-        EXPECT_THAT(outcome.code, testing::AnyOf(1, 4));
-        EXPECT_THAT(outcome.errors, AllOf(HasSubstr(message), EndsWith("\n")));
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+        ExpectRefused(Run(arguments), culprit);
     }
     EXPECT_THAT(folder.Files(), ElementsAre("a.json"));
 }
@@ -196,8 +190,8 @@ TEST_F(SceneFile, OfAGigabyteIsRefusedUnread)
           {"record", "a.json", "-o", "a.mp4", "--seconds", "1"}})
     {
         const Outcome outcome = Run(arguments);
-        EXPECT_EQ(outcome.code, 1);
-        EXPECT_THAT(outcome.errors, HasSubstr("a.json: is larger than 64 MB"));
+        ExpectRefused(outcome, "a.json");
+        EXPECT_THAT(outcome.errors, HasSubstr("64 MB"));
         if (!BOXREEL_IS_SANITIZED)
         {
             EXPECT_LT(outcome.peakKilobytes, 200 * 1024);

@@ -184,7 +184,7 @@ TEST_F(UiCommand, ShowsWhatIsDrawnWithoutAWindow)
         }
     });
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_TRUE(comparison.equal) << comparison.verdict;
+    EXPECT_TRUE(comparison.equal) << comparison.Text();
 }
 
 TEST_F(UiCommand, PullsABodyFilmsItAndWritesTheScriptThatDoesItAgain)

@@ -29,8 +29,19 @@ struct Built
         }
     }
 
+    /// The parts that are left out.
+    std::vector<std::string> Missing() const
+    {
+        std::vector<std::string> parts;
+        for (const RubeNote& note : leftOut)
+        {
+            parts.push_back(note.part);
+        }
+        return parts;
+    }
+
     b2World world;
-    std::vector<std::string> leftOut;
+    RubeNotes leftOut;
 };
 
 } // namespace boxreel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "RubeBuilt.h"
 
+#include "../../base/Errors.h"
+
 #include <rube/RubeFile.h>
 
 #include <gmock/gmock.h>
@@ -18,7 +20,6 @@ namespace boxreel
 namespace
 {
 
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -114,7 +115,7 @@ TEST(RubeBuilder, LeavesOutAMassThatNoBodyCanHave)
 {
     Built built(R"({"body":[{"name":"top","type":2,"massData-mass":7,"massData-I":1,
         "massData-center":{"x":1,"y":0}}]})");
-    EXPECT_THAT(built.leftOut, ElementsAre(HasSubstr("the mass of body 0 \"top\" is left out")));
+    EXPECT_THAT(built.Missing(), ElementsAre("mass of body 0 \"top\""));
 }
 
 TEST(RubeBuilder, MakesAnEdgeOfAPolygonWithTwoVertices)
@@ -155,20 +156,18 @@ TEST(RubeBuilder, BuildsOpenChainsAndLoopsInBothSpellings)
 
 TEST(RubeBuilder, NamesPolygonsThatHaveTooManyOrTooFewVertices)
 {
-    Built built(OneFixture(Polygon(b2_maxPolygonVertices + 1)));
-    EXPECT_THAT(built.leftOut,
-                ElementsAre("fixture 0 \"side\" of body 0 \"box\" is left out: a polygon has 3 to "
-                            "8 vertices, this one has 9."));
-    EXPECT_EQ(built.world.GetBodyList()->GetFixtureList(), nullptr);
-
+    for (const auto& [fixture, count] : {std::pair(Polygon(b2_maxPolygonVertices + 1), "has 9"),
+                                         {Vertices("polygon", "1", "1"), "has 1"},
+                                         {Vertices("polygon", "", ""), "has 0"}})
+    {
+        Built built(OneFixture(fixture));
+        ASSERT_THAT(built.Missing(), ElementsAre("fixture 0 \"side\" of body 0 \"box\""));
+        EXPECT_THAT(built.leftOut[0].reason, HasSubstr(count));
+        EXPECT_EQ(built.world.GetBodyList()->GetFixtureList(), nullptr);
+    }
     Built most(OneFixture(Polygon(b2_maxPolygonVertices)));
     EXPECT_THAT(most.leftOut, IsEmpty());
     EXPECT_NE(most.world.GetBodyList()->GetFixtureList(), nullptr);
-
-    Built single(OneFixture(Vertices("polygon", "1", "1")));
-    EXPECT_THAT(single.leftOut, ElementsAre(HasSubstr("this one has 1")));
-    Built none(OneFixture(Vertices("polygon", "", "")));
-    EXPECT_THAT(none.leftOut, ElementsAre(HasSubstr("this one has 0")));
 }
 
 TEST(RubeBuilder, NamesShapesWithoutExtent)
@@ -181,9 +180,7 @@ TEST(RubeBuilder, NamesShapesWithoutExtent)
           Vertices("chain", "", ""), Vertices("loop", "0,1", "0,0"), std::string(R"("density":1)")})
     {
         Built built(OneFixture(shape));
-        EXPECT_THAT(built.leftOut, ElementsAre(AllOf(HasSubstr("fixture 0 \"side\""),
-                                                     HasSubstr("body 0 \"box\" is left out"))))
-            << shape;
+        EXPECT_THAT(built.Missing(), ElementsAre("fixture 0 \"side\" of body 0 \"box\"")) << shape;
         EXPECT_EQ(built.world.GetBodyList()->GetFixtureList(), nullptr) << shape;
     }
 }
@@ -198,9 +195,9 @@ TEST(RubeBuilder, KeepsItsListOfFindingsShort)
     }
     Built built(text + "]}");
     ASSERT_EQ(built.leftOut.size(), 1001u);
-    EXPECT_EQ(built.leftOut.back(), "And so are 200 more parts.");
-    EXPECT_LT(built.leftOut.front().size(), 250u);
-    EXPECT_EQ(built.leftOut.front().find('\x1b'), std::string::npos);
+    EXPECT_EQ(built.leftOut.back().part, "200 more parts");
+    EXPECT_LT(built.leftOut.front().Text().size(), 250u);
+    EXPECT_EQ(built.leftOut.front().Text().find('\x1b'), std::string::npos);
 }
 
 // ---- Files
@@ -224,18 +221,10 @@ protected:
         return file;
     }
 
-    std::string Complaint(const std::filesystem::path& file)
+    static Result<std::unique_ptr<Scene>> Load(const std::filesystem::path& file)
     {
-        std::vector<std::string> leftOut;
-        const auto scene = LoadRubeScene(file, leftOut);
-        if (scene)
-        {
-            ADD_FAILURE() << file << " should not be accepted";
-            return "";
-        }
-        EXPECT_EQ(scene.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(scene.GetError().Text(), HasSubstr(file.string()));
-        return scene.GetError().Text();
+        RubeNotes leftOut;
+        return LoadRubeScene(file, leftOut);
     }
 
     std::filesystem::path m_folder;
@@ -243,7 +232,7 @@ protected:
 
 TEST_F(RubeFile, SaysHowItsSceneWantsToBeStepped)
 {
-    std::vector<std::string> leftOut;
+    RubeNotes leftOut;
     const auto scene = LoadRubeScene(
         Write(R"({"stepsPerSecond":50,"velocityIterations":12,"positionIterations":5,"body":[]})"),
         leftOut);
@@ -255,7 +244,7 @@ TEST_F(RubeFile, SaysHowItsSceneWantsToBeStepped)
 
 TEST_F(RubeFile, FramesItsImages)
 {
-    std::vector<std::string> leftOut;
+    RubeNotes leftOut;
     const auto scene =
         LoadRubeScene(Write(R"({"body":[{"type":2,"position":{"x":10,"y":0}}],"image":[
                  {"corners":{"x":[-40,40,40,-40],"y":[-5,-5,25,25]}},{"file":"no corners"},
@@ -272,19 +261,21 @@ TEST_F(RubeFile, FramesItsImages)
 
 TEST_F(RubeFile, ThatCannotBeReadIsNamed)
 {
-    EXPECT_THAT(Complaint(m_folder / "absent.json"), HasSubstr("does not exist"));
-    EXPECT_THAT(Complaint(m_folder), HasSubstr("is not a regular file"));
+    const std::filesystem::path absent = m_folder / "absent.json";
+    EXPECT_THAT(Load(absent), Refuses(absent.string()));
+    EXPECT_THAT(Load(m_folder), Refuses(m_folder.string()));
     const std::filesystem::path pipe = m_folder / "pipe.json";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_THAT(Complaint(pipe), HasSubstr("is not a regular file"));
-    EXPECT_THAT(Complaint(Write("")), HasSubstr("is empty"));
+    EXPECT_THAT(Load(pipe), Refuses(pipe.string()));
+    const std::filesystem::path empty = Write("");
+    EXPECT_THAT(Load(empty), Refuses(empty.string()));
 }
 
 TEST_F(RubeFile, OfAGigabyteIsRefusedUnread)
 {
     const std::filesystem::path file = Write("{");
     std::filesystem::resize_file(file, 1u << 30); // sparse, takes no room on the disk
-    EXPECT_THAT(Complaint(file), HasSubstr("is larger than 64 MB"));
+    EXPECT_THAT(Load(file), RefusesWith(file.string(), "64 MB"));
 }
 
 TEST_F(RubeFile, WithAnyByteChangedNeverBreaksTheWorldItMakes)
@@ -313,7 +304,7 @@ TEST_F(RubeFile, WithAnyByteChangedNeverBreaksTheWorldItMakes)
             changed[at] = byte;
             if (const auto scene = ParseRubeScene(changed, "scene.json"))
             {
-                std::vector<std::string> leftOut;
+                RubeNotes leftOut;
                 b2World world(b2Vec2(0.0f, 0.0f));
                 BuildRubeScene(*scene, world, leftOut);
                 world.Step(1.0f / scene->stepsPerSecond, 2, 2);
@@ -332,7 +323,7 @@ TEST(RubeExample, IsReadBuiltAndStepped)
     {
         GTEST_SKIP() << "the example scene is not beside this checkout: " << file;
     }
-    std::vector<std::string> leftOut;
+    RubeNotes leftOut;
     const auto loaded = LoadRubeScene(file, leftOut);
     ASSERT_TRUE(loaded) << loaded.GetError().Text();
     Scene& scene = **loaded;

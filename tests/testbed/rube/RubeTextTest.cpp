@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../../base/Errors.h"
+
 #include <rube/RubeText.h>
 
 #include <gmock/gmock.h>
@@ -11,8 +13,6 @@ namespace boxreel
 {
 namespace
 {
-
-using testing::HasSubstr;
 
 Result<RubeScene> Parse(const std::string& text)
 {
@@ -48,18 +48,16 @@ RubeJoint ParsedJoint(const std::string& members)
     return scene.joints.size() == 1 ? scene.joints[0] : RubeJoint{};
 }
 
-std::string Complaint(const std::string& text)
+/// Refused because of this part of the text; empty: because of all of it.
+auto RefusesPart(const std::string& part)
 {
-    const Result<RubeScene> scene = Parse(text);
-    if (scene)
-    {
-        ADD_FAILURE() << "should not be accepted: " << text;
-        return "";
-    }
-    EXPECT_EQ(scene.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(scene.GetError().Text(), HasSubstr("scene.json"));
-    EXPECT_EQ(scene.GetError().Text().find('\n'), std::string::npos);
-    return scene.GetError().Text();
+    return Refuses(part.empty() ? "scene.json" : "scene.json: " + part);
+}
+
+/// Refused where the text is not JSON.
+auto RefusesPlace(const std::string& place)
+{
+    return Refuses("scene.json:" + place);
 }
 
 // ---- Numbers
@@ -84,35 +82,32 @@ TEST(RubeNumbers, AreRefusedWhenTheStringIsNoFloat)
     for (const char* text : {"\"\"", "\"0.5\"", "\"3F00000\"", "\"3F0000000\"", "\"3F00000G\"",
                              "\"-3F00000\"", "\" 3F00000\""})
     {
-        EXPECT_THAT(Complaint(R"({"body":[{"angle":)" + std::string(text) + "}]}"),
-                    HasSubstr("body[0].angle must be a number or the eight hex digits of one"));
+        EXPECT_THAT(Parse(R"({"body":[{"angle":)" + std::string(text) + "}]}"),
+                    RefusesPart("body[0].angle"));
     }
 }
 
 TEST(RubeNumbers, AreRefusedWhenNotFiniteOrOutOfRange)
 {
-    EXPECT_THAT(Complaint(R"({"body":[{"angle":"7FC00000"}]})"), HasSubstr("body[0].angle is nan"));
-    EXPECT_THAT(Complaint(R"({"body":[{"angle":"7F800000"}]})"), HasSubstr("body[0].angle is inf"));
-    EXPECT_THAT(Complaint(R"({"body":[{"angle":1e300}]})"),
-                HasSubstr("is 1e+300 but must be from"));
-    EXPECT_THAT(Complaint(R"({"body":[{"angle":1e999}]})"), HasSubstr("line 1, column"));
-    EXPECT_THAT(Complaint(R"({"body":[{"angle":NaN}]})"), HasSubstr("line 1, column"));
-    EXPECT_THAT(Complaint(R"({"body":[{"position":{"x":0,"y":-2e6}}]})"),
-                HasSubstr("body[0].position.y is -2e+06"));
-    EXPECT_THAT(Complaint(R"({"body":[{"linearDamping":-1}]})"), HasSubstr("linearDamping is -1"));
-    EXPECT_THAT(Complaint(R"({"body":[],"stepsPerSecond":0})"), HasSubstr("stepsPerSecond is 0"));
-    EXPECT_THAT(Complaint(R"({"body":[],"velocityIterations":1000000000})"),
-                HasSubstr("velocityIterations must be a whole number from 1 to 1000"));
+    EXPECT_THAT(Parse(R"({"body":[{"angle":"7FC00000"}]})"), RefusesPart("body[0].angle"));
+    EXPECT_THAT(Parse(R"({"body":[{"angle":"7F800000"}]})"), RefusesPart("body[0].angle"));
+    EXPECT_THAT(Parse(R"({"body":[{"angle":1e300}]})"), RefusesPart("body[0].angle"));
+    EXPECT_THAT(Parse(R"({"body":[{"angle":1e999}]})"), RefusesPlace("1:23"));
+    EXPECT_THAT(Parse(R"({"body":[{"angle":NaN}]})"), RefusesPlace("1:19"));
+    EXPECT_THAT(Parse(R"({"body":[{"position":{"x":0,"y":-2e6}}]})"),
+                RefusesPart("body[0].position.y"));
+    EXPECT_THAT(Parse(R"({"body":[{"linearDamping":-1}]})"), RefusesPart("body[0].linearDamping"));
+    EXPECT_THAT(Parse(R"({"body":[],"stepsPerSecond":0})"), RefusesPart("stepsPerSecond"));
+    EXPECT_THAT(Parse(R"({"body":[],"velocityIterations":1000000000})"),
+                RefusesPart("velocityIterations"));
 }
 
 TEST(RubeNumbers, MakeVectorsOfTwoOrOfTheLiteralZero)
 {
     EXPECT_EQ(ParsedBody(R"("position":{"x":2,"y":"3F000000"})").position, b2Vec2(2.0f, 0.5f));
     EXPECT_EQ(ParsedBody(R"("position":0)").position, b2Vec2(0.0f, 0.0f));
-    EXPECT_THAT(Complaint(R"({"body":[{"position":1}]})"),
-                HasSubstr("body[0].position must be an object"));
-    EXPECT_THAT(Complaint(R"({"body":[{"position":{"x":1}}]})"),
-                HasSubstr("body[0].position has no \"y\""));
+    EXPECT_THAT(Parse(R"({"body":[{"position":1}]})"), RefusesPart("body[0].position"));
+    EXPECT_THAT(Parse(R"({"body":[{"position":{"x":1}}]})"), RefusesPart("body[0].position.y"));
 }
 
 // ---- World
@@ -197,14 +192,13 @@ TEST(RubeBodies, TakeMassDataOnlyWhenAMassIsGiven)
 
 TEST(RubeBodies, AreRefusedWhenATypeIsUnknownOrOfTheWrongKind)
 {
-    EXPECT_THAT(Complaint(R"({"body":[{},{"type":3}]})"),
-                HasSubstr("body[1].type must be a whole number from 0 to 2"));
-    EXPECT_THAT(Complaint(R"({"body":[{"type":"2"}]})"), HasSubstr("body[0].type"));
-    EXPECT_THAT(Complaint(R"({"body":[{"type":1.5}]})"), HasSubstr("body[0].type"));
-    EXPECT_THAT(Complaint(R"({"body":[{"name":5}]})"), HasSubstr("body[0].name must be a string"));
-    EXPECT_THAT(Complaint(R"({"body":[{"awake":"yes"}]})"), HasSubstr("must be true or false"));
-    EXPECT_THAT(Complaint(R"({"body":[7]})"), HasSubstr("body[0] must be an object"));
-    EXPECT_THAT(Complaint(R"({"body":{"0":{}}})"), HasSubstr("body must be a list"));
+    EXPECT_THAT(Parse(R"({"body":[{},{"type":3}]})"), RefusesPart("body[1].type"));
+    EXPECT_THAT(Parse(R"({"body":[{"type":"2"}]})"), RefusesPart("body[0].type"));
+    EXPECT_THAT(Parse(R"({"body":[{"type":1.5}]})"), RefusesPart("body[0].type"));
+    EXPECT_THAT(Parse(R"({"body":[{"name":5}]})"), RefusesPart("body[0].name"));
+    EXPECT_THAT(Parse(R"({"body":[{"awake":"yes"}]})"), RefusesPart("body[0].awake"));
+    EXPECT_THAT(Parse(R"({"body":[7]})"), RefusesPart("body[0]"));
+    EXPECT_THAT(Parse(R"({"body":{"0":{}}})"), RefusesPart("body"));
 }
 
 // ---- Fixtures
@@ -277,14 +271,12 @@ TEST(RubeFixtures, ReadChainsLoopsAndPolygons)
 
 TEST(RubeFixtures, AreRefusedWhenTheirVerticesDoNotPairUp)
 {
-    EXPECT_THAT(
-        Complaint(R"({"body":[{"fixture":[{"polygon":{"vertices":{"x":[0,1],"y":[0]}}}]}]})"),
-        HasSubstr("body[0].fixture[0].polygon.vertices must have as many x as y"));
-    EXPECT_THAT(Complaint(R"({"body":[{"fixture":[{"chain":{}}]}]})"),
-                HasSubstr("body[0].fixture[0].chain has no \"vertices\""));
-    EXPECT_THAT(
-        Complaint(R"({"body":[{"fixture":[{"loop":{"vertices":{"x":[0,true],"y":[0,0]}}}]}]})"),
-        HasSubstr("body[0].fixture[0].loop.vertices.x[1] must be a number"));
+    EXPECT_THAT(Parse(R"({"body":[{"fixture":[{"polygon":{"vertices":{"x":[0,1],"y":[0]}}}]}]})"),
+                RefusesPart("body[0].fixture[0].polygon.vertices"));
+    EXPECT_THAT(Parse(R"({"body":[{"fixture":[{"chain":{}}]}]})"),
+                RefusesPart("body[0].fixture[0].chain.vertices"));
+    EXPECT_THAT(Parse(R"({"body":[{"fixture":[{"loop":{"vertices":{"x":[0,true],"y":[0,0]}}}]}]})"),
+                RefusesPart("body[0].fixture[0].loop.vertices.x[1]"));
 }
 
 // ---- Joints
@@ -333,15 +325,14 @@ TEST(RubeJoints, KeepTheNamesOfOtherKinds)
 TEST(RubeJoints, AreRefusedWhenTheyPointAtNoBody)
 {
     const std::string before = R"({"body":[{},{}],"joint":[{"type":"revolute","bodyA":0,)";
-    EXPECT_THAT(Complaint(before + R"("bodyB":2}]})"),
-                HasSubstr("joint[0].bodyB must be a whole number from 0 to 1"));
-    EXPECT_THAT(Complaint(before + R"("bodyB":-1}]})"), HasSubstr("joint[0].bodyB"));
-    EXPECT_THAT(Complaint(before + R"("bodyB":1e18}]})"), HasSubstr("joint[0].bodyB"));
-    EXPECT_THAT(Complaint(before + R"("name":""}]})"), HasSubstr("joint[0] has no \"bodyB\""));
-    EXPECT_THAT(Complaint(R"({"body":[],"joint":[{"type":"weld","bodyA":0,"bodyB":0}]})"),
-                HasSubstr("joint[0] connects bodies, but the file has none"));
-    EXPECT_THAT(Complaint(R"({"body":[{},{}],"joint":[{"bodyA":0,"bodyB":1}]})"),
-                HasSubstr("joint[0] has no \"type\""));
+    EXPECT_THAT(Parse(before + R"("bodyB":2}]})"), RefusesPart("joint[0].bodyB"));
+    EXPECT_THAT(Parse(before + R"("bodyB":-1}]})"), RefusesPart("joint[0].bodyB"));
+    EXPECT_THAT(Parse(before + R"("bodyB":1e18}]})"), RefusesPart("joint[0].bodyB"));
+    EXPECT_THAT(Parse(before + R"("name":""}]})"), RefusesPart("joint[0].bodyB"));
+    EXPECT_THAT(Parse(R"({"body":[],"joint":[{"type":"weld","bodyA":0,"bodyB":0}]})"),
+                RefusesPart("joint[0].bodyA"));
+    EXPECT_THAT(Parse(R"({"body":[{},{}],"joint":[{"bodyA":0,"bodyB":1}]})"),
+                RefusesPart("joint[0].type"));
 }
 
 // ---- Foreign and hostile text
@@ -354,16 +345,16 @@ constexpr const char* kWholeScene = R"({"gravity":{"x":0,"y":-10},"body":[{"name
 
 TEST(RubeText, ThatIsForeignIsRefusedWithItsPlace)
 {
-    EXPECT_THAT(Complaint(""), HasSubstr("is empty"));
-    EXPECT_THAT(Complaint("\n"), HasSubstr("ends in the middle"));
-    EXPECT_THAT(Complaint("[]"), HasSubstr("outermost value must be an object"));
-    EXPECT_THAT(Complaint("{}"), HasSubstr("its outermost object has no \"body\""));
-    EXPECT_THAT(Complaint("<html>"), HasSubstr("line 1, column 1"));
-    EXPECT_THAT(Complaint("{\"body\":\n[]\n?}"), HasSubstr("line 3, column 1"));
-    EXPECT_THAT(Complaint("{\"body\":[]} {}"), HasSubstr("line 1, column 13"));
-    EXPECT_THAT(Complaint("{\"body\":[]}}"), HasSubstr("line 1, column 12"));
-    EXPECT_THAT(Complaint(std::string("{\"body\":[]}\0", 12)), HasSubstr("line 1, column 12"));
-    EXPECT_THAT(Complaint("{\"body\":[{\"name\":\"\xFF\"}]}"), HasSubstr("line 1, column"));
+    EXPECT_THAT(Parse(""), RefusesPart(""));
+    EXPECT_THAT(Parse("\n"), RefusesPart(""));
+    EXPECT_THAT(Parse("[]"), RefusesPart(""));
+    EXPECT_THAT(Parse("{}"), RefusesPart("body"));
+    EXPECT_THAT(Parse("<html>"), RefusesPlace("1:1"));
+    EXPECT_THAT(Parse("{\"body\":\n[]\n?}"), RefusesPlace("3:1"));
+    EXPECT_THAT(Parse("{\"body\":[]} {}"), RefusesPlace("1:13"));
+    EXPECT_THAT(Parse("{\"body\":[]}}"), RefusesPlace("1:12"));
+    EXPECT_THAT(Parse(std::string("{\"body\":[]}\0", 12)), RefusesPlace("1:12"));
+    EXPECT_THAT(Parse("{\"body\":[{\"name\":\"\xFF\"}]}"), RefusesPlace("1:19"));
 }
 
 TEST(RubeText, CutOffAnywhereIsRefused)
@@ -372,7 +363,7 @@ TEST(RubeText, CutOffAnywhereIsRefused)
     ASSERT_TRUE(Parse(whole));
     for (std::size_t length = 1; length < whole.size(); ++length)
     {
-        EXPECT_THAT(Complaint(whole.substr(0, length)), HasSubstr("ends in the middle"))
+        EXPECT_THAT(Parse(whole.substr(0, length)), RefusesPart(""))
             << "cut after " << length << " bytes";
     }
 }
@@ -402,7 +393,7 @@ TEST(RubeText, NestedTooDeeplyIsRefused)
         {
             text += open;
         }
-        EXPECT_THAT(Complaint(text), HasSubstr("nests lists and objects more than 64 deep"));
+        EXPECT_THAT(Parse(text), RefusesWith("scene.json", "64"));
     }
 }
 
@@ -412,7 +403,7 @@ TEST(RubeText, MayNestAsDeeplyAsTheLimitAndNoDeeper)
         return R"({"body":[],"x":)" + std::string(lists, '[') + std::string(lists, ']') + "}";
     };
     EXPECT_TRUE(Parse(nested(63))); // and the outermost object
-    EXPECT_THAT(Complaint(nested(64)), HasSubstr("64 deep"));
+    EXPECT_THAT(Parse(nested(64)), RefusesWith("scene.json", "64"));
 }
 
 TEST(RubeText, WithTooManyValuesIsRefused)
@@ -422,19 +413,19 @@ TEST(RubeText, WithTooManyValuesIsRefused)
     {
         text += "[],";
     }
-    EXPECT_THAT(Complaint(text), HasSubstr("has more than 2000000 values"));
+    EXPECT_THAT(Parse(text), RefusesWith("scene.json", "2000000"));
 }
 
 TEST(RubeText, LargerThanTheLimitIsRefused)
 {
-    EXPECT_THAT(Complaint(std::string((64u << 20) + 1, ' ')), HasSubstr("is larger than 64 MB"));
+    EXPECT_THAT(Parse(std::string((64u << 20) + 1, ' ')), RefusesWith("scene.json", "64 MB"));
 }
 
-TEST(RubeText, WithHugeNamesMakesShortMessages)
+TEST(RubeText, WithHugeNamesMakesShortErrors)
 {
     const std::string name(1'000'000, 'n');
     const std::string text = R"({"body":[{")" + name + R"(":1,"type":"x"}]})";
-    EXPECT_LT(Complaint(text).size(), 300u);
+    EXPECT_THAT(Parse(text), RefusesPart("body[0].type"));
 }
 
 } // namespace
