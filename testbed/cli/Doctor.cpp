@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <functional>
 #include <thread>
+#include <unistd.h>
 
 namespace boxreel
 {
