@@ -8,7 +8,8 @@ set -eu
 source=$1 work=$2 program=$3
 target=aarch64-linux-gnu
 libraries=libosmesa6,libimgui-dev,libstb-dev,fonts-dejavu-core,libglfw3-dev,libpng-dev,libavcodec-dev,libavformat-dev
-libraries=$libraries,libavutil-dev,libswscale-dev,libwebp-dev,libcairo2-dev,libgl-dev,libstdc++-12-dev,libc6-dev
+libraries=$libraries,libavutil-dev,libswscale-dev,libwebp-dev,libcairo2-dev,libgl-dev,nlohmann-json3-dev
+libraries=$libraries,libstdc++-12-dev,libc6-dev
 
 for tool in qemu-aarch64 mmdebstrap clang++ ld.lld; do
     if ! command -v $tool >/dev/null; then
@@ -43,7 +44,7 @@ cmake -S "$source" -B "$work/build" -G Ninja -DBOXREEL_BUILD_TESTBED=OFF -DCMAKE
     cmake --build "$work/build" --target boxreel_render boxreel_drawlist >>"$work.log" 2>&1 &&
     clang++ --target=$target --sysroot="$root" -fuse-ld=lld -std=c++20 -O2 -ffp-contract=off -I"$source/render/include" \
         -I"$source/debugdraw/include" "$source/tests/matrix/PrintPictures.cpp" -Wl,--start-group \
-        "$work"/build/render/*.a "$work"/build/debugdraw/*.a -Wl,--end-group -limgui -lstb -lpng -lz -ldl \
+        "$work"/build/render/*.a "$work"/build/debugdraw/*.a "$work"/build/base/*.a -Wl,--end-group -limgui -lstb -lpng -lz -ldl \
         -o "$work/print-pictures" >>"$work.log" 2>&1 || {
     tail -n 40 "$work.log"
     exit 1
