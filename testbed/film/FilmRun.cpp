@@ -188,8 +188,8 @@ Result<int> FilmRun::Finished()
     m_progress.Finish(ReportOf(m_options, m_filmed, m_progress.Seconds()));
     if (!m_options.length.until.empty() && !m_hasEndedByItself)
     {
-        WriteMessage("boxreel: What the film waited for did not come within " +
-                     std::to_string(m_filmed) + " frames.");
+        WriteMessage("boxreel: --until: no condition became true within " +
+                     std::to_string(m_filmed) + " frames");
     }
     // A film in which what the camera waits for has never come is a film all the same.
     const Result<void> played = m_simulation.Session().CheckCompanion();

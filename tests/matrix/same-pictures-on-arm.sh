@@ -42,7 +42,7 @@ cmake -S "$source" -B "$work/build" -G Ninja -DBOXREEL_BUILD_TESTBED=OFF -DCMAKE
     -DCMAKE_FIND_ROOT_PATH_MODE_PROGRAM=NEVER -DCMAKE_FIND_ROOT_PATH_MODE_LIBRARY=ONLY \
     -DCMAKE_FIND_ROOT_PATH_MODE_INCLUDE=ONLY -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=ONLY >"$work.log" 2>&1 &&
     cmake --build "$work/build" --target boxreel_render boxreel_drawlist >>"$work.log" 2>&1 &&
-    clang++ --target=$target --sysroot="$root" -fuse-ld=lld -std=c++20 -O2 -ffp-contract=off -I"$source/render/include" \
+    clang++ --target=$target --sysroot="$root" -fuse-ld=lld -std=c++20 -O2 -ffp-contract=off -I"$source/base/include" -I"$source/render/include" \
         -I"$source/debugdraw/include" "$source/tests/matrix/PrintPictures.cpp" -Wl,--start-group \
         "$work"/build/render/*.a "$work"/build/debugdraw/*.a "$work"/build/base/*.a -Wl,--end-group -limgui -lstb -lpng -lz -ldl \
         -o "$work/print-pictures" >>"$work.log" 2>&1 || {

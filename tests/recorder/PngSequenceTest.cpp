@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../base/Errors.h"
 #include "../base/TemporaryFolder.h"
 #include "TestFilm.h"
 
@@ -11,12 +12,12 @@ namespace
 {
 
 using namespace testfilm;
-using boxreel::ErrorKind;
+using boxreel::Fails;
 using boxreel::ParseSequenceName;
+using boxreel::Refuses;
 using boxreel::Result;
 using boxreel::VideoWriter;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
@@ -86,9 +87,7 @@ TEST_F(PngSequence, IsNotMixedWithAnOlderOneUnlessAllowed)
 {
     WriteBytes(m_folder / "a-0017.png", "precious");
     const Result<VideoWriter> refused = VideoWriter::Open(m_folder / "a-####.png", kSmall);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(refused.GetError().Text(), HasSubstr("a-0017.png"));
+    EXPECT_THAT(refused, Refuses((m_folder / "a-0017.png").string()));
     EXPECT_THAT(m_folder.Names(), ElementsAre("a-0017.png"));
     boxreel::VideoSettings settings = kSmall;
     settings.overwrite = true;
@@ -106,8 +105,7 @@ TEST_F(PngSequence, AForeignFileInTheWayEndsItWithAnError)
     {
         done = writer->Append(Drawing(64, 48, i));
     }
-    ASSERT_FALSE(done);
-    EXPECT_THAT(done.GetError().Text(), HasSubstr("a-05.png"));
+    EXPECT_THAT(done, Fails(testing::_, (m_folder / "a-05.png").string()));
     EXPECT_THAT(m_folder.Names(), ElementsAre("a-05.png"));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../base/Errors.h"
 #include "../base/TemporaryFolder.h"
 #include "TestFilm.h"
 
@@ -17,12 +18,14 @@ namespace
 using namespace testfilm;
 using boxreel::Error;
 using boxreel::ErrorKind;
+using boxreel::Fails;
 using boxreel::Frame;
 using boxreel::FrameContent;
 using boxreel::Quality;
 using boxreel::Recording;
 using boxreel::RecordingProgress;
 using boxreel::RecordingSettings;
+using boxreel::RefusesWith;
 using boxreel::Renderer;
 using boxreel::Result;
 using boxreel::VideoWriter;
@@ -176,8 +179,7 @@ TEST_F(RecordFixture, AnErrorOfTheCallerEndsTheFilmAndLeavesNothing)
         };
         VideoWriter writer = OpenWriter(m_folder / "film.mkv");
         const Result<boxreel::RecordingEnd> recorded = Record(settings, *m_renderer, writer);
-        ASSERT_FALSE(recorded);
-        EXPECT_EQ(recorded.GetError().Text(), "the world ended");
+        EXPECT_THAT(recorded, Fails(ErrorKind::Failed, "the world ended"));
     }
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
 }
@@ -202,10 +204,7 @@ TEST_F(RecordFixture, AnErrorOfTheEncoderEndsTheLoopAndIsReturned)
         };
         VideoWriter writer = OpenWriter(m_folder / "film.gif");
         const Result<boxreel::RecordingEnd> recorded = Record(settings, *m_renderer, writer);
-        ASSERT_FALSE(recorded);
-        EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
-        EXPECT_THAT(recorded.GetError().Text(),
-                    testing::HasSubstr("frame 12 has more than 256 colours"));
+        EXPECT_THAT(recorded, RefusesWith((m_folder / "film.gif").string(), "frame 12"));
     }
     EXPECT_LT(filled, 30) << "the loop runs on after the encoder has failed";
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../base/Errors.h"
 #include "../base/TemporaryFolder.h"
 #include "ShownFrames.h"
 #include "TestFilm.h"
@@ -25,8 +26,10 @@ using boxreel::CheckVideoPath;
 using boxreel::Error;
 using boxreel::ErrorKind;
 using boxreel::Frame;
+using boxreel::IsError;
 using boxreel::Quality;
 using boxreel::Rational;
+using boxreel::RefusesWith;
 using boxreel::Result;
 using boxreel::StoredFrameRate;
 using boxreel::VideoSettings;
@@ -164,11 +167,11 @@ using VideoFileErrors = VideoFile;
 
 TEST_F(VideoFileErrors, AMissingFolderIsNamed)
 {
-    for (const char* name : {"film.mp4", "frames-####.png"})
+    for (const auto& [name, file] :
+         {std::pair("film.mp4", "film.mp4"), {"frames-####.png", "frames-0000.png"}})
     {
-        const Error error = Refusal(m_folder / "missing" / name);
-        EXPECT_EQ(error.kind, ErrorKind::Unusable);
-        EXPECT_THAT(error.Text(), AllOf(HasSubstr("missing"), HasSubstr("does not exist")));
+        EXPECT_THAT(Refusal(m_folder / "missing" / name),
+                    IsError(ErrorKind::Unusable, (m_folder / "missing" / file).string()));
     }
 }
 
@@ -222,7 +225,7 @@ int WriteIntoALimit(const std::filesystem::path& path, const std::filesystem::pa
             done = writer->Append(Noise(256, 256, i));
         }
         done = done ? writer->Close() : done;
-        WriteBytes(report, done ? "no error" : done.GetError().Text());
+        WriteBytes(report, done ? "no error" : done.GetError().culprit);
         const bool isRight = !done && done.GetError().kind == ErrorKind::Failed;
         writer = Error{}; // destroys the writer; _exit would not
         _exit(isRight ? 0 : 1);
@@ -232,15 +235,14 @@ int WriteIntoALimit(const std::filesystem::path& path, const std::filesystem::pa
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST_F(VideoFileErrors, ADiskWithoutRoomIsOneSentenceAndLeavesNothing)
+TEST_F(VideoFileErrors, ADiskWithoutRoomIsAnErrorAndLeavesNothing)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif", "frames-####.png"})
     {
         SCOPED_TRACE(name);
         TemporaryFolder reports;
         EXPECT_EQ(WriteIntoALimit(m_folder / name, reports / "report"), 0);
-        EXPECT_THAT(ReadBytes(reports / "report"),
-                    HasSubstr("the disk is full or the file too large"));
+        EXPECT_THAT(ReadBytes(reports / "report"), testing::StartsWith((m_folder / "").string()));
         EXPECT_THAT(m_folder.Names(), IsEmpty());
     }
 }
@@ -249,45 +251,52 @@ struct Refused
 {
     const char* name;
     VideoSettings settings;
-    const char* says;
+    const char* culprit;
+    const char* detail; ///< a number or a name of problem or remedy
 };
 
 TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
 {
     const Refused cases[] = {
-        {"film", {}, "no extension"},
-        {"film.avi", {}, ".avi"},
+        {"film", {}, "film", ""},
+        {"film.avi", {}, "film.avi", ".avi"},
         {"film.avi",
          {},
-         "use .mp4, .mkv, .webm, .gif, .apng, .webp or a name like frames-####.png"},
-        {"", {}, "names no file"},
-        {"folder/", {}, "names no file"},
-        {".mp4", {}, "no extension"},
-        {"frames.png", {}, "frames-####.png"},
-        {"##########.png", {}, "nine #"},
-        {"film.mp4", {.width = 1281, .height = 721}, "1281x721"},
-        {"film.mp4", {.width = 1281, .height = 721}, "use 1282x722, --chroma 444"},
-        {"film.mkv", {.width = 1281, .height = 720}, "1282x720"},
-        {"film.mkv", {.width = 1281, .height = 720}, "--quality lossless, .gif or frames-####.png"},
-        {"film.y4m", {.width = 1281, .height = 720}, "use 1282x720, --chroma 444 or nut"},
-        {"-", {.width = 1281, .height = 720, .format = "y4m"}, "use 1282x720, --chroma 444 or nut"},
-        {"film.webm", {.width = 1280, .height = 721}, "1280x722"},
-        {"film.gif", {.width = 0, .height = 720}, "0x720"},
-        {"film.mp4", {.width = -2, .height = 720}, "-2x720"},
-        {"film.mp4", {.width = 8194, .height = 720}, "8192"},
-        {"frames-#.png", {.width = 20, .height = 100000}, "8192"},
-        {"film.mp4", {.framesPerSecond = {1001, 1}}, "1000"},
-        {"film.mp4", {.framesPerSecond = {0, 1}}, "0/1"},
-        {"film.mp4", {.threads = 65}, "threads 65"},
-        {"film.webp", {.constantRate = true}, "--constant-rate"},
-        {"film.mp4", {.threads = -1}, "threads -1"},
+         "film.avi",
+         ".mp4, .mkv, .webm, .gif, .apng, .webp or a name like frames-####.png"},
+        {"", {}, "''", ""},
+        {"folder/", {}, "folder/", ""},
+        {".mp4", {}, ".mp4", ""},
+        {"frames.png", {}, "frames.png", "frames-####.png"},
+        {"##########.png", {}, "##########.png", "nine #"},
+        {"film.mp4", {.width = 1281, .height = 721}, "size 1281x721", "1282x722, --chroma 444"},
+        {"film.mkv", {.width = 1281, .height = 720}, "size 1281x720", "1282x720"},
+        {"film.mkv",
+         {.width = 1281, .height = 720},
+         "size 1281x720",
+         "--quality lossless, .gif or frames-####.png"},
+        {"film.y4m",
+         {.width = 1281, .height = 720},
+         "size 1281x720",
+         "1282x720, --chroma 444 or nut"},
+        {"-",
+         {.width = 1281, .height = 720, .format = "y4m"},
+         "size 1281x720",
+         "1282x720, --chroma 444 or nut"},
+        {"film.webm", {.width = 1280, .height = 721}, "size 1280x721", "1280x722"},
+        {"film.gif", {.width = 0, .height = 720}, "size 0x720", ""},
+        {"film.mp4", {.width = -2, .height = 720}, "size -2x720", ""},
+        {"film.mp4", {.width = 8194, .height = 720}, "size 8194x720", "8192"},
+        {"frames-#.png", {.width = 20, .height = 100000}, "size 20x100000", "8192"},
+        {"film.mp4", {.framesPerSecond = {1001, 1}}, "rate 1001/1", "1000"},
+        {"film.mp4", {.framesPerSecond = {0, 1}}, "rate 0/1", ""},
+        {"film.mp4", {.threads = 65}, "threads 65", "64"},
+        {"film.webp", {.constantRate = true}, "film.webp", "--constant-rate"},
+        {"film.mp4", {.threads = -1}, "threads -1", "64"},
     };
     for (const Refused& c : cases)
     {
-        const Result<void> checked = CheckVideoPath(c.name, c.settings);
-        ASSERT_FALSE(checked) << c.name;
-        EXPECT_EQ(checked.GetError().kind, ErrorKind::Unusable) << c.name;
-        EXPECT_THAT(checked.GetError().Text(), HasSubstr(c.says));
+        EXPECT_THAT(CheckVideoPath(c.name, c.settings), RefusesWith(c.culprit, c.detail));
         EXPECT_FALSE(VideoWriter::Open(c.name, c.settings));
     }
 }

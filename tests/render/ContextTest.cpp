@@ -331,8 +331,7 @@ TEST_F(FakeEglLibrary, NamesSoftwareWhenThereIsNoGpu)
     Add(kSoftware);
     fake->surfaceless = kSoftware;
     EXPECT_EQ(Drawing(Backend::EglGpu), nullptr);
-    EXPECT_THAT(message, AllOf(HasSubstr("llvmpipe (LLVM 15.0.6, 256 bits)"),
-                               HasSubstr("install the driver of your GPU")));
+    EXPECT_THAT(message, AllOf(HasSubstr("llvmpipe (LLVM 15.0.6, 256 bits)"), HasSubstr("GPU")));
 }
 
 TEST_F(FakeEglLibrary, GoesOnToTheNextDeviceWhenOneFails)
@@ -370,7 +369,7 @@ TEST_F(FakeEglLibrary, IsRefusedWhenItCanOnlyDrawOnScreens)
 {
     fake->extensions = nullptr;
     EXPECT_EQ(Drawing(Backend::Egl), nullptr);
-    EXPECT_THAT(message, HasSubstr("egl: " BOXREEL_FAKE_EGL));
+    EXPECT_THAT(message, AllOf(HasSubstr("egl: " BOXREEL_FAKE_EGL), HasSubstr("screen")));
 }
 
 TEST_F(FakeEglLibrary, IsLeftWhenAnotherContextIsEntered)

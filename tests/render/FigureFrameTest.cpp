@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../base/Errors.h"
 #include "Pictures.h"
 
 #include <render/FigureFrame.h>
@@ -9,8 +10,6 @@ using namespace boxreel;
 
 namespace
 {
-
-using testing::HasSubstr;
 
 Figure TwoPanels(const Theme& theme)
 {
@@ -90,11 +89,11 @@ TEST(FigureFrame, SaysWhatCannotBe)
 {
     Figure figure = TwoPanels(Theme::Classic());
     figure.scale = 12.0;
-    EXPECT_THAT(ToFrame(figure).GetError().Text(), HasSubstr("8400x3120"));
+    EXPECT_THAT(ToFrame(figure), RefusesWith("size 8400x3120", "8192"));
     figure.scale = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(ToFrame(figure));
     figure = TwoPanels(Theme::Classic());
     figure.panels[1].camera.pixelsPerMeter = 0.0;
-    EXPECT_THAT(ToFrame(figure).GetError().Text(), HasSubstr("pixelsPerMeter"));
+    EXPECT_THAT(ToFrame(figure), RefusesWith("camera", "pixelsPerMeter"));
     EXPECT_TRUE(PrepareFrames());
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../base/Errors.h"
 #include "Pictures.h"
 
 #include <limits>
@@ -331,21 +332,15 @@ TEST(Renderer, RefusesSizesOutOfRange)
         RendererSettings settings;
         settings.width = width;
         settings.height = height;
-        const Result<Renderer> renderer = Renderer::Create(settings);
-        ASSERT_FALSE(renderer);
-        EXPECT_EQ(renderer.GetError().kind, ErrorKind::Unusable);
-        EXPECT_EQ(renderer.GetError().culprit,
-                  "size " + std::to_string(width) + "x" + std::to_string(height));
+        EXPECT_THAT(Renderer::Create(settings),
+                    Refuses("size " + std::to_string(width) + "x" + std::to_string(height)));
     }
 }
 
 TEST(Renderer, RefusesACameraThatDoesNotFit)
 {
     Renderer renderer = MakeRenderer(40, 30);
-    const Result<void> drawn = renderer.Submit({}, PixelCamera(41, 30));
-    ASSERT_FALSE(drawn);
-    EXPECT_EQ(drawn.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(drawn.GetError().Text(), testing::HasSubstr("41x30"));
+    EXPECT_THAT(renderer.Submit({}, PixelCamera(41, 30)), RefusesWith("camera", "41x30"));
     for (const double scale : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     {
         Camera camera = PixelCamera(40, 30);

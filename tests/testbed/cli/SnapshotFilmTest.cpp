@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Films whose simulation begins with what another run has left.
 #include "FilmFixture.h"
+#include "Refusals.h"
 
 #include <gmock/gmock.h>
 
@@ -289,9 +290,7 @@ TEST_F(Snapshots, NeedAFolderThatTakesFilesBeforeAnythingIsSimulated)
         // A simulation of this length would outlast the test's time limit.
         const Outcome outcome =
             Run({"record", "pyramid", "-o", "a.mkv", "--frames", "10000000", "--snapshots", name});
-        EXPECT_EQ(outcome.code, code) << outcome.errors;
-        EXPECT_THAT(outcome.errors, HasSubstr(std::string("--snapshots ") + name));
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+        ExpectRefused(outcome, std::string("--snapshots ") + name, code);
     }
     EXPECT_THAT(folder.Files(), testing::ElementsAre("file"));
     EXPECT_EQ(Run({"record", "pyramid", "-o", "a.mkv", "--snapshot-every", "5"}).code, 1);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <base/Quoting.h>
 #include <options/ViewChoice.h>
 
 #include <gmock/gmock.h>
@@ -7,8 +8,6 @@ namespace boxreel
 {
 namespace
 {
-
-using testing::HasSubstr;
 
 ViewChoice Parsed(const std::string& text)
 {
@@ -61,7 +60,7 @@ TEST(ViewChoice, ANumberOutOfItsLimitsIsNamedWithThem)
         EXPECT_EQ(Refusal(text), std::string("--camera ") + text);
     }
     EXPECT_EQ(Refusal("0,-1e9,5"), "--camera 0,-1e9,5");
-    EXPECT_THAT(Refusal("1e9,0,5"), HasSubstr("--camera 1e9,0,5"));
+    EXPECT_EQ(Refusal("1e9,0,5"), "--camera 1e9,0,5");
 }
 
 TEST(ViewChoice, BodiesAreWholeNumbersOrNames)
@@ -69,29 +68,26 @@ TEST(ViewChoice, BodiesAreWholeNumbersOrNames)
     for (const char* text :
          {"fit:", "fit:-1", "fit:1,,2", "fit:1.5", "fit:3:17", "fit:99999999999", "fit: 3"})
     {
-        EXPECT_THAT(Refusal(text), HasSubstr("fit:")) << text;
+        EXPECT_EQ(Refusal(text), AsTyped("--camera", text));
     }
     for (const char* text : {"follow", "follow:", "follow:-1", "follow:1,",
                              "follow:1:", "follow:1:nan", "follow:1:inf", "follow:1:12:5"})
     {
-        EXPECT_THAT(Refusal(text), HasSubstr("follow")) << text;
+        EXPECT_EQ(Refusal(text), AsTyped("--camera", text));
     }
 }
 
 TEST(ViewChoice, APathHasTwoKeysOrMoreWhoseTimesGrow)
 {
-    EXPECT_THAT(Refusal("path:0s=0,20,50"), HasSubstr("--camera path:0s=0,20,50"));
-    EXPECT_THAT(Refusal("path:1s=0,20,50;0s=1,1,5"),
-                HasSubstr("--camera path:1s=0,20,50;0s=1,1,5"));
-    EXPECT_THAT(Refusal("path:1s=0,20,50;1000ms=1,1,5"),
-                HasSubstr("--camera path:1s=0,20,50;1000ms=1,1,5"));
+    EXPECT_EQ(Refusal("path:0s=0,20,50"), "--camera path:0s=0,20,50");
+    EXPECT_EQ(Refusal("path:1s=0,20,50;0s=1,1,5"), "--camera path:1s=0,20,50;0s=1,1,5");
+    EXPECT_EQ(Refusal("path:1s=0,20,50;1000ms=1,1,5"), "--camera path:1s=0,20,50;1000ms=1,1,5");
     for (const char* key : {"", "1s", "1s=", "1s=1,2", "1s=1,2,0", "1s=1,nan,5", "1s=inf,2,5",
                             "-1s=1,2,5", "nan=1,2,5", "x=1,2,5", "1s=1,2,5=3", "1s=1,2,5,6"})
     {
-        EXPECT_THAT(Refusal("path:0s=0,20,50;" + std::string(key)),
-                    HasSubstr("path: " + (*key == '\0' ? std::string("''") : key)));
+        EXPECT_EQ(Refusal("path:0s=0,20,50;" + std::string(key)), AsTyped("--camera path:", key));
     }
-    EXPECT_THAT(Refusal("path"), HasSubstr("--camera path: ''"));
+    EXPECT_EQ(Refusal("path"), "--camera path: ''");
 }
 
 } // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../../base/Errors.h"
+
 #include <script/Script.h>
 #include <script/ScriptWords.h>
 
@@ -10,7 +12,6 @@ namespace
 {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using Kind = ScriptAction::Kind;
 
@@ -21,13 +22,6 @@ Script Parsed(const std::string& text)
     Result<Script> script = ParseScript(text, "a.play");
     EXPECT_TRUE(script) << script.GetError().Text();
     return script ? *script : Script();
-}
-
-std::string Refusal(const std::string& text)
-{
-    const Result<Script> script = ParseScript(text, "a.play");
-    EXPECT_FALSE(script) << text;
-    return script ? "" : script.GetError().culprit;
 }
 
 TEST(ScriptWords, AreBetweenBlanksOrInQuotesUpToARemark)
@@ -138,9 +132,9 @@ TEST(Script, SaysInWhichLineWhatIsWrongAndWhatHelps)
         {"scene car\nrecrod a.mp4", "a.play:2: 'recrod'"},
         {"scene car\nrecord \"a.mp4", "a.play:2: \""},
     };
-    for (const auto& [text, message] : cases)
+    for (const auto& [text, culprit] : cases)
     {
-        EXPECT_THAT(Refusal(text), HasSubstr(message)) << text;
+        EXPECT_THAT(ParseScript(text, "a.play"), Refuses(culprit)) << text;
     }
 }
 

@@ -13,8 +13,6 @@ namespace boxreel
 namespace
 {
 
-using testing::HasSubstr;
-
 SceneSession Open(const std::string& name)
 {
     Result<SceneSource> source = OpenScene(name);
@@ -289,16 +287,16 @@ TEST(SceneMotion, BodiesThatAreNotThereAreRefused)
 {
     MotionLook trail;
     trail.trail = BodyChoice{false, {1, 99}};
-    EXPECT_THAT(Refusal(trail), HasSubstr("--trail 99"));
+    EXPECT_EQ(Refusal(trail), "--trail 99");
     MotionLook strobe;
     strobe.strobe = StrobeChoice{{{}, 10}, {false, {8}}};
-    EXPECT_THAT(Refusal(strobe), HasSubstr("--strobe 8"));
+    EXPECT_EQ(Refusal(strobe), "--strobe 8");
     MotionLook onion;
     onion.onion = OnionChoice{3, {{}, 5}, {false, {9}}};
-    EXPECT_THAT(Refusal(onion), HasSubstr("--onion 9"));
+    EXPECT_EQ(Refusal(onion), "--onion 9");
     MotionLook dimension;
     dimension.dimensions = {{1, 2}, {Vec2{0, 0}, 7}};
-    EXPECT_THAT(Refusal(dimension), HasSubstr("--dimension 7"));
+    EXPECT_EQ(Refusal(dimension), "--dimension 7");
 }
 
 TEST(SceneMotion, MorePosesThanAnybodyCanSeeAreRefused)
@@ -306,8 +304,8 @@ TEST(SceneMotion, MorePosesThanAnybodyCanSeeAreRefused)
     MotionLook look;
     look.strobe = StrobeChoice{{{}, 1}, {}};
     EXPECT_EQ(Refusal(look, {2000}), "accepted");
-    EXPECT_THAT(Refusal(look, {2001}), HasSubstr("--strobe"));
-    EXPECT_THAT(Refusal(look, {1'000'000'000}), HasSubstr("--strobe"));
+    EXPECT_EQ(Refusal(look, {2001}), "--strobe");
+    EXPECT_EQ(Refusal(look, {1'000'000'000}), "--strobe");
 }
 
 } // namespace

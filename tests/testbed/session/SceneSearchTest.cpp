@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../../base/Errors.h"
+
 #include <session/SceneSearch.h>
 
 #include <gmock/gmock.h>
@@ -72,9 +74,7 @@ TEST(SceneSearch, ANameLikeNoOtherSuggestsTheListOnly)
 TEST(SceneSearch, AMissingFileIsSaidToBeMissing)
 {
     const Result<SceneSource> source = OpenScene("no-such-file.json");
-    ASSERT_FALSE(source);
-    EXPECT_EQ(source.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(source.GetError().culprit, HasSubstr("no-such-file.json"));
+    EXPECT_THAT(source, Refuses("no-such-file.json"));
 }
 
 TEST(SceneSearch, AnExistingFileOfAnyNameIsReadAsAScene)
@@ -84,9 +84,7 @@ TEST(SceneSearch, AnExistingFileOfAnyNameIsReadAsAScene)
     std::ofstream(file) << "not a scene";
     const Result<SceneSource> source = OpenScene(file.string());
     std::filesystem::remove(file);
-    ASSERT_FALSE(source);
-    EXPECT_EQ(source.GetError().kind, ErrorKind::Unusable);
-    EXPECT_THAT(source.GetError().culprit, HasSubstr("scene-search-foreign.rube"));
+    EXPECT_THAT(source, Refuses(file.string() + ":1:2"));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../../base/Errors.h"
 #include "../cli/Subprocess.h"
 
 #include <ui/UiSettings.h>
@@ -12,8 +13,6 @@ namespace boxreel
 {
 namespace
 {
-
-using testing::HasSubstr;
 
 class UiSettingsTest : public testing::Test
 {
@@ -80,9 +79,7 @@ TEST_F(UiSettingsTest, AreRefusedFromWhatIsNoJson)
          {std::string("{"), std::string("[1, 2]"), std::string(2'000'000, ' ')})
     {
         Write(text);
-        const Result<UiSettings> settings = ReadUiSettings(File());
-        ASSERT_FALSE(settings);
-        EXPECT_THAT(settings.GetError().culprit, HasSubstr("ui.json"));
+        EXPECT_THAT(ReadUiSettings(File()), Fails(testing::_, File().string()));
     }
     EXPECT_FALSE(ReadUiSettings(folder.Path()));
 }
