@@ -264,7 +264,7 @@ CLI::App* Declare(CLI::App& program, UiOptions& ui)
         ui.theme = text;
     };
     CLI::Option* theme =
-        AddText(*command, "--theme", readTheme, ListedWords(themes) + " (as it was; classic)");
+        AddText(*command, "--theme", readTheme, JoinedBy(", ", themes) + " (as it was; classic)");
     Completes(theme->type_name("NAME"), {Completion::Kind::Words, themes});
     AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Of the scene's random numbers (1)");

@@ -34,14 +34,9 @@ uint32 EngineFlags(const LayerSet& layers)
 
 Error UnknownLayer(const std::string& option, const std::string& layer)
 {
-    std::string all;
-    for (const std::string& name : LayerNames())
-    {
-        all.append(all.empty() ? "" : ",").append(name);
-    }
     const std::string question = DidYouMean(layer, LayerNames());
     return BadValue(option, layer, "unknown layer",
-                    question.empty() ? "use any of " + all : question);
+                    question.empty() ? "use any of " + JoinedBy(",", LayerNames()) : question);
 }
 
 bool HasContacts(const ContactLook& look)

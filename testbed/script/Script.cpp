@@ -7,6 +7,7 @@
 #include <base/Nearest.h>
 #include <base/Quoting.h>
 #include <base/ReadWhole.h>
+#include <options/Values.h>
 #include <options/ViewChoice.h>
 
 #include <algorithm>
@@ -341,16 +342,10 @@ Result<void> Parser::TakeAt(Words& words)
     const std::string verb = words.IsEmpty() ? "" : words.Take();
     if (std::find(kVerbs.begin(), kVerbs.end(), verb) == kVerbs.end())
     {
-        const int nearest = verb.empty() ? -1 : NearestWord(verb, kVerbs);
-        std::string all;
-        for (const std::string& known : kVerbs)
-        {
-            all += (all.empty() ? "" : ", ") + known;
-        }
+        const std::string question = DidYouMean(verb, kVerbs);
         return Unusable(Quoted(verb.empty() ? "at" : verb),
                         verb.empty() ? "requires an action" : "unknown action",
-                        nearest < 0 ? "use one of " + all
-                                    : "did you mean '" + kVerbs[std::size_t(nearest)] + "'?");
+                        question.empty() ? "use one of " + JoinedBy(", ", kVerbs) : question);
     }
     if (hasEnd != (verb == "drag"))
     {
@@ -417,10 +412,9 @@ Result<void> Parser::TakeLine(Words& words)
         return TakeProduct(verb, std::nullopt, words);
     }
     static const std::vector<std::string> kVerbs{"scene", "at", "record", "shot"};
-    const int nearest = NearestWord(verb, kVerbs);
+    const std::string question = DidYouMean(verb, kVerbs);
     return Unusable(Quoted(verb), "unknown statement",
-                    nearest < 0 ? "use scene, at, record or shot"
-                                : "did you mean '" + kVerbs[std::size_t(nearest)] + "'?");
+                    question.empty() ? "use scene, at, record or shot" : question);
 }
 
 Result<Script> Parser::Finish()

@@ -47,17 +47,14 @@ const Setting* Find(const std::string& name)
 Error UnknownSetting(const std::string& name)
 {
     std::vector<std::string> names;
-    std::string all;
     for (const Setting& setting : kSettings)
     {
         names.emplace_back(setting.name);
-        all += (all.empty() ? "" : ", ") + names.back();
     }
-    const int nearest = name.empty() ? -1 : NearestWord(name, names);
+    const std::string question = DidYouMean(name, names);
     return Error{ErrorKind::Unusable, name.empty() ? "'set'" : "'" + name + "'",
                  name.empty() ? "requires a setting and its value" : "unknown setting",
-                 nearest < 0 ? "use one of " + all
-                             : "did you mean '" + names[std::size_t(nearest)] + "'?"};
+                 question.empty() ? "use one of " + JoinedBy(", ", names) : question};
 }
 
 } // namespace
