@@ -5,6 +5,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>
+#include <options/Values.h>
 
 #include <algorithm>
 #include <array>
@@ -94,7 +95,7 @@ Error MissingCommand(CLI::App& command)
         return UnexpectedWord(command);
     }
     return {ErrorKind::Unusable, command.get_name(), "requires a command",
-            "use " + ListedWords(CommandNames(command))};
+            "use " + JoinedBy(", ", CommandNames(command))};
 }
 
 /// The option with a missing, a needless or a repeated value. The parser's exception does not hold

@@ -3,6 +3,7 @@
 #include "CompletionScripts.h"
 
 #include <base/Quoting.h>
+#include <options/Values.h>
 
 namespace boxreel
 {

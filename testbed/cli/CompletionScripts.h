@@ -22,16 +22,6 @@ _boxreel_all_scenes()
 }
 )sh";
 
-inline std::string JoinedBy(const std::string& separator, const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words)
-    {
-        text += (text.empty() ? "" : separator) + word;
-    }
-    return text;
-}
-
 /// "record": the last word of a command's path.
 inline std::string LastWord(const std::string& path)
 {

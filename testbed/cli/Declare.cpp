@@ -22,16 +22,6 @@ CLI::Option* AddTexts(CLI::App& command, const std::string& names,
     return command.add_option_function<std::vector<std::string>>(names, read, help);
 }
 
-std::string ListedWords(const std::vector<std::string>& words)
-{
-    std::string list;
-    for (const std::string& word : words)
-    {
-        list.append(list.empty() ? "" : ", ").append(word);
-    }
-    return list;
-}
-
 std::string Filled(std::string start, const std::vector<std::string>& words,
                    const std::string& separator)
 {
@@ -104,7 +94,7 @@ void AddStats(CLI::App& command, bool& stats)
 CLI::Option* AddBackend(CLI::App& command, Backend& backend)
 {
     CLI::Option* option = AddValue(command, "--backend", "NAME", backend, ParseBackend,
-                                   "Draw with " + ListedWords(BackendNames()) +
+                                   "Draw with " + JoinedBy(", ", BackendNames()) +
                                        "\n(auto: $BOXREEL_BACKEND, or what works)");
     return Completes(option, {Completion::Kind::Words, BackendNames()});
 }

@@ -99,8 +99,6 @@ CLI::Option* AddText(CLI::App& command, const std::string& names,
 CLI::Option* AddTexts(CLI::App& command, const std::string& names,
                       const std::function<void(const std::vector<std::string>&)>& read,
                       const std::string& help);
-/// "classic, okabe-ito, …": for a help and for a remedy.
-std::string ListedWords(const std::vector<std::string>& words);
 /// `start`, then the words with `separator` between them, in lines as long as those of a help.
 std::string Filled(std::string start, const std::vector<std::string>& words,
                    const std::string& separator);

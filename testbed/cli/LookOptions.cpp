@@ -30,7 +30,7 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
             if (bothThemes == nullptr)
             {
                 throw Refusal(BadValue("--theme", text, "a film has one theme",
-                                       "use one of " + ListedWords(names)));
+                                       "use one of " + JoinedBy(", ", names)));
             }
             *bothThemes = true;
             return;
@@ -41,8 +41,8 @@ void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
         }
         look.theme = *theme;
     };
-    CLI::Option* option =
-        AddText(command, "--theme", read, "Set the colours: " + ListedWords(names) + " (classic)");
+    CLI::Option* option = AddText(command, "--theme", read,
+                                  "Set the colours: " + JoinedBy(", ", names) + " (classic)");
     Completes(option->type_name("NAME")->group("Picture"), {Completion::Kind::Words, names});
 }
 

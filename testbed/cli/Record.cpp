@@ -160,7 +160,7 @@ void AddCodec(CLI::App& command, std::string& codec)
     for (const CodecChoice& choice : CodecChoices())
     {
         names.emplace_back(choice.name, choice.name);
-        words.push_back(choice.name + " (" + ListedWords(choice.ends) + ")");
+        words.push_back(choice.name + " (" + JoinedBy(", ", choice.ends) + ")");
     }
     AddValue(command, "--codec", "NAME", codec, OneOf<std::string>(names),
              Filled("Choose ", words, ", "))

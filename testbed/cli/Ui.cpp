@@ -266,7 +266,7 @@ CLI::App* Declare(CLI::App& program, UiOptions& ui)
     };
     CLI::Option* theme =
         AddText(*command, "--theme", readTheme,
-                "Set the colours: " + ListedWords(themes) + "\n(last theme, else classic)");
+                "Set the colours: " + JoinedBy(", ", themes) + "\n(last theme, else classic)");
     Completes(theme->type_name("NAME"), {Completion::Kind::Words, themes});
     AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Seed the scene's random numbers (1)");

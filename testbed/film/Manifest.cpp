@@ -3,6 +3,7 @@
 
 #include <base/AtomicFile.h>
 #include <base/Bytes.h>
+#include <options/Values.h>
 
 #include <algorithm>
 #include <array>
@@ -54,16 +55,6 @@ const Exempt* ExemptionOf(std::string_view word)
     const auto* found = std::find_if(kExempt.begin(), kExempt.end(),
                                      [option](const Exempt& e) { return e.option == option; });
     return found == kExempt.end() ? nullptr : found;
-}
-
-std::string Joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words)
-    {
-        text += (text.empty() ? "" : " ") + word;
-    }
-    return text;
 }
 
 json ToJson(const Manifest& manifest)
@@ -207,7 +198,8 @@ std::string DifferenceOf(const Manifest& a, const Manifest& b)
 {
     if (a.command != b.command)
     {
-        return "the commands differ: `" + Joined(a.command) + "` and `" + Joined(b.command) + "`";
+        return "the commands differ: `" + JoinedBy(" ", a.command) + "` and `" +
+               JoinedBy(" ", b.command) + "`";
     }
     if (a.version != b.version)
     {

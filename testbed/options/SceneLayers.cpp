@@ -34,13 +34,8 @@ uint32 EngineFlags(const LayerSet& layers)
 
 Error UnknownLayer(const std::string& option, const std::string& layer)
 {
-    std::string all;
-    for (const std::string& name : LayerNames())
-    {
-        all.append(all.empty() ? "" : ",").append(name);
-    }
     return BadValue(option, layer, "unknown layer",
-                    DidYouMean(layer, LayerNames(), "use any of " + all));
+                    DidYouMean(layer, LayerNames(), "use any of " + JoinedBy(",", LayerNames())));
 }
 
 bool HasContacts(const ContactLook& look)

@@ -93,6 +93,16 @@ std::vector<std::string> SplitAt(char separator, std::string_view text)
     return parts;
 }
 
+std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+    {
+        text.append(text.empty() ? "" : separator).append(word);
+    }
+    return text;
+}
+
 Result<std::int64_t> ParseWhole(std::string_view option, std::string_view text, std::int64_t lowest,
                                 std::int64_t highest)
 {

@@ -33,6 +33,9 @@ struct PixelSize
 /// What stands before, between and after the separators; as many parts as those and one.
 std::vector<std::string> SplitAt(char separator, std::string_view text);
 
+/// "a, b, c": the words with `separator` between them.
+std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words);
+
 /// Why the value of an option, or of a word in a script, is refused (Unusable). The culprit is both
 /// as typed: "--fps 0". `option` may be empty.
 Error BadValue(std::string_view option, std::string_view text, std::string problem,

@@ -7,6 +7,7 @@
 #include <base/Nearest.h>
 #include <base/Quoting.h>
 #include <base/ReadWhole.h>
+#include <options/Values.h>
 #include <options/ViewChoice.h>
 
 #include <algorithm>
@@ -341,14 +342,9 @@ Result<void> Parser::TakeAt(Words& words)
     const std::string verb = words.IsEmpty() ? "" : words.Take();
     if (std::find(kVerbs.begin(), kVerbs.end(), verb) == kVerbs.end())
     {
-        std::string all;
-        for (const std::string& known : kVerbs)
-        {
-            all += (all.empty() ? "" : ", ") + known;
-        }
         return Unusable(Quoted(verb.empty() ? "at" : verb),
                         verb.empty() ? "requires an action" : "unknown action",
-                        DidYouMean(verb, kVerbs, "use one of " + all));
+                        DidYouMean(verb, kVerbs, "use one of " + JoinedBy(", ", kVerbs)));
     }
     if (hasEnd != (verb == "drag"))
     {

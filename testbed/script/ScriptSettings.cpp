@@ -47,15 +47,13 @@ const Setting* Find(const std::string& name)
 Error UnknownSetting(const std::string& name)
 {
     std::vector<std::string> names;
-    std::string all;
     for (const Setting& setting : kSettings)
     {
         names.emplace_back(setting.name);
-        all += (all.empty() ? "" : ", ") + names.back();
     }
     return Error{ErrorKind::Unusable, name.empty() ? "'set'" : "'" + name + "'",
                  name.empty() ? "requires a setting and its value" : "unknown setting",
-                 DidYouMean(name, names, "use one of " + all)};
+                 DidYouMean(name, names, "use one of " + JoinedBy(", ", names))};
 }
 
 } // namespace

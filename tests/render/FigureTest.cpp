@@ -509,7 +509,7 @@ TEST(Figure, FillsTheHeadsOfAnnotationsArrowsWithTheirOutline)
     DrawList list;
     const Vec2 head[3] = {{10, 10}, {50, 10}, {30, 40}};
     list.layer = DrawLayer::Annotations;
-    list.AddSolidPolygon(head, 3, kWhite);
+    list.AddSolidPolygon(head, 3, ColorRole::Ink);
     const Theme theme = Theme::Print();
     EXPECT_THAT(Svg(FigureOf(list, theme)), HasSubstr("fill=\"#111111\" stroke=\"#111111\""));
     EXPECT_EQ(At(Picture(list, 60, 60, theme), 30, 30), (Pixel{17, 17, 17, 255}));

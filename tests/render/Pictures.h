@@ -81,14 +81,14 @@ inline Pixel At(const Frame& frame, int x, int y)
     return {p[0], p[1], p[2], p[3]};
 }
 
-inline void AddRectangle(DrawList& list, float x0, float y0, float x1, float y1, Color color)
+inline void AddRectangle(DrawList& list, float x0, float y0, float x1, float y1, const Paint& color)
 {
     const Vec2 corners[4] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
     list.AddSolidPolygon(corners, 4, color);
 }
 
 inline void AddTurnedBox(DrawList& list, Vec2 center, float halfX, float halfY, float angle,
-                         Color color)
+                         const Paint& color)
 {
     const float c = std::cos(angle);
     const float s = std::sin(angle);
@@ -101,7 +101,7 @@ inline void AddTurnedBox(DrawList& list, Vec2 center, float halfX, float halfY, 
 }
 
 inline void AddRegular(DrawList& list, Vec2 center, float radiusX, float radiusY, int count,
-                       float angle, Color color)
+                       float angle, const Paint& color)
 {
     std::array<Vec2, 8> corners;
     for (int i = 0; i < count; ++i)
@@ -114,9 +114,9 @@ inline void AddRegular(DrawList& list, Vec2 center, float radiusX, float radiusY
     list.AddSolidPolygon(corners.data(), std::size_t(count), color);
 }
 
-inline constexpr Color kAwake{230, 179, 179, 255};
-inline constexpr Color kStatic{128, 230, 128, 255};
-inline constexpr Color kKinematic{128, 128, 230, 255};
+inline constexpr Paint kAwake = ColorRole::AwakeBody;
+inline constexpr Paint kStatic = ColorRole::StaticBody;
+inline constexpr Paint kKinematic = ColorRole::KinematicBody;
 inline constexpr Color kWhite{255, 255, 255, 255};
 
 /// Every kind of item, in layers over each other, in a picture of 320 x 240.
