@@ -4,19 +4,19 @@
 #include <Box2D/Collision/b2BroadPhase.h>
 
 /// @file
-/// What a world says of its contacts.
+/// A summary of the contacts of a world.
 
 class b2Contact;
 class b2ContactFilter;
 class b2ContactListener;
 
-/// What a world says of its contacts in one place, as b2World::GetContactManager found it. To be
-/// read: the broad phase is the world's, as it is now, and the rest a copy.
+/// A summary of the contacts of a world, as of the last call of b2World::GetContactManager.
+/// Read-only. The broad phase is the live one of the world; the other members are copies.
 struct b2ContactManager
 {
     b2BroadPhase m_broadPhase;                      ///< the boxes of all fixtures
     b2Contact* m_contactList = nullptr;             ///< newest first
-    int32 m_contactCount = 0;                       ///< of all contacts, touching or not
-    b2ContactFilter* m_contactFilter = nullptr;     ///< the default one unless another is set
+    int32 m_contactCount = 0;                       ///< number of contacts, touching or not
+    b2ContactFilter* m_contactFilter = nullptr;     ///< the default filter unless another is set
     b2ContactListener* m_contactListener = nullptr; ///< null: none
 };
