@@ -9,7 +9,7 @@
 namespace boxreel
 {
 
-/// "1 frame", "2 frames".
+/// Returns the number with its noun: "1 frame", "2 frames".
 template <class Integer>
 std::string Counted(Integer count, std::string_view thing)
 {

@@ -8,27 +8,28 @@
 #include <vector>
 
 /// @file
-/// What a mistyped word was probably meant to be, for the sentence that refuses it.
+/// Suggestions for mistyped words, for error messages.
 namespace boxreel
 {
 
-/// Letters to insert, delete, replace, or swap with their neighbour to turn `a` into `b`.
+/// Returns the number of letters to insert, delete, replace, or swap with their neighbour to turn
+/// `a` into `b`.
 int EditDistance(std::string_view a, std::string_view b);
 
-/// Index of the candidate nearest to `word`, or -1 when none is near enough to be meant. Capitals
-/// count as small letters, and a candidate that begins with the word as near.
+/// Returns the index of the candidate nearest to `word`, or -1 if none is near enough. Case is
+/// ignored. A candidate that starts with the word counts as near.
 int NearestWord(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "did you mean 'high'?" when a candidate is near, else nothing.
+/// Returns "did you mean 'high'?" if a candidate is near, otherwise an empty string.
 std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "did you mean 'high'? Give one of …" when a candidate is near, else "give one of …": what a
-/// refusal goes on with. `remedy` begins with a small letter.
+/// Returns a remedy: "did you mean 'high'? Give one of …" if a candidate is near, otherwise "give
+/// one of …". `remedy` starts in lower case.
 std::string Suggesting(std::string_view word, const std::vector<std::string>& candidates,
                        const std::string& remedy);
 
-/// Why a value is refused that has to be one of a few (Unusable): "--quality 'hihg': did you mean
-/// 'high'? Give one of draft, standard, high, lossless."
+/// Returns the Error (Unusable) for a value outside a list: "--quality 'hihg': did you mean 'high'?
+/// Give one of draft, standard, high, lossless."
 Error NotOneOf(const std::string& option, const std::string& text,
                const std::vector<std::string>& words);
 

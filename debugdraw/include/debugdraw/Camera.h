@@ -25,7 +25,7 @@ struct Camera
     /// From the picture [px, y down] to the world [m].
     Vec2 ToWorld(Vec2 pixel) const;
     Rect VisibleArea() const; ///< what of the world the picture shows [m]
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 

@@ -19,7 +19,7 @@ struct CameraKey
     double centerX = 0.0; ///< world point in the middle of the frame [m]
     double centerY = 0.0; ///< its height in the world [m]
     double height = 50.0; ///< of the visible area [m], above 0
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 

@@ -19,7 +19,7 @@ struct Vec2
 {
     float x = 0.0f; ///< to the right
     float y = 0.0f; ///< upwards
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Vec2&, const Vec2&) = default;
 };
 
@@ -33,7 +33,7 @@ struct Rect
     /// Grows as far as it must to hold the point.
     void Include(Vec2 point);
     void Include(const Rect& other); ///< an empty rect adds nothing
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
@@ -44,7 +44,7 @@ struct Color
     std::uint8_t g = 0;   ///< green, 0 to 255
     std::uint8_t b = 0;   ///< blue, 0 to 255
     std::uint8_t a = 255; ///< opacity, 0 to 255
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Color&, const Color&) = default;
 };
 
@@ -99,7 +99,7 @@ struct DrawItem
     std::uint32_t text = 0;              ///< Text only: index into DrawList::texts
     float size = 0.0f; ///< radius or length of axes [m], or diameter of a point [px]
     Color color;       ///< of lines, filling or letters
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const DrawItem&, const DrawItem&) = default;
 };
 

@@ -53,7 +53,7 @@ struct TraceStep
     /// A hex digit of each body's hash, by number, '.' where there is none any more. Where more
     /// than 256 bodies have been made: digits of rows and of columns of them, see kLongestTrace.
     std::string bodies;
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const TraceStep&, const TraceStep&) = default;
 };
 

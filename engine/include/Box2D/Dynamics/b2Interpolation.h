@@ -44,8 +44,8 @@ private:
 /// the exact poses. Meanwhile the world is locked: it may be read and drawn, not changed.
 /// Broad-phase boxes and contact data remain those of the step.
 ///
-/// A body that was not saved, or is static, keeps its current pose. So does a body that the program
-/// moved further than b2_maxTranslation since.
+/// A body that was not saved, or is static, keeps its current pose. A body that the program moved
+/// further than b2_maxTranslation since keeps its saved pose.
 class b2PosesBetween
 {
 public:
