@@ -8,9 +8,9 @@ namespace boxreel
 namespace
 {
 
-/// Mesa 22.3 keeps compiled shaders on disk, by the processor but not by the width of vectors that
-/// this variable asks for. A vertex shader that an earlier process compiled for eight vertices at a
-/// time then writes beyond memory that this one has taken for four, and malloc stops the process.
+/// Mesa 22.3 caches compiled shaders on disk by processor, but not by the vector width in this
+/// variable. A cached vertex shader for eight vertices at a time would write beyond buffers
+/// allocated for four. The process would abort in malloc.
 void KeepShadersOfOtherWidthsOut()
 {
     if (std::getenv("LP_NATIVE_VECTOR_WIDTH") != nullptr)

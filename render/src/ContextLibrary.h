@@ -5,11 +5,11 @@
 
 #include <string>
 
-/// Opening the shared library of a back end. For Context*.cpp and WindowGlfw.cpp only.
+/// Loads the shared library of a back end. For Context*.cpp and WindowGlfw.cpp only.
 namespace boxreel
 {
 
-/// `packages` are Debian's, for the Error (Absent).
+/// `packages`: Debian package names, for the Error (Absent).
 Result<SharedLibrary> OpenContextLibrary(const std::string& library, const std::string& packages);
 
 } // namespace boxreel
