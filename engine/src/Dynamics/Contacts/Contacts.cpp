@@ -16,7 +16,7 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kContactGrain = 32; ///< contacts that one thread takes at a time
+constexpr int32 kContactGrain = 32; ///< contacts per part of a parallel loop
 
 void PushEdge(b2ContactEdge& edge, b2Contact& contact, b2Body& body, b2Body& other)
 {
@@ -40,7 +40,7 @@ void RemoveEdge(b2ContactEdge& edge, b2Body& body)
     }
 }
 
-/// A joint between them says whether its two bodies collide.
+/// True if a joint disables collision between the two bodies.
 bool JointForbids(b2Body& a, const b2Body& b)
 {
     for (b2JointEdge* edge = a.GetJointList(); edge; edge = edge->next)
@@ -63,7 +63,7 @@ const b2FixtureProxy& ProxyB(const ContactData& c)
     return FixtureAccess::Proxies(*c.fixtureB)[c.childB];
 }
 
-/// Points that touch with the same features keep their impulses, to start the solver from.
+/// Copies the impulses of points with the same features, to warm start the solver.
 void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
 {
     for (int32 i = 0; i < manifold.pointCount; ++i)
@@ -83,16 +83,15 @@ void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
     }
 }
 
-/// A manifold is computed anew when a body has moved so far relative to the other since it was
-/// computed [m]. What it holds is kept in the bodies' own frames: its points stay where they are on
-/// their face, and overlap and normal are those of the present pose whatever its age. Far below the
-/// slop, and not more than a small share of a small body.
+/// A manifold is recomputed when a body has moved by more than this relative to the other [m]. It
+/// is stored in the bodies' frames: points keep their position on the face, and overlap and normal
+/// follow the current pose. Far below the slop, and a small fraction of a small body.
 constexpr float32 kStill = 0.1f * b2_linearSlop;
 constexpr float32 kStillShare = 0.005f;
 
 bool IsKept(const ContactData& c, const b2Transform& bInA)
 {
-    if ((c.flags & kContactKept) == 0 || c.manifold.pointCount == 0) // somebody has emptied it
+    if ((c.flags & kContactKept) == 0 || c.manifold.pointCount == 0) // emptied by a callback
     {
         return false;
     }
@@ -115,7 +114,7 @@ bool IsSame(const b2Manifold& a, const b2Manifold& b)
     return same;
 }
 
-/// The older body's fixture comes first, whichever of the two moved.
+/// The older body's fixture comes first, independent of which one moved.
 b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureProxy& another)
 {
     const bool inOrder =
@@ -177,7 +176,7 @@ void World::FindNewContacts()
                          Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
                pairs.Contains(a->proxyId, b->proxyId);
     };
-    // What the default filter would refuse every time is not looked for.
+    // Pairs that the default filter always rejects are not collected.
     const bool filtersByCategory = filter == &defaultFilter;
     const auto isWanted = [this, filtersByCategory](const b2FixtureProxy* moved,
                                                     Mobility mobility) {
@@ -188,11 +187,11 @@ void World::FindNewContacts()
         threads.get(), isWanted, isKnown, [this](b2FixtureProxy* a, b2FixtureProxy* b) {
             if (!ShouldCollide(*a->fixture, *b->fixture))
             {
-                return; // the filter is the program's, and asked on its thread
+                return; // the program's filter must be called on its thread
             }
             b2Contact* contact = MakeContact(*this, *a, *b);
             UpdateActivity(*contact);
-            // What was moved by hand into something asleep would else never be looked at.
+            // A body moved by the user into a sleeping one would otherwise never be tested.
             if (Data(*contact).awakeIndex == -1)
             {
                 Wake(*(Data(*a->fixture->GetBody()).IsDynamic() ? a : b)->fixture->GetBody());
@@ -220,13 +219,13 @@ void World::UpdateContacts()
             contact = next;
         }
     }
-    // Without a listener most contacts need no more than the first part.
+    // Without a listener most contacts need only the first phase.
     ComputeContacts() && listener == nullptr ? FinishContactsInNeed() : FinishContacts();
 }
 
-/// The first part of all updates, on all threads. With one thread and nobody who could see the
-/// difference each contact is done in its turn instead, and this returns false: the results are the
-/// same, for poses do not change meanwhile.
+/// The first phase of all updates, on all threads. With one thread and no listener each contact is
+/// completed in turn instead, and this returns false. Results are the same, because poses do not
+/// change.
 bool World::ComputeContacts()
 {
     const bool keepOld = listener != nullptr;
@@ -251,8 +250,8 @@ bool World::ComputeContacts()
     return true;
 }
 
-/// Whether more follows from the first part of an update than that the contact takes part in the
-/// step, when nobody listens.
+/// True if the first phase of an update requires more than that the contact takes part in the step,
+/// when there is no listener.
 bool World::NeedsAttention(b2Contact& contact)
 {
     ContactData& c = Data(contact);
@@ -268,8 +267,8 @@ bool World::NeedsAttention(b2Contact& contact)
     return false;
 }
 
-// In both of these the list changes under the loop: a contact that goes is replaced by the last
-// one, those that wake are appended and updated as well.
+// In both loops the list changes: a removed contact is replaced by the last one, woken ones are
+// appended and updated as well.
 
 void World::FinishContacts()
 {
@@ -318,7 +317,7 @@ void World::FinishContactsInNeed()
             continue;
         }
         DestroyContact(*contact);
-        const std::size_t last = awakeContacts.size(); // where the one at i has come from
+        const std::size_t last = awakeContacts.size(); // origin of the one at i
         if (i < attention.size())
         {
             attention[i] = last < attention.size() ? attention[last] : 1;
@@ -327,13 +326,13 @@ void World::FinishContactsInNeed()
     }
 }
 
-/// Undoes the first part of an update, where a callback has left no place for the second.
+/// Reverts the first phase of an update when a callback made the second impossible.
 void World::ForgetUpdate(ContactData& c)
 {
     if ((c.flags & kContactComputed) != 0)
     {
         c.flags &= ~std::uint32_t(kContactComputed | kContactApart | kContactKept);
-        c.manifold = oldManifolds[std::size_t(c.oldIndex)]; // only a listener can be the cause
+        c.manifold = oldManifolds[std::size_t(c.oldIndex)]; // only a listener can cause this
     }
 }
 
@@ -355,7 +354,7 @@ void World::ComputeContact(b2Contact& contact, b2Manifold& old)
     c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
     const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
     old = c.manifold;
-    // What touched and has hardly moved still touches: fixtures and boxes are not even read.
+    // Touching contacts that hardly moved still touch: fixtures and boxes are not read.
     if (IsKept(c, bInA))
     {
         return;
@@ -387,7 +386,7 @@ void World::ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Man
         CarryImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
     }
-    // A circle's manifold is computed in no time.
+    // A circle's manifold is cheap to compute.
     const bool kept = touching && !c.IsSensor() && shapeB.GetType() == b2Shape::e_polygon;
     c.flags &= ~std::uint32_t(kContactMeets | kContactKept);
     c.flags |= (touching ? kContactMeets : 0u) | (kept ? kContactKept : 0u);
@@ -423,7 +422,7 @@ void World::FinishContact(b2Contact& contact, const b2Manifold& old)
             listener->PreSolve(&contact, &old);
             if (!IsSame(before, c.manifold))
             {
-                c.flags &= ~std::uint32_t(kContactKept); // what it changed lasts for one step
+                c.flags &= ~std::uint32_t(kContactKept); // its change lasts for one step
             }
         }
     }

@@ -6,13 +6,12 @@
 
 class b2Shape;
 
-/// Keeps what moves on its side of what does not. A light body that something heavy presses against
-/// a wall is driven deeper from step to step, for sweeps spread what they cannot finish; once its
-/// centre is beyond the wall it would be pushed out on the other side. No centre of a convex shape
-/// has any business within a wall that the shape touches, so the step ends where it would get
-/// there. What impacts have turned is asked piece by piece of its way: one that was thrown round a
-/// corner has a wall between its start and its end, and has not been through it. Called by
-/// continuous collision, after it.
+/// Keeps moving bodies on their side of static ones. A light body between a heavy one and a wall
+/// penetrates deeper from step to step, because the iterative solver does not converge. Once its
+/// centre is beyond the wall it would be pushed out on the other side. The centre of a convex shape
+/// never belongs inside a wall that it touches, so the body's step ends there.
+/// Paths with impacts are tested segment by segment: a body deflected around a corner has a wall
+/// between its start and end, without crossing it. Called at the end of continuous collision.
 namespace box2d
 {
 
@@ -27,31 +26,31 @@ class Containment
 public:
     explicit Containment(World& world);
 
-    /// Before the first impact, which moves the starts of ways.
+    /// Records the starts of all paths; call before the first impact, which moves them.
     void NoteStarts();
-    /// After an impact, that the body's way goes on from where it has stopped the body.
+    /// Records that the body's path continues from where an impact stopped it.
     void NoteTurn(const BodyData& body);
-    /// Takes bodies back to the walls that their shapes' centres have crossed in the step, and the
-    /// speed at which they went there. Whether there were any.
+    /// Moves bodies back to the walls that the centres of their shapes crossed in the step, and
+    /// removes the velocity into the wall. Returns true if there were any.
     bool Hold(ImpactJoints& joints);
 
 private:
-    /// A shape's child and the body that it belongs to.
+    /// A child of a shape, and its body.
     struct Part
     {
         b2Body* body;
         const b2Shape* shape;
         int32 child;
     };
-    /// Where two bodies are at a time.
+    /// The poses of two bodies at a time.
     struct Moment
     {
         Pose moved, still;
     };
     struct Crossing
     {
-        b2Vec2 place, normal; // in the axes of what stands still, from its centre of mass
-        int32 turn;           // the last before it
+        b2Vec2 place, normal; // in the static body's axes, from its centre of mass
+        int32 turn;           // the last one before it
     };
 
     bool Hold(const ContactData& c, ImpactJoints& joints);
@@ -62,7 +61,7 @@ private:
     const Pose& StartOf(const BodyData& body) const;
 
     World& m_world;
-    Array<ImpactStart>& m_starts; // by awake body, when there was an impact
+    Array<ImpactStart>& m_starts; // by awake body, if there was an impact
     Array<ImpactTurn>& m_turns;
 };
 
