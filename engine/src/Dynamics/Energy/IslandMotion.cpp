@@ -16,7 +16,8 @@ namespace box2d
 namespace
 {
 
-/// Whether something immovable has a hold of the body. Pulleys and gears are fixed in the world.
+/// True if something static or kinematic holds or touches the body. Pulleys and gears count as
+/// fixed to the world.
 bool IsHeld(const b2Body& body)
 {
     for (const b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
@@ -38,7 +39,7 @@ bool IsHeld(const b2Body& body)
     return false;
 }
 
-/// What to multiply velocities by, so that of an energy there is so much left.
+/// Returns the velocity factor that leaves the energy `left`.
 float32 ShareOf(double energy, double left)
 {
     return energy > 0.0 ? float32(std::sqrt(std::max(left, 0.0) / energy)) : 0.0f;

@@ -8,8 +8,8 @@
 #include <Box2D/Dynamics/Joints/b2WheelJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// Who is awake. A step looks at the lists of awake bodies, awake contacts and coloured constraints
-/// only; this file keeps those lists true.
+/// Sleeping and waking. A step reads only the lists of awake bodies, awake contacts and coloured
+/// constraints; this file maintains them.
 namespace box2d
 {
 
@@ -32,7 +32,7 @@ bool IsMovingPlatform(const BodyData& body)
            (body.linearVelocity != b2Vec2(0.0f, 0.0f) || body.angularVelocity != 0.0f);
 }
 
-/// Whether it turns or slides at the speed that its motor was told. One that cannot may rest.
+/// True if it moves at its motor's target speed. A blocked motor may rest.
 template <class Joint>
 bool IsDriven(const b2Joint& joint)
 {
@@ -104,8 +104,8 @@ void World::UpdateActivity(b2Contact& contact)
         Data(*last).awakeIndex = c.awakeIndex;
         awakeContacts.pop_back();
         c.awakeIndex = -1;
-        // A listener let a body sleep before the contact's turn in the present update has come:
-        // then it has none.
+        // A listener put a body to sleep before the second phase of the contact's update, which is
+        // then cancelled.
         ForgetUpdate(c);
     }
 
@@ -244,7 +244,7 @@ void World::WakeNeighbours(b2Body& bodyA, b2Body& bodyB)
     {
         Wake(bodyB);
     }
-    // A moving platform never lets what it carries fall asleep.
+    // A moving platform keeps the bodies on it awake.
     if (IsMovingPlatform(a))
     {
         b.sleepTime = 0.0f;
@@ -259,7 +259,7 @@ void World::KeepDrivenAwake(b2Joint& joint)
 {
     BodyData& a = Data(*joint.GetBodyA());
     BodyData& b = Data(*joint.GetBodyB());
-    // Seldom asked: what moves fast has no time of rest.
+    // Tested rarely, because fast bodies have no sleep time.
     if ((a.sleepTime > 0.0f || b.sleepTime > 0.0f) && IsDriven(joint))
     {
         a.sleepTime = 0.0f;

@@ -14,16 +14,17 @@ namespace box2d
 namespace
 {
 
-/// Impulses grow with the step as long as they come from forces that last. Those of hits do not:
-/// after a very short step this much of them, and no more, is carried over.
+/// Impulses of lasting forces are proportional to the step; those of hits are not. Limits the warm
+/// starting factor after a very short step.
 constexpr float32 kMostStepRatio = 10.0f;
 
-/// Of two polygons' skins and a slop [m]: nobody sees such an overlap, nor that it stays.
+/// Two polygon skins and a slop [m]: such an overlap is invisible.
 constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
-constexpr float32 kLeftOverlap = 3.0f * b2_linearSlop; ///< what pushing may leave of any [m]
-/// What is pushed out of skins faster than so many times what slow means does not rest.
+constexpr float32 kLeftOverlap = 3.0f * b2_linearSlop; ///< overlap that position correction may
+                                                       ///< leave [m]
+/// Push speed out of skins, as a multiple of the sleep tolerance, above which a body does not rest.
 constexpr float32 kSkinsPace = 10.0f;
-/// For so long nothing must have set off before it rests [s]: one step may slow down by rounding.
+/// Time without acceleration before a body rests [s]: a single step may decelerate by rounding.
 constexpr float32 kCalm = 0.04f;
 
 } // namespace
@@ -40,14 +41,14 @@ StepSolver::StepSolver(World& world, float32 timeStep)
 
 void StepSolver::WakeJointNeighbours()
 {
-    // Waking adds joints to the list, so it is read anew each time.
+    // Waking adds joints to the list, so its size is read again each time.
     for (std::size_t i = 0; i < m_world.graph.Joints().size(); ++i)
     {
         b2Joint* joint = m_world.graph.Joints()[i];
         m_world.WakeNeighbours(*joint->GetBodyA(), *joint->GetBodyB());
         World::KeepDrivenAwake(*joint);
     }
-    // A joint between a platform and something asleep is in no list.
+    // A joint between a platform and a sleeping body is in no list.
     for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
     {
         b2Body* body = m_world.awakeBodies[i];
@@ -124,8 +125,8 @@ void StepSolver::WarmStart()
     m_memory.joints.Prepare(m_context, m_threads);
 }
 
-/// As far as the last step's do not serve again. A listener may give any contact another form at
-/// any time.
+/// Assigns blocks again, unless those of the last step are still valid. A listener may change any
+/// contact's form at any time.
 void StepSolver::AssignBlocks(int32 color)
 {
     const bool sharesBodies = color == ConstraintGraph::kOverflow;
@@ -143,8 +144,8 @@ void StepSolver::AssignBlocks(int32 color)
     graph.Settle(color);
 }
 
-// Blocks of a colour share no bodies: only in the overflow, which is one part, does the direction
-// within a colour matter.
+// Blocks of a colour share no bodies. The direction within a colour matters only for the overflow,
+// which is one part.
 
 bool StepSolver::SolveContacts(Direction direction)
 {
@@ -164,7 +165,7 @@ bool StepSolver::SolveContacts(Direction direction)
     return changed;
 }
 
-/// Returns the smallest separation [m], or 0 if that is smaller.
+/// Returns the minimum separation [m], at most 0.
 float32 StepSolver::SolveOverlaps(Direction direction, PushPace pace)
 {
     std::atomic<float32> smallest = 0.0f;
@@ -188,7 +189,8 @@ void StepSolver::SolveVelocities(int32 iterations)
     {
         m_memory.joints.SolveVelocities(m_context, m_threads);
         const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
-        // A sweep that changed nothing leaves every later one nothing to change. Joints do not say.
+        // If an iteration changed nothing, later ones change nothing either. Joints do not report
+        // changes.
         if (!changed && m_memory.joints.IsEmpty())
         {
             break;
@@ -199,7 +201,7 @@ void StepSolver::SolveVelocities(int32 iterations)
     ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
 }
 
-/// In the order of the colours; notes them before any is put to sleep.
+/// In the order of the colours; notes all contacts before any body falls asleep.
 void StepSolver::NoteImpulses()
 {
     m_memory.reported.clear();
@@ -220,7 +222,7 @@ void StepSolver::ReportImpulses()
 {
     for (b2Contact* contact : m_memory.reported)
     {
-        if (m_world.listener != nullptr) // it may take itself away
+        if (m_world.listener != nullptr) // it may remove itself
         {
             ReportImpulse(*m_world.listener, *contact);
         }
@@ -231,8 +233,8 @@ void StepSolver::SolvePositions(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        // The aim is one slop, which is approached geometrically. At three, the cores of two
-        // polygons (skins of 4 slops in all) are a slop apart, as b2TimeOfImpact needs them.
+        // The target is one slop, approached geometrically. At three, the cores of two polygons
+        // (skins of 4 slops in all) are one slop apart, as b2TimeOfImpact requires.
         const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -3.0f * b2_linearSlop;
         const bool joined = m_memory.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
@@ -246,12 +248,12 @@ void StepSolver::SolvePositions(int32 iterations)
     }
 }
 
-/// A correction of poses turns to first order: by the arc tangent of the angle that is counted. Far
-/// out on a lever such angles are large, and a body that ends elsewhere than where the sweeps saw
-/// it is turned again in the next step, and on and on.
+/// Pose corrections rotate to first order: by the arc tangent of the accumulated angle. At the end
+/// of a lever such angles are large. A body whose final pose differs from that of the iterations
+/// would be rotated again in every step.
 void StepSolver::TurnAsSeen()
 {
-    constexpr float32 kSmallTurn = 0.25f; // [rad], then it is out by 0.005
+    constexpr float32 kSmallTurn = 0.25f; // [rad], at an error of 0.005
     ForBodies([this](std::size_t i) {
         SolverBody& s = m_memory.bodies[i + 1];
         const float32 drift = m_context.timeStep * s.w;
@@ -269,11 +271,11 @@ void StepSolver::IntegratePositions()
     });
 }
 
-// A pendulum where it turns, or what is thrown up below a weak gravity, is slow for long, but its
-// speed changes all the time. What touches something is not asked, for piles tremble.
+// True for a pendulum at its turning point or a body thrown up in weak gravity: slow, but with
+// changing velocity. Bodies with contacts are not tested, because stacks tremble.
 bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep)
 {
-    constexpr float32 kMostGain = 0.25f / b2_timeToSleep; // of the tolerance, in a second
+    constexpr float32 kMostGain = 0.25f / b2_timeToSleep; // fraction of the tolerance, per second
     const float32 linear = timeStep * kMostGain * b2_linearSleepTolerance;
     const float32 angular = timeStep * kMostGain * b2_angularSleepTolerance;
     return body.colorMask == 0 &&
@@ -281,27 +283,27 @@ bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float3
             b2Abs(moved.w - body.angularVelocity) > angular);
 }
 
-// What leaves a balance, as a rod on its end, is slow for very long, and gets faster all the time.
-// With one step joints tremble by more than that, and piles with any number.
+// True for a body that leaves an unstable balance, such as a rod on its end: slow for long, but
+// accelerating. Without sub-steps joints tremble more than that, and stacks always do.
 bool StepSolver::IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep)
 {
-    constexpr float32 kLeastGain = 1.0f / 15.0f; // of the tolerance, in a second
+    constexpr float32 kLeastGain = 1.0f / 15.0f; // fraction of the tolerance, per second
     const float32 linear = timeStep * kLeastGain * b2_linearSleepTolerance;
     const float32 angular = timeStep * kLeastGain * b2_angularSleepTolerance;
     return body.colorMask == 0 && (moved.v.Length() > body.linearVelocity.Length() + linear ||
                                    b2Abs(moved.w) > b2Abs(body.angularVelocity) + angular);
 }
 
-/// Which bodies overlap by more than their skins. What is put together without room for the skins
-/// is pushed apart for minutes where there is much of it, from the outside in, and may rest
-/// meanwhile: the skins are there to be overlapped.
+/// Finds bodies that overlap by more than their skins. Bodies placed without space for their skins
+/// are pushed apart for minutes in large numbers, from the outside in. They may rest meanwhile,
+/// because skins are meant to overlap.
 void StepSolver::FindDeep()
 {
     Array<uint8>& deep = m_memory.deep;
     deep.assign(m_world.awakeBodies.size() + 1, 0);
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         const OverlapBlock& block = blocks.Overlaps(i);
-        // At a rate of 0 it is only measured.
+        // A rate of 0 only measures.
         if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kLeftOverlap)
         {
             return;
@@ -330,9 +332,9 @@ bool StepSolver::IsPushedOut(const BodyData& body) const
     return m_memory.deep.empty() || m_memory.deep[std::size_t(body.SolverIndex())] != 0;
 }
 
-// Slow means slow in both velocity and what position correction did: something that is still being
-// pushed out of an overlap does not sleep, unless the overlap is only one of skins. A platform is
-// told how to move: it stays awake however slow it is.
+// Slow: velocity and position correction below tolerance. A body that is pushed out of a deep
+// overlap does not sleep; one that overlaps by skins may. A kinematic body stays awake at any
+// speed.
 float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
 {
     const float32 h = m_context.timeStep;
@@ -382,12 +384,12 @@ void StepSolver::WriteBack()
     m_world.proxies.EndMoves();
 }
 
-/// Whether a shape has left its box.
+/// True if a shape has left its box.
 bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
 {
     if (!IsFinite(s))
     {
-        s = SolverBody(); // it stops rather than vanish
+        s = SolverBody(); // stop instead of becoming non-finite
     }
     body.sleepTime = SleepTimeAfter(body, s);
     body.linearVelocity = s.v;
@@ -404,7 +406,8 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     body.pose.y += double(s.d.y);
     body.pose.angle += double(s.angle);
     s.angle == 0.0f ? SynchronizePlace(body) : SynchronizePose(body);
-    // What it really did: far out, or turned very often, a pose is coarser than a step.
+    // The actual displacement: far from the origin, or after many turns, a pose is coarser than a
+    // step.
     const b2Vec2 moved(float32(body.pose.x - body.previous.x),
                        float32(body.pose.y - body.previous.y));
     const float32 turned = b2Abs(float32(body.pose.angle - body.previous.angle));

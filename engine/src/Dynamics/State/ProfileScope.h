@@ -8,7 +8,7 @@
 namespace box2d
 {
 
-/// Adds the time of a scope to an entry of the profile; costs nothing when nobody reads it.
+/// Adds the time of a scope to an entry of the profile; free when the profile is not used.
 class ProfileScope
 {
 public:

@@ -28,8 +28,8 @@ class b2Joint;
 class b2Shape;
 class b2World;
 
-/// Everything a world holds. b2World is the public face of it; the parts of the engine are
-/// functions on it, a file each: Bodies, Contacts, Joints, Step, Continuous, Queries, DebugDraw.
+/// The data of a world. b2World is its public interface. The parts of the engine are functions of
+/// it, one file each: Bodies, Contacts, Joints, Step, Continuous, Queries, DebugDraw.
 namespace box2d
 {
 
@@ -38,7 +38,7 @@ struct ImpactMemory;
 struct SolverMemory;
 struct SubStepMemory;
 
-/// Of one step; more only costs.
+/// Maximum of sub-steps per step.
 inline constexpr int32 kMostSubSteps = 64;
 
 struct ContactData;
@@ -54,51 +54,50 @@ public:
 
     // Bodies.cpp
     b2Body* CreateBody(const b2BodyDef& def);
-    /// An empty one, the newest in the list.
+    /// Adds an empty body, the newest in the list.
     b2Body& AddBody();
     void DestroyBody(b2Body& body);
     void SetTransform(b2Body& body, const b2Vec2& position, float32 angle);
     void SetMassData(BodyData& body, const b2MassData& massData);
     void ResetMassData(BodyData& body);
-    /// How far the shapes reach from the centre of mass, and how thin they are.
+    /// Computes the maximum extent from the centre of mass and the minimum thickness.
     static void MeasureExtents(BodyData& body);
-    /// The same, when nothing but the fixture that was created last is new: a body of thousands is
-    /// not measured thousands of times.
+    /// As above, if only the newest fixture changed: adding thousands of fixtures stays linear.
     static void MeasureNewest(BodyData& body);
     void SetMobility(b2Body& body, Mobility mobility);
     void SetActive(b2Body& body, bool active);
 
     // Fixtures.cpp
     b2Fixture* CreateFixture(b2Body& body, const b2FixtureDef& def);
-    /// With a copy of the shape, in no tree yet, the newest of its body.
+    /// Adds a fixture with a copy of the shape, in no tree yet, the newest of its body.
     b2Fixture& AddFixture(b2Body& body, const b2Shape& shape);
     void DestroyFixture(b2Body& body, b2Fixture& fixture);
-    /// Gives its memory back; it must be out of every list.
+    /// Frees its memory; it must be in no list.
     void FreeFixture(b2Fixture& fixture);
     void Refilter(b2Fixture& fixture);
-    /// After the fixture has become, or ceased to be, a sensor.
+    /// Call after a change of the fixture's sensor flag.
     void UpdateSensor(b2Fixture& fixture);
     void CreateProxies(b2Fixture& fixture);
     void DestroyProxies(b2Fixture& fixture);
-    /// After its body has moved: new boxes where the shapes have left theirs. `swept` also covers
-    /// the way from the pose at the start of the step.
+    /// Call after a motion of the body: updates the boxes that shapes have left. `swept` includes
+    /// the path from the pose at the start of the step.
     void UpdateProxies(BodyData& body, bool swept);
-    /// The same in two parts: new boxes, of this body alone; then, when that was true, the broad
-    /// phase is told.
+    /// As above in two phases: RefreshBoxes updates the boxes of this body; if it returns true, the
+    /// second updates the broad phase.
     static bool RefreshBoxes(BodyData& body, bool swept);
     void MoveProxies(BodyData& body);
     void GrowBoxes(BodyData& body);
-    /// Boxes anew whether the shapes have left theirs or not.
+    /// Updates all boxes unconditionally.
     void ResetProxies(BodyData& body);
 
     // Joints.cpp
     b2Joint* CreateJoint(const b2JointDef& def);
-    /// The same in two parts, of which the second makes it the newest of the world and its bodies.
+    /// As above in two phases; the second makes it the newest of the world and its bodies.
     b2Joint& ConstructJoint(const b2JointDef& def);
     void LinkJoint(b2Joint& joint);
-    /// With the gears that are made of it.
+    /// Also destroys the gears that use it.
     void DestroyJoint(b2Joint& joint);
-    /// As a consequence of something else: the program is told.
+    /// Destroys a joint with its body, and calls the destruction listener.
     void DestroyJointImplicitly(b2Joint& joint);
     void FlagJointContacts(b2Joint& joint);
 
@@ -106,8 +105,8 @@ public:
     void FindNewContacts();
     void UpdateContacts();
     void UpdateContact(b2Contact& contact);
-    /// The same in two parts: what concerns this contact alone, with the manifold as it was left in
-    /// `old`; then what follows from it.
+    /// As above in two phases: the first updates only this contact, with its previous manifold in
+    /// `old`; the second handles the consequences.
     static void ComputeContact(b2Contact& contact, b2Manifold& old);
     void FinishContact(b2Contact& contact, const b2Manifold& old);
     static void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old);
@@ -116,35 +115,35 @@ public:
     bool NeedsAttention(b2Contact& contact);
     void FinishContacts();
     void FinishContactsInNeed();
-    /// The newest of the world and its bodies, between children of fixtures.
+    /// Adds a contact between children of fixtures, the newest of the world and its bodies.
     b2Contact& AddContact(const b2FixtureProxy& a, const b2FixtureProxy& b);
     void DestroyContact(b2Contact& contact);
-    /// The pair may have contacts as far as bodies, joints and the filter are concerned.
+    /// True if bodies, joints and the filter allow contacts of the pair.
     bool ShouldCollide(b2Fixture& fixtureA, b2Fixture& fixtureB) const;
 
     // Sleep.cpp
-    void Wake(b2Body& body);       ///< and everything that hangs together with it
-    void PutToSleep(b2Body& body); ///< this one only
+    void Wake(b2Body& body);       ///< and its connected component
+    void PutToSleep(b2Body& body); ///< this body only
     void PutToSleep(int32 island);
-    /// Puts it into the lists of what a step looks at, or takes it out, as follows from the state
-    /// of its body or bodies. To be called after any change of that.
+    /// Adds it to the lists of awake objects or removes it, by the state of its bodies. Call after
+    /// any change of that state.
     void UpdateActivity(b2Body& body);
     void UpdateActivity(b2Contact& contact);
     void UpdateActivity(b2Joint& joint);
-    /// Wakes what is held by a contact or joint with something that moves.
+    /// Wakes bodies held by a contact or joint with a moving body.
     void WakeNeighbours(b2Body& bodyA, b2Body& bodyB);
-    /// What a motor turns or moves at the speed that it was told does not rest, however slow.
+    /// Keeps bodies awake that a motor moves at its target speed, at any speed.
     static void KeepDrivenAwake(b2Joint& joint);
-    /// False when WakeNeighbours would do nothing.
+    /// False if WakeNeighbours has no effect.
     static bool WakesNeighbours(const BodyData& a, const BodyData& b);
-    /// After a change by hand: wakes the body with everything it has contacts or joints with, for
-    /// contacts between sleeping bodies are not looked at. One that has none sleeps on.
+    /// Call after a user change: wakes the body with everything in contact or jointed, because
+    /// contacts between sleeping bodies are not updated. A body without any stays asleep.
     void WakeAttached(b2Body& body);
 
-    /// For so many steps what the program has moved by hand counts as moved: corrections of poses
-    /// take a fifth of what they find in each, so a tenth of it is left then.
+    /// Number of steps for which a user change counts as recent: pose corrections remove a fifth of
+    /// the error per step, so a tenth is left then.
     static constexpr std::uint32_t kHandLasts = 10;
-    /// Whether it did so in the last of these, by the number of the step then.
+    /// True if the step with this number is one of the last kHandLasts.
     bool IsRecent(std::uint32_t step) const { return stepNumber - step < kHandLasts; }
 
     // Step.cpp
@@ -168,28 +167,28 @@ public:
     b2World& owner;
     b2BlockAllocator allocator; ///< bodies, fixtures, shapes, joints, contacts
     Proxies proxies;
-    PairSet pairs; ///< that have a contact
+    PairSet pairs; ///< pairs with a contact
     ConstraintGraph graph;
     Islands islands;
 
-    Array<b2Body*> awakeBodies;      ///< kinematic and dynamic
-    Array<b2Contact*> awakeContacts; ///< with a body that is awake and not static
-    Array<b2Manifold> oldManifolds;  ///< of these, before the present update
-    Array<uint8> attention; ///< of these, by place: whether the second part of the update is due
-    // Of the stages of a step, used again in every one.
+    Array<b2Body*> awakeBodies;      ///< kinematic and dynamic bodies
+    Array<b2Contact*> awakeContacts; ///< contacts with an awake body that is not static
+    Array<b2Manifold> oldManifolds;  ///< their manifolds before the current update
+    Array<uint8> attention; ///< by index: true if the second phase of the update is required
+    // Scratch of the stages of a step, reused in every step.
     std::unique_ptr<SolverMemory> solver;
     std::unique_ptr<SubStepMemory> subSteps;
     std::unique_ptr<EnergyGuard> energyGuard;
     std::unique_ptr<ImpactMemory> impacts;
-    std::unique_ptr<ThreadPool> threads; ///< null when the caller's is the only one
+    std::unique_ptr<ThreadPool> threads; ///< null if only the calling thread is used
 
     b2Body* bodyList = nullptr;
     b2Joint* jointList = nullptr;
     b2Contact* contactList = nullptr;
     int32 bodyCount = 0;
     int32 jointCount = 0;
-    int32 gearCount = 0;     ///< of the joints
-    int32 inactiveCount = 0; ///< of the bodies: they are in no tree
+    int32 gearCount = 0;     ///< among the joints
+    int32 inactiveCount = 0; ///< among the bodies: they are in no tree
     int32 contactCount = 0;
     int32 bodyNumber = 0;  ///< of the next body
     int32 jointNumber = 0; ///< of the next joint
@@ -201,12 +200,12 @@ public:
     b2DestructionListener* destructionListener = nullptr;
     b2Draw* debugDraw = nullptr;
 
-    int32 subStepCount = 1;                ///< small steps of a step
-    int32 lastSubSteps = 1;                ///< of the last step in which anything was solved
+    int32 subStepCount = 1;                ///< sub-steps per step
+    int32 lastSubSteps = 1;                ///< of the last step with solved constraints
     float32 inverseStep = 0.0f;            ///< of the last step [1/s], 0 before the first
-    std::uint32_t stepNumber = kHandLasts; ///< of steps that take time
+    std::uint32_t stepNumber = kHandLasts; ///< steps with a time above 0
     b2Profile profile;
-    /// What b2World::GetContactManager hands out.
+    /// The result of b2World::GetContactManager.
     mutable b2ContactManager contactManager{
         .m_broadPhase = b2BroadPhase(proxies.Trees(), Proxies::kTreeCount, Proxies::kTreeBits)};
     bool profiling = false;
@@ -216,14 +215,15 @@ public:
     bool subStepping = false;
     bool stepComplete = true; ///< false between the sub-steps of SetSubStepping
     bool autoClearForces = true;
-    mutable bool locked = false; ///< a callback of the program may run: nothing may come or go
-    bool forcesApplied = false;  ///< since they were last cleared
-    bool hasBullets = false;     ///< some body is, or was, a bullet
-    bool filtersChanged = false; ///< some contact has kContactFilter set
-    bool sweepsTurned = false;   ///< changes with each step, see ColorDirectionOf
+    mutable bool locked = false; ///< a callback of the program may run: objects cannot be created
+                                 ///< or destroyed
+    bool forcesApplied = false;  ///< since the last ClearForces
+    bool hasBullets = false;     ///< a body is, or was, a bullet
+    bool filtersChanged = false; ///< a contact has kContactFilter set
+    bool sweepsTurned = false;   ///< alternates with each step, see ColorDirectionOf
 };
 
-/// Keeps a world locked for as long as a callback of the program may run. Can be nested.
+/// Locks a world while a callback of the program may run. Can be nested.
 class Lock
 {
 public:

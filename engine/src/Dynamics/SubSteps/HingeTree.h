@@ -6,26 +6,26 @@
 class b2Joint;
 class b2RevoluteJoint;
 
-/// Bodies that nothing but hinges holds together, without loops: pendulums, chains, trees that may
-/// be tied down once. What a JointSystem does with any rows is done here with the hinges' own
-/// numbers, at a tenth of the cost: a body, with all that hangs from it, is felt at its hinge like
-/// a mass that differs by direction, a matrix of 2 x 2, and these are gathered from the tips to the
-/// root (the articulated-body algorithm: Featherstone, "Rigid Body Dynamics Algorithms", 2008,
-/// chapter 7). A hinge's lever t is its arm turned by a quarter: a point at it moves with v - w t.
+/// Bodies connected by hinges only, without loops: pendulums, chains, and trees attached to the
+/// world at most once. It does the work of JointSystem at a tenth of the cost. The subtree of a
+/// body acts on its hinge as a mass that depends on direction, a 2 x 2 matrix. These are
+/// accumulated from the leaves to the root (articulated-body algorithm: Featherstone, "Rigid Body
+/// Dynamics Algorithms", 2008, chapter 7). A hinge's lever t is its arm rotated by 90 degrees: a
+/// point there moves with v - w t.
 namespace box2d
 {
 
 class HingeTree
 {
 public:
-    /// False when the joints are not a tree of plain hinges; then there is nothing to be used.
+    /// False if the joints are not a tree of plain hinges; it cannot be used then.
     bool Build(const Array<b2Joint*>& joints);
 
-    /// At the start of a step; the kicks by awake body. False when the tree cannot be used in it,
-    /// because motors, limits, moving platforms or bodies without mass take part.
+    /// Call at the start of a step; the kicks are by awake body. False if the tree cannot be used
+    /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
-    /// All of the step, in as many small ones or more, and leaves the sums of the impulses in the
-    /// joints.
+    /// Performs the whole step, in at least `smallSteps` sub-steps, and stores the sums of the
+    /// impulses in the joints.
     void Step(float32 timeStep, int32 smallSteps);
 
     template <class Function>
@@ -38,63 +38,63 @@ public:
     }
 
 private:
-    // In double precision: 1000 kg at the end of a chain cost more digits than a float has.
+    // In double precision: 1000 kg at the end of a chain exceeds the precision of float.
     struct Pair
     {
         double x = 0.0, y = 0.0;
     };
-    /// About a point: the matrix (m11 m12 x; m12 m22 y; x y turning).
+    /// Inertia about a point: the matrix (m11 m12 x; m12 m22 y; x y turning).
     struct Inertia
     {
         double m11, m12, m22, x, y, turning;
     };
-    /// A body, and the hinge at which it hangs from its parent.
+    /// A body, and the hinge to its parent.
     struct Link
     {
-        // While the joints stay the same.
+        // Constant while the joints are unchanged.
         const BodyData* body = nullptr;
-        const BodyData* above = nullptr; ///< what it hangs from, nullptr: nothing
+        const BodyData* above = nullptr; ///< parent body, nullptr: none
         b2RevoluteJoint* joint = nullptr;
-        int32 parent = -1;        ///< place, -1: nothing that moves
-        float32 direction = 1.0f; ///< of its impulses: -1 when it is the joint's first body
+        int32 parent = -1;        ///< index, -1: none that moves
+        float32 direction = 1.0f; ///< sign of its impulses: -1 if it is the joint's first body
 
-        // In a step.
+        // Values of a step.
         SolverBody* state = nullptr;
         BodyKick kick;
         const SolverBody* aboveState = nullptr;
         double mass = 0.0, turning = 0.0;
-        b2Vec2 arm, aboveArm; ///< to the hinge, in the axes of the world at the start
-        b2Vec2 offset;        ///< of the centres of mass, from above
-        Pair total, noted;    ///< impulse
-        SolverBody start;     ///< as the step found it
+        b2Vec2 arm, aboveArm; ///< to the hinge, in world axes at the start
+        b2Vec2 offset;        ///< between the centres of mass, from above
+        Pair total, noted;    ///< impulses
+        SolverBody start;     ///< at the start of the step
         SolverBody opened;    ///< before its hinge was closed after a drift
         Pair totalBefore;
 
-        // At a pose.
+        // Values of a pose.
         Pair lever, aboveLever;
-        b2Vec2 open;          ///< of the hinge [m]
-        Inertia inertia;      ///< of the body and all below, about its centre of mass
-        double k11, k12, k22; ///< what the hinge feels of it, and
-        Pair turn;            ///< how much it turns when that moves,
-        double ease;          ///< or when it is turned
+        b2Vec2 open;          ///< gap of the hinge [m]
+        Inertia inertia;      ///< of the subtree, about the body's centre of mass
+        double k11, k12, k22; ///< effective mass at the hinge
+        Pair turn;            ///< rotation caused by a velocity of the hinge
+        double ease;          ///< inverse inertia of the subtree's rotation
 
-        // Of a solution.
-        Pair lack;              ///< of the hinge's speed
-        Pair given;             ///< to the body from below: impulse, and
+        // Values of a solution.
+        Pair lack;              ///< residual of the hinge's speed
+        Pair given;             ///< impulse from the subtree
         double givenTurn = 0.0; ///< its moment
-        double load = 0.0;      ///< its own mass and all that hangs from it
-        double pull = 0.0;      ///< what turns the body back [N m]
-        Pair change;            ///< of velocity
+        double load = 0.0;      ///< mass of the subtree
+        double pull = 0.0;      ///< restoring torque per radian [N m]
+        Pair change;            ///< change of velocity
         double changeTurn = 0.0;
-        Pair impulse; ///< in the hinge
+        Pair impulse; ///< impulse in the hinge
     };
 
-    /// A joint at one of its bodies.
+    /// A joint, listed by one of its bodies.
     struct JointEnd
     {
         const BodyData* body;
         b2Joint* joint;
-        std::size_t order; ///< of the joint
+        std::size_t order; ///< index of the joint
 
         static bool ByBodyAndOrder(const JointEnd& a, const JointEnd& b);
         static bool ByBody(const JointEnd& a, const JointEnd& b);
@@ -104,15 +104,15 @@ private:
     double LastStrain(double time);
     struct Outcome
     {
-        double squaredFrequency = 0.0; ///< the largest that came up [1/s^2]
-        bool won = false;              ///< energy out of nothing
+        double squaredFrequency = 0.0; ///< maximum in the step [1/s^2]
+        bool won = false;              ///< energy was gained
     };
-    /// Of all bodies in a step [J].
+    /// Energy of all bodies in a step [J].
     struct Energy
     {
-        double now = 0.0;   ///< kinetic, at its end
-        double due = 0.0;   ///< what it should be, of that at its start and of the kicks' work
-        double moved = 0.0; ///< the sum of the amounts of these
+        double now = 0.0;   ///< kinetic, at the end
+        double due = 0.0;   ///< expected: at the start, plus the work of kicks
+        double moved = 0.0; ///< sum of the absolute values
     };
     void CloseWholly(float32 timeStep);
     void StepSafely(int32 count, float32 timeStep);
@@ -147,7 +147,7 @@ private:
 
     Array<Link> m_links;      ///< parents first
     Array<JointEnd> m_ends;   ///< scratch of Build
-    bool m_stiffened = false; ///< bodies turn as if they were heavier than they are
+    bool m_stiffened = false; ///< bodies have added inertia
 };
 
 } // namespace box2d

@@ -10,32 +10,33 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
 
-/// A step in n small ones (Macklin et al., "Small Steps in Physics Simulation", 2019): contacts are
-/// found once, and then velocities and positions take turns. They are staggered by half a small
-/// step, as in the leapfrog scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration",
-/// 2006, I.1.4): half a kick, a drift, whole kicks between drifts, half a kick at the end.
+/// A step in n sub-steps (Macklin et al., "Small Steps in Physics Simulation", 2019). Contacts are
+/// found once; then velocities and positions alternate, staggered by half a sub-step, as in the
+/// leapfrog scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, I.1.4).
+/// Velocity updates are called kicks, position updates drifts: half a kick, drifts alternating with
+/// whole kicks, half a kick.
 ///   v += a h/2;  n times { x += v h;  v += a h, the last time a h/2 }
-/// It is of second order, free flight comes out exactly, and what rests gets no speed at all, for
-/// each kick is met by the constraints at once. Joints close by impulses along their directions
-/// before the drift, which is what keeps their energy (SHAKE: Ryckaert, Ciccotti, Berendsen, 1977;
-/// RATTLE: Andersen, 1983).
+/// The scheme is of second order, and free flight is exact. Bodies at rest get no velocity, because
+/// constraints balance each kick at once. Joints close by impulses along their directions before
+/// the drift, which conserves energy (SHAKE: Ryckaert, Ciccotti, Berendsen, 1977; RATTLE: Andersen,
+/// 1983).
 namespace box2d
 {
 
 namespace
 {
 
-/// Sweeps have done enough for a pile when its contacts come together by less than this share of
-/// what weight does in a kick.
+/// Iterations suffice for a contact island if contacts approach by less than this fraction of the
+/// speed that weight adds in a kick.
 constexpr float32 kRestTolerance = 0.01f;
-constexpr int32 kSweepsFromNothing = 8; ///< at least, where nothing is carried over
-constexpr int32 kMostBounces = 64;      ///< sweeps over what bounces in a row
-/// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
-/// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
+constexpr int32 kSweepsFromNothing = 8; ///< minimum without warm starting
+constexpr int32 kMostBounces = 64;      ///< iterations over a row of bounces
+/// Maximum push speed for contacts that start with a deep overlap [m/s]: faster looks like a jump
+/// (Catto, "Solver2D", 2024, uses the same bound). Overlaps from weight and impacts are smaller.
 constexpr float32 kPushSpeed = 3.0f;
 
-/// As in a whole step the sweeps of a kick turn once, and the next kick goes on the way that this
-/// one ended. A kick of one sweep turns with every second kick, which is the same.
+/// As in a whole step, the iterations of a kick reverse once, and the next kick continues in the
+/// last direction. With one iteration per kick, every second kick reverses, which is equivalent.
 Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
 {
     if (count > 1)
@@ -45,7 +46,7 @@ Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
     return ((kick + 1) / 2 % 2 == 1) == turned ? Direction::Forward : Direction::Backward;
 }
 
-/// Whether a contact of the block is to bounce. It is then for Bounce: nothing does any more.
+/// True if a contact of the block must bounce. Its bias is cleared, because Bounce applies it.
 bool TakeBias(ContactBlock& block)
 {
     bool any = false;
@@ -60,8 +61,8 @@ bool TakeBias(ContactBlock& block)
     return any;
 }
 
-/// Keeps the share of each contact's impulses that was still given at the end of the last step:
-/// an impact is over.
+/// Keeps the fraction of each contact's impulses that was still applied at the end of the last
+/// step: an impact is over.
 void KeepLasting(ContactBlock& block)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
@@ -75,7 +76,7 @@ void KeepLasting(ContactBlock& block)
     }
 }
 
-/// See ScaleImpulses: of what the last kick changed, a half.
+/// Stores that fraction; see ScaleImpulses: it includes half of the last kick's change.
 void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
@@ -91,10 +92,10 @@ void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
     }
 }
 
-/// From a kick to one that is `share` times as long. What sweeps change stops what came together
-/// before the kick as well as what the kick itself brought, and the former does not grow with its
-/// length. So the change passes on as it is: twice as large after the half kick at the start it
-/// would be over-relaxed by 2, beyond which sweeps diverge, and tall piles did.
+/// Scales impulses to a kick that is `share` times as long. The changes by iterations also stop
+/// approaches from before the kick, which are not proportional to its length. They are therefore
+/// not scaled. Doubled after the first half kick, they would be over-relaxed by 2, beyond which
+/// iterations diverge; tall stacks did.
 void ScaleImpulses(ContactBlock& block, BlockTotals& totals, float32 share)
 {
     const auto scale = [share](float32& impulse, float32& first) {
@@ -144,7 +145,8 @@ void World::SolveInSubSteps(float32 timeStep, int32 velocityIterations, int32 po
     const float32 h = timeStep / float32(count);
     const int32 velocitySweeps = b2IterationsOfASubStep(velocityIterations, count);
     const int32 positionSweeps = b2IterationsOfASubStep(positionIterations, count);
-    // Overlaps go at the same pace whatever the number of small steps: faster throws things about.
+    // The rate of position correction does not depend on the number of sub-steps: a faster one adds
+    // motion.
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
     SubStepSolver solve(*this, timeStep);
@@ -196,7 +198,7 @@ void SubStepSolver::Begin(int32 count)
     const float32 toHalfKick = 0.5f / float32(count);
     const bool wereSmall = m_world.lastSubSteps > 1;
     const float32 wholeRatio = m_context.stepRatio;
-    // From the last half a kick to the first.
+    // From the last half kick to the first.
     m_context.stepRatio *= wereSmall ? float32(m_world.lastSubSteps) / float32(count) : toHalfKick;
     m_world.lastSubSteps = count;
     m_memory.bodies.resize(m_world.awakeBodies.size() + 1);
@@ -239,9 +241,9 @@ void SubStepSolver::Begin(int32 count)
     });
 }
 
-/// What comes near fast is thrown back, pair by pair, until nothing does any more: a row of balls
-/// passes it on (Chatterjee and Ruina, "A New Algebraic Rigid-Body Collision Law", 1998, call this
-/// sequential impacts).
+/// Applies restitution pair by pair until no contact approaches fast: a row of balls passes the
+/// impulse on (sequential impacts; Chatterjee and Ruina, "A New Algebraic Rigid-Body Collision
+/// Law", 1998).
 void SubStepSolver::Bounce()
 {
     bool any = false;
@@ -265,13 +267,13 @@ void SubStepSolver::Bounce()
     }
 }
 
-/// Whether there are contacts, or joints that are not in a tree.
+/// True if there are contacts, or joints outside of trees.
 bool SubStepSolver::AnyHeld() const
 {
     return m_memory.colorCount > 0 || m_subSteps.joints.HasRows();
 }
 
-/// Whether anything goes small step by small step.
+/// True if any body moves sub-step by sub-step.
 bool SubStepSolver::AnyTogether() const
 {
     return AnyHeld() || std::find(m_subSteps.ways.begin(), m_subSteps.ways.end(),
@@ -283,7 +285,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     JointSystem& joints = m_subSteps.joints;
     SolverContext kick = m_context;
     kick.timeStep = duration;
-    joints.Prepare(kick); // before the kick: springs compare the velocities
+    joints.Prepare(kick); // before the kick: springs use these velocities
     ForBodies([&](std::size_t i) {
         if (m_subSteps.ways[i] == WayOfBody::Together)
         {
@@ -332,7 +334,7 @@ void SubStepSolver::Sweep(int32 iterations)
     }
 }
 
-/// What nothing holds or touches flies through the step at once, which costs less and rounds less.
+/// Bodies without joints and contacts move through the step at once, with less cost and rounding.
 void SubStepSolver::FindFlying()
 {
     const std::size_t count = m_world.awakeBodies.size();
@@ -344,7 +346,7 @@ void SubStepSolver::FindFlying()
                            body.linearDamping == 0.0f && body.angularDamping == 0.0f;
         m_subSteps.ways[i] = flies ? WayOfBody::Flies : WayOfBody::Together;
     }
-    // What is solved one by one is in no colour.
+    // Contacts in the overflow have no colour.
     for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
     {
         for (const b2Body* body : {Data(*contact).bodyA, Data(*contact).bodyB})
@@ -372,7 +374,7 @@ void SubStepSolver::Fly(std::size_t index)
     {
         MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallMove);
     }
-    s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been slowed down
+    s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been limited
     s.w = Bounded(s.w + (0.5f * h) * alpha);
 }
 
@@ -392,7 +394,7 @@ void SubStepSolver::Drift(float32 timeStep, int32 sweeps)
 void SubStepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
 {
     m_subSteps.beforePushes = m_memory.bodies;
-    // The sweeps and the solution after them take equal parts of the way.
+    // The iterations and the direct solution each use an equal part of the limit.
     const float32 most = b2Min(kPushSpeed * timeStep / float32(sweeps + 1), b2_maxLinearCorrection);
     float32 deepest = 0.0f;
     for (int32 i = 0; i < sweeps; ++i)
@@ -412,8 +414,8 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
     }
 }
 
-/// Shortens all pushes of an island alike, so that no point of its bodies has gone farther than
-/// `most` [m] by them. The directions stay, and what was not to come nearer does not.
+/// Scales all pushes of an island equally, so that no point of its bodies moves further than `most`
+/// [m]. Directions are kept, and points that separate still do.
 void SubStepSolver::LimitPushes(float32 most)
 {
     m_subSteps.farthestPushes.assign(std::size_t(m_memory.islands.Count()), 0.0f);
