@@ -16,18 +16,18 @@ class b2Body;
 class b2Contact;
 class b2Joint;
 
-/// Both ways of a snapshot. What is saved of a structure is said once, by a function
-/// Visit(archive, structure); with a SnapshotWriter it saves and with a SnapshotReader it restores,
-/// so that the two cannot differ. Numbers are written one by one, little end first, never as images
-/// of memory: those hold padding and pointers, and change with every member.
+/// Writing and reading of snapshots. Visit(archive, structure) defines the format of a structure
+/// for both the SnapshotWriter and the SnapshotReader, so that they cannot differ. Numbers are
+/// stored one by one, little-endian. Memory images are not used, because they contain padding and
+/// pointers and change with every member.
 namespace box2d
 {
 
-/// What refers to each other, oldest first; references are written as places in these lists.
+/// Objects that are referenced, oldest first; references are stored as indices into these lists.
 struct SnapshotLists
 {
     Array<b2Body*> bodies;
-    Array<b2Joint*> joints; ///< by rising number
+    Array<b2Joint*> joints; ///< by ascending number
     Array<b2Contact*> contacts;
     b2SnapshotUserData* userData = nullptr;
 };
@@ -35,7 +35,7 @@ struct SnapshotLists
 namespace snapshot
 {
 
-/// A number's bytes, little end first, on any machine.
+/// Converts a number to little-endian bytes on any machine.
 template <class Number>
 void Order(uint8 (&bytes)[sizeof(Number)])
 {
@@ -85,7 +85,7 @@ public:
     void Require(bool) {}
     bool IsSound() const { return true; }
 
-    /// What has been written.
+    /// Returns the written bytes.
     std::vector<uint8> Take()
     {
         m_bytes.resize(m_size);
@@ -101,7 +101,8 @@ private:
     std::size_t m_size = 0;
 };
 
-/// After a mistake all it reads is zero, and counts are, so that readers come to an end.
+/// Reads a snapshot. After an error all values are zero, including counts, so that readers
+/// terminate.
 class SnapshotReader
 {
 public:
@@ -131,14 +132,14 @@ public:
         m_left = m_left.subspan(sizeof(Number));
         return number;
     }
-    /// Of things that follow, each of at least so many bytes.
+    /// Reads a count of elements, each of at least `leastBytes` bytes.
     void Count(int32& count, std::size_t leastBytes)
     {
         count = TakeNumber<int32>();
         Require(count >= 0 && std::size_t(count) <= m_left.size() / leastBytes);
         count = m_sound ? count : 0;
     }
-    /// A number or an enumerator that is good for nothing outside of a range.
+    /// Reads a number or enumerator and checks its range.
     template <class Value>
     void Within(Value& value, Value least, Value most)
     {
@@ -146,7 +147,7 @@ public:
         Require(number >= int32(least) && number <= int32(most));
         value = m_sound ? static_cast<Value>(number) : least;
     }
-    /// From the first that is false on everything is refused.
+    /// After the first false condition everything is rejected.
     void Require(bool condition)
     {
         if (!condition)
@@ -195,7 +196,7 @@ void Visit(Archive& archive, Value (&values)[count])
     }
 }
 
-/// Of numbers.
+/// Reads or writes an array of numbers.
 template <class Archive, class Number>
 void Visit(Archive& archive, Array<Number>& numbers)
 {
@@ -208,8 +209,8 @@ void Visit(Archive& archive, Array<Number>& numbers)
     }
 }
 
-// Bindings name every member of a structure, so that one more does not compile until it is said
-// here what becomes of it.
+// Structured bindings name every member, so that a new member does not compile until its handling
+// is stated here.
 
 template <class Archive>
 void Visit(Archive& archive, b2Vec2& v)
@@ -265,13 +266,13 @@ void Visit(Archive& archive, b2Manifold& manifold)
     archive(normal, place);
     archive.Within(type, b2Manifold::e_circles, b2Manifold::e_faceB);
     archive.Within(count, 0, int32(b2_maxManifoldPoints));
-    for (int32 i = 0; i < count; ++i) // nobody reads what is left of others
+    for (int32 i = 0; i < count; ++i) // the remaining elements are not read
     {
         archive(points[i]);
     }
 }
 
-/// A pointer to user data, as what the program makes of it.
+/// Reads or writes user data as the program's number.
 template <class Archive>
 void VisitUserData(Archive& archive, void*& userData)
 {

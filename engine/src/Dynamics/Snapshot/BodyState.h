@@ -15,8 +15,8 @@
 namespace box2d
 {
 
-// The members of a class with a base cannot be named all at once; where pointers have 8 bytes its
-// size tells when one has been added.
+// The members of a class with a base cannot be bound all at once. On 64-bit platforms its size
+// detects a new member.
 template <class Object, std::size_t size>
 constexpr bool kHasSize = sizeof(void*) != 8 || sizeof(Object) == size;
 
@@ -68,7 +68,7 @@ void Visit(Archive& archive, b2ChainShape& shape)
     }
 }
 
-/// All but the shape; each child has its place in a tree while the body is active.
+/// All members except the shape; each child has a tree node while the body is active.
 template <class Archive>
 void VisitFixture(Archive& archive, World& world, b2Fixture& fixture)
 {
@@ -113,7 +113,7 @@ void VisitFixtureOf(Archive& archive, World& world, b2Body& body, b2Fixture* fix
     }
 }
 
-/// The fixture is null when one is to be read.
+/// The fixture is null for reading.
 template <class Archive>
 void VisitFixture(Archive& archive, World& world, b2Body& body, b2Fixture* fixture)
 {
@@ -132,7 +132,7 @@ void VisitFixture(Archive& archive, World& world, b2Body& body, b2Fixture* fixtu
     }
 }
 
-/// The body's own; lists say in which of them it is.
+/// The body's own members; the lists define its membership.
 template <class Archive>
 void Visit(Archive& archive, BodyData& body)
 {
@@ -153,7 +153,7 @@ void Visit(Archive& archive, BodyData& body)
     VisitUserData(archive, userData);
 }
 
-/// Oldest first, as new ones are put in front of the old.
+/// Oldest first, because new ones are inserted at the front.
 template <class Archive>
 void VisitFixtures(Archive& archive, World& world, b2Body& body)
 {

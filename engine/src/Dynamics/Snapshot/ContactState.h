@@ -9,8 +9,8 @@
 namespace box2d
 {
 
-/// The contact's own; its proxies and lists say the rest. The form that it was solved as is found
-/// anew, and the place of its old manifold means something within an update only.
+/// The contact's own members; its proxies and the lists define the rest. The form of its last block
+/// is determined again. The index of its old manifold is valid within an update only.
 template <class Archive>
 void Visit(Archive& archive, ContactData& contact)
 {
@@ -21,7 +21,7 @@ void Visit(Archive& archive, ContactData& contact)
     archive(manifold, relative, lasting);
 }
 
-/// By the proxies whose boxes overlap.
+/// Identified by the proxies whose boxes overlap.
 template <class Archive>
 void VisitContact(Archive& archive, World& world, b2Contact*& contact)
 {

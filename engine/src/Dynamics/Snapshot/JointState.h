@@ -15,13 +15,13 @@
 #include <Box2D/Dynamics/Joints/b2WeldJoint.h>
 #include <Box2D/Dynamics/Joints/b2WheelJoint.h>
 
-/// Joints of all kinds: their settings, and the impulses and directions of the last step.
+/// Joints of all types: settings, and impulses and directions of the last step.
 namespace box2d
 {
 
 struct JointAccess::Snapshot
 {
-    /// What all joints have. The lists say in which of them it is.
+    /// Members common to all joints. The lists define their membership.
     template <class Archive>
     static void VisitBase(Archive& archive, b2Joint& j)
     {
@@ -29,7 +29,7 @@ struct JointAccess::Snapshot
         archive(j.m_number, j.m_changedAt, j.m_linked, j.m_collideConnected);
         VisitUserData(archive, j.m_userData);
     }
-    /// A gear was given its bodies when it was made; others may be moved by now.
+    /// A gear keeps the bodies of its creation, even if its joints now move others.
     static void SetBodies(b2Joint& j, b2Body* a, b2Body* b)
     {
         j.m_bodyA = a;
@@ -82,7 +82,7 @@ struct JointAccess::Snapshot
         archive(j.m_impulse);
     }
 
-    /// Its two joints are known when it is made.
+    /// The two joints are given at construction.
     template <class Archive>
     static void Visit(Archive& archive, b2GearJoint& j)
     {
@@ -141,7 +141,7 @@ struct JointAccess::Snapshot
     }
 };
 
-/// The joints of a gear are older than it.
+/// The joints of a gear are older than the gear.
 template <class Archive>
 void VisitParts(Archive& archive, b2GearJointDef& def, b2Joint* joint)
 {
@@ -162,7 +162,7 @@ template <class Archive>
 void VisitParts(Archive&, b2JointDef&, b2Joint*)
 {}
 
-/// One kind of joint; null when it is to be read. Null, too, when there is none to be read.
+/// A joint of one type; null for reading. The result is null if there is none to read.
 template <class Joint, class Definition, class Archive>
 b2Joint* VisitKind(Archive& archive, World& world, b2Joint* joint)
 {

@@ -7,15 +7,14 @@
 #include "../State/ConstraintGraph.h"
 #include "../State/Islands.h"
 
-/// The lists that bodies, contacts and joints are in, in their order, which is that in which they
-/// are solved and events are told.
+/// The lists of bodies, contacts and joints in their order, which is that of solving and of events.
 namespace box2d
 {
 
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, Islands& islands)
 {
-    // What was seen in a step is forgotten at its end, and what is sleepy means nothing later.
+    // `seenIslands` is empty between steps, and `sleepy` is scratch.
     auto& [all, free, seenIslands, sleepy, members, stack] = islands;
     constexpr std::size_t leastBytes = 2 * sizeof(int32);
     auto count = int32(all.size());
@@ -53,7 +52,7 @@ void SnapshotAccess::Visit(Archive& archive, Islands& islands)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, ConstraintGraph& graph)
 {
-    // Forms are looked at anew after restoring.
+    // Forms are determined again after restoring.
     auto& [contacts, contactsChanged, formsChanged, joints, jointVersion, sorted] = graph;
     for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
     {
@@ -75,7 +74,7 @@ void SnapshotAccess::Visit(Archive& archive, ConstraintGraph& graph)
     }
 }
 
-/// Bodies or contacts, which know their place.
+/// Bodies or contacts, which store their index.
 template <class Archive, class Thing>
 void VisitAwake(Archive& archive, Array<Thing*>& awake)
 {

@@ -21,9 +21,9 @@ class Proxies;
 class RowSystem;
 class World;
 
-/// The snapshot's door to what the parts of the engine keep private. Each visitor is in the header
-/// of its part, beside this one; all of them name every member of their part, so that one more does
-/// not compile until it is said what becomes of it.
+/// Access of snapshots to private members of the engine. Each visitor is in the header of its part,
+/// in this folder. All of them name every member of their part, so that a new member does not
+/// compile until it is handled.
 struct SnapshotAccess
 {
     static std::unique_ptr<World>& Of(b2World& world) { return world.m_world; }
@@ -35,9 +35,9 @@ struct SnapshotAccess
     template <class Archive>
     static void Visit(Archive& archive, Proxies& proxies);
     static bool IsSound(const b2DynamicTree& tree);
-    /// Of trees that have been read: whether there is such a leaf.
+    /// True if the restored trees contain such a leaf.
     static bool IsProxy(const Proxies& proxies, int32 proxyId);
-    /// Gives a leaf to its fixture; false when there is none, or it has one.
+    /// Assigns a leaf to its fixture; false if the leaf does not exist or is already assigned.
     static bool Connect(Proxies& proxies, b2FixtureProxy& proxy);
     static bool AreAllConnected(const Proxies& proxies);
     // ListState.h

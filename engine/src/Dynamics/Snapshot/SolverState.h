@@ -9,20 +9,21 @@
 #include "../State/World.h"
 #include "../SubSteps/SubStepMemory.h"
 
-/// What the solver's memory leaves to the next step. Most of it is filled anew in each step; what
-/// is made when joints or contacts come or go follows from the lists, but not all of it:
-///  - contacts stay in their blocks in an order that places of bodies had in the past;
-///  - joints keep what of them gives way, and how stiff the last step's forces made them;
-///  - which joints win energy was found when the list was made, with the settings of that time;
-///  - between the parts of a step of b2World::SetSubStepping the step is still under way.
+/// The part of the solver's memory that one step passes to the next. Most of the memory is filled
+/// again in each step. Data created when joints or contacts are added or removed follows from the
+/// lists, with these exceptions:
+///  - contacts keep their order in blocks, which depends on past positions of bodies;
+///  - joints keep their active set, and the stiffness from the forces of the last step;
+///  - the joints at risk were determined when the list was created, with the settings of that time;
+///  - between the parts of a step of b2World::SetSubStepping the step is incomplete.
 namespace box2d
 {
 
-/// Contacts by their place in the colour. A colour that has changed is sorted anew anyway.
+/// Contacts by their index in the colour. A changed colour is sorted again anyway.
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, ContactBlocks& blocks, const World& world, int32 color)
 {
-    // Blocks are given out and prepared anew.
+    // Blocks are assigned and prepared again.
     auto& [sorted, buckets, contactBlocks, overlapBlocks, totals, blockCount] = blocks;
     const ConstraintGraph& graph = world.graph;
     if (graph.ChangeOf(color) == ConstraintGraph::Change::Contacts)
@@ -56,8 +57,8 @@ void VisitReferences(Archive& archive, Array<const b2Joint*>& joints)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& world)
 {
-    // Springs and motors, and what goes with them, are listed anew in each step; in one that has
-    // been broken off the springs have been charged.
+    // Springs, motors and related data are listed again in each step; in an interrupted step the
+    // springs have been charged.
     auto& [risky, sliding, version, accountOf, accounts, springs, motors, gravity, leastFall,
            timeStep, subSteps] = guard;
     bool followed = version == world.graph.JointVersion();
@@ -82,8 +83,8 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
     }
 }
 
-/// Of the rows of the last step nothing but what RowSystem::SquaredFrequency reads, in the form
-/// that new joints in the same places find as well.
+/// Of the rows of the last step only what RowSystem::SquaredFrequency reads, in the form that new
+/// joints at the same indices use as well.
 template <class Archive>
 void Visit(Archive& archive, JointRows& rows)
 {
@@ -97,7 +98,7 @@ void Visit(Archive& archive, JointRows& rows)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
-    // All else is made anew with the pattern, or filled before it is read.
+    // All other members are recomputed with the pattern, or filled before they are read.
     auto& [pattern, rows, active, weights, lack, found, sides, exact, stiffness, x, diagonal,
            entries, ballast, own] = system;
     constexpr std::size_t leastBytes = 69;
@@ -124,7 +125,7 @@ void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& w
     {
         return;
     }
-    // The list is followed when the next step has woken what there is to be woken.
+    // The list is used when the next step has woken all bodies that must wake.
     auto& kept = version == present ? yields : restored;
     restoredVersion = Archive::kReads ? present : restoredVersion;
     kept.resize(world.graph.Joints().size());
@@ -147,7 +148,7 @@ void VisitSolver(Archive& archive, World& world)
     }
     SnapshotAccess::Visit(archive, *world.energyGuard, world);
     SnapshotAccess::Visit(archive, subSteps.joints, world);
-    // How what flies through a step of small ones is accelerated, for the impacts that remain.
+    // Accelerations of freely falling bodies with sub-steps, for the remaining impacts.
     auto count = int32(subSteps.ways.size());
     archive.Count(count, sizeof(int32));
     subSteps.ways.resize(std::size_t(count));
