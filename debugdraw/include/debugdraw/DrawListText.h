@@ -6,17 +6,17 @@
 #include <string>
 
 /// @file
-/// A DrawList as text that a person can review in a diff: one item a line, its owner, layer, kind,
-/// colour, points [m] and size, e.g. `body 3 shapes solid-polygon #e6b3b3 (0, 0) (1, 0) (1, 1)`.
-/// Used as the second depth of golden tests. Two lists filled by the Add functions have the same
-/// text exactly when they are equal (numbers are printed with the fewest digits that read back).
+/// A DrawList as text for diffs: one item per line with owner, layer, kind, colour, points [m] and
+/// size, e.g. `body 3 shapes solid-polygon #e6b3b3 (0, 0) (1, 0) (1, 1)`. The second depth of
+/// golden tests. Two lists filled by the Add functions have the same text exactly if they are
+/// equal; numbers have the fewest digits that read back exactly.
 namespace boxreel
 {
 
-/// Each item in a line, numbers exact.
+/// Returns one line per item, with exact numbers.
 std::string ToText(const DrawList& list);
 
-/// "shapes", "joints", … as it stands in that text.
+/// Returns the name in that text: "shapes", "joints", …
 const char* LayerName(DrawLayer layer);
 
 } // namespace boxreel

@@ -10,13 +10,13 @@
 #include <vector>
 
 /// @file
-/// Colours and line widths of a picture. A DrawList carries the colours that an engine's debug
-/// drawing asked for (the classic palette); a theme says what they become, on a screen and on paper
-/// alike. Colours that are not of that palette are the user's own and are kept.
+/// Colours and line widths of a picture. A DrawList has the colours of an engine's debug drawing
+/// (the classic palette); a theme maps them, for screen and paper. Colours outside of that palette
+/// are the user's own and are kept.
 namespace boxreel
 {
 
-/// What the debug drawing has a colour of its own for.
+/// The meaning of a colour in the debug drawing.
 enum class ColorRole : std::uint8_t
 {
     StaticBody,
@@ -34,15 +34,15 @@ enum class ColorRole : std::uint8_t
     ContactFriction,
     JointForce,
     Velocity,
-    Ink, ///< white: labels, and whatever is meant to stand out most from the ground
+    Ink, ///< white: labels, and items with the highest contrast to the background
 };
-/// How many roles there are.
+/// Number of roles.
 inline constexpr std::size_t kColorRoles = 16;
-/// A colour for each role, in the order of the roles.
+/// A colour per role, in the order of the roles.
 using Palette = std::array<Color, kColorRoles>;
 
-/// The colours every user of this debug drawing knows. Friction looks like impulses there; a step
-/// of blue, which nobody sees, tells themes which of the two is asked for.
+/// The standard colours of the debug drawing. There, friction has the colour of impulses; an
+/// invisible difference of one step of blue lets themes separate them.
 inline constexpr Palette kClassicPalette{{{128, 230, 128},
                                           {128, 128, 230},
                                           {230, 179, 179},
@@ -63,42 +63,43 @@ inline constexpr Palette kClassicPalette{{{128, 230, 128},
 /// Colours and widths of a picture.
 struct Theme
 {
-    Color background{26, 26, 26, 255}; ///< where nothing is drawn
-    Color text{230, 230, 230, 255};    ///< of captions; a label has its own colour, usually Ink
+    Color background{26, 26, 26, 255}; ///< colour of empty areas
+    Color text{230, 230, 230, 255};    ///< of captions; labels have their own colour, usually Ink
     Color xAxis{255, 64, 64, 255};     ///< of a drawn frame of reference
     Color yAxis{64, 220, 64, 255};     ///< of a drawn frame of reference
     float outlineWidth = 1.25f;        ///< of shapes and segments [px]
-    float fillShade = 0.5f; ///< a solid shape is filled with this share of its colour …
-    float fillAlpha = 0.5f; ///< … at this opacity
+    float fillShade = 0.5f;            ///< factor of a solid shape's colour
+    float fillAlpha = 0.5f;            ///< and opacity of its fill
 
-    /// False: every colour is drawn as it was asked for, and `palette` is not looked at.
+    /// False: every colour is drawn unchanged, and `palette` is not used.
     bool recolors = false;
-    Palette palette = kClassicPalette; ///< by ColorRole: what becomes of the classic colours
+    Palette palette = kClassicPalette; ///< by ColorRole: replacements of the classic colours
 
-    /// What an outline, a line or a letter is drawn in when this colour is asked for; its opacity
-    /// is kept. A colour of the user's own that would hardly be seen on the ground (contrast below
-    /// about 3:1) is darkened, or on a dark ground lightened, until it is.
+    /// Returns the colour for outlines, lines and text; the opacity is kept. A user's own colour
+    /// with a low contrast to the background (below about 3:1) is darkened, or lightened on a dark
+    /// background, until it is visible.
     Color Outline(Color asked) const;
 
-    /// What a shape is filled with, before shade and opacity. The user's own colours are kept.
+    /// Returns the colour for a fill, before shade and opacity. The user's own colours are kept.
     Color Fill(Color asked) const;
 
-    /// As it has always looked.
+    /// Returns the default theme, with unchanged colours.
     static Theme Classic();
-    /// The classic ground with the eight colours of Okabe and Ito ("Color Universal Design", 2008;
-    /// white in the place of black) and seven more for lines, arrows and points that lie over them.
-    /// People of any colour vision tell all of them apart.
+    /// Returns the classic background with the eight colours of Okabe and Ito ("Color Universal
+    /// Design", 2008; white instead of black), and seven more for lines, arrows and points above
+    /// them. All can be told apart with any colour vision.
     static Theme OkabeIto();
-    /// A white ground, dark outlines, light fills: for paper and for light pages.
+    /// Returns a theme with a white background, dark outlines and light fills, for paper and light
+    /// pages.
     static Theme Print();
-    /// For dark pages: the twin of Print.
+    /// Returns the counterpart of Print for dark pages.
     static Theme Dark();
 };
 
-/// classic, okabe-ito, print, dark.
+/// Returns the names: classic, okabe-ito, print, dark.
 const std::vector<std::string_view>& ThemeNames();
 
-/// The theme of that name, if there is one.
+/// Returns the theme of that name, if there is one.
 std::optional<Theme> FindTheme(std::string_view name);
 
 } // namespace boxreel
