@@ -12,7 +12,7 @@ namespace boxreel
 
 /// Returns the visible bodies, oldest first; all of them without an area. With an area: awake
 /// bodies, bodies with joints, and those with a shape in the picture or up to `reachPixels` beside
-/// it. A body at rest without shapes and joints in the picture is not included.
+/// it. A sleeping body without joints is skipped if none of its shapes is near the picture.
 std::vector<const b2Body*> SeenBodies(const b2World& world, const View& view, double reachPixels);
 
 /// Returns the bodies that can move and are awake, oldest first.

@@ -25,7 +25,7 @@ namespace
            frame.rgba.size() == std::size_t(frame.width) * std::size_t(frame.height) * 4;
 }
 
-// The shortest text that reads back, whatever the locale.
+// Returns the shortest text that reads back exactly, independent of the locale.
 std::string Number(double value)
 {
     char text[32];
@@ -41,7 +41,7 @@ std::string Rounded(double value)
     return {text, end};
 }
 
-/// A share as a percentage that, read again, is this share: a limit is never rounded.
+/// Returns a fraction as a percentage that reads back exactly: limits are never rounded.
 std::string Percent(double share)
 {
     for (int digits = 3; digits < 17; ++digits)
@@ -65,8 +65,8 @@ std::string Size(const Frame& frame)
     return std::to_string(frame.width) + "x" + std::to_string(frame.height);
 }
 
-/// "exact", or "exact, with another tolerance and maxPixels,": a program can change each of them.
-/// What options changed has a name of its own.
+/// Returns the source of the limits: "exact", or "exact, with another tolerance and maxPixels,". A
+/// program can change each limit; changes by options have their own preset name.
 std::string Origin(const CompareSettings& settings)
 {
     std::string changed;
@@ -118,7 +118,7 @@ std::string DescribeLimits(const CompareSettings& settings)
 namespace
 {
 
-/// A comparison that compares nothing must not pass.
+/// A comparison without compared pixels must fail.
 bool IsAllIgnored(const Comparison& result)
 {
     return result.compared == 0 && result.ignored > 0;
@@ -203,7 +203,7 @@ std::optional<CompareSettings> ForOtherRenderer(const CompareSettings& settings)
         return std::nullopt;
     }
     CompareSettings other = CompareSettings::CrossMachine();
-    // "same-machine, with --ignore,": what was left out stays so.
+    // Keeps additions such as "same-machine, with --ignore,".
     other.preset += settings.preset.substr(std::min(usual.preset.size(), settings.preset.size()));
     other.ignored = settings.ignored;
     other.ignoredBodies = settings.ignoredBodies;

@@ -7,15 +7,15 @@
 #include <string>
 #include <string_view>
 
-/// Text to and from the gzip format (RFC 1952), so that `zcat` reads what is stored. Only Gzip.cpp
-/// knows zlib. Works in memory, touches no files; messages name no file either, the caller does.
+/// Text to and from the gzip format (RFC 1952), readable by `zcat`. Only Gzip.cpp uses zlib. Works
+/// in memory; the caller adds the file name to messages.
 namespace boxreel
 {
 
-/// Without a time or a name in the header: the same text gives the same bytes.
+/// Compresses without a time or a name in the header: the same text gives the same bytes.
 Result<std::string> Gzip(std::string_view text);
 
-/// An Error when the bytes are not exactly one whole gzip stream or grow beyond `limit`.
+/// Decompresses. An Error when the bytes are not exactly one gzip stream or exceed `limit`.
 Result<std::string> Gunzip(std::string_view bytes, std::size_t limit);
 
 } // namespace boxreel

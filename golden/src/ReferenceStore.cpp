@@ -23,11 +23,11 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A film as it is compared.
+/// A film's contact sheet for a comparison.
 struct SheetView
 {
     const Frame& frame;
-    const SheetLayout& layout; ///< all of it lies on the frame
+    const SheetLayout& layout; ///< completely on the frame
 };
 
 bool HaveSameSize(const SheetLayout& a, const SheetLayout& b)
@@ -42,8 +42,8 @@ bool LiesOn(const Frame& frame, const SheetLayout& layout)
     return row.x1 <= frame.width && layout.Place(layout.pictures - 1).y1 <= frame.height;
 }
 
-/// How the pictures of two films of the same moments part: the step of the first that differs by
-/// itself, or that only one film has; none when all are of another size, or differ together only.
+/// Returns the step of the first picture that differs, or that only one film has. None if all have
+/// different sizes, or only the sheet as a whole differs.
 std::optional<std::int64_t> FirstPicture(const SheetView& expected, const SheetView& actual,
                                          CompareSettings settings)
 {
@@ -67,7 +67,8 @@ std::optional<std::int64_t> FirstPicture(const SheetView& expected, const SheetV
                : std::optional(expected.layout.Step(count));
 }
 
-/// "3 pictures instead of 4, ", "pictures of 160x90 instead of 320x180, ", or nothing.
+/// Returns "3 pictures instead of 4, ", "pictures of 160x90 instead of 320x180, ", or an empty
+/// string.
 std::string OtherLayout(const SheetLayout& expected, const SheetLayout& actual)
 {
     const auto size = [](const SheetLayout& sheet) {
@@ -85,13 +86,13 @@ std::string OtherLayout(const SheetLayout& expected, const SheetLayout& actual)
 
 struct Differences
 {
-    bool state = false; // at this moment, or on the way
+    bool state = false; // at this moment or an earlier step
     std::optional<TraceDifference> onTheWay;
     std::optional<LineDifference> list;
     bool pixels = false;
     bool moments = false;              // of a film, on the sheets
-    std::optional<std::int64_t> since; // the step of the picture of a sheet that differs first
-    std::string layout;                // how many pictures it has, or how large, where that differs
+    std::optional<std::int64_t> since; // step of the first different picture of a sheet
+    std::string layout;                // difference in the number or size of pictures
 };
 
 std::string FirstLine(const std::string& text)
@@ -122,7 +123,7 @@ GoldenStatus StatusOf(const Differences& differences)
     return differences.pixels || differences.moments ? GoldenStatus::Pixels : GoldenStatus::Same;
 }
 
-// Since when the worlds differ, and by how much at this moment.
+// Describes the first different step, and the difference at this moment.
 std::string ExplainState(const Moment& expected, const Moment& actual,
                          const Differences& differences)
 {
@@ -142,7 +143,7 @@ std::string ExplainState(const Moment& expected, const Moment& actual,
     return text + (now.empty() ? ")" : "; now " + now + ")");
 }
 
-/// What differs first, then the depths below it.
+/// Describes the first different depth, then those below it.
 std::vector<std::string> Explain(const Moment& expected, const Moment& actual,
                                  const Differences& differences, const Comparison& pixels)
 {
@@ -187,7 +188,7 @@ std::vector<std::string> Explain(const Moment& expected, const Moment& actual,
     return findings;
 }
 
-// The failure stays known even when its files cannot be written.
+// Keeps the failure when its files cannot be written.
 Error With(const GoldenVerdict& verdict, const Error& error)
 {
     return Error{error.kind, verdict.name,
@@ -201,7 +202,7 @@ bool IsNothingKept(const Moment& expected)
            !expected.sheet;
 }
 
-/// The depths of the actual moment for which there is something to compare with.
+/// Returns the depths of the actual moment that the reference has too.
 Moment Comparable(const Moment& expected, Moment actual)
 {
     if (!expected.state)
@@ -221,14 +222,14 @@ Moment Comparable(const Moment& expected, Moment actual)
     {
         actual.frame.reset();
     }
-    if (!expected.sheet || !expected.frame) // it says how the picture's parts lie
+    if (!expected.sheet || !expected.frame) // the layout applies to the picture
     {
         actual.sheet.reset();
     }
     return actual;
 }
 
-/// What there is does not differ, or there is nothing.
+/// All existing depths are equal, or there are none.
 void SayMissing(GoldenVerdict& verdict, const Moment& expected,
                 const std::vector<std::string>& missing, const fs::path& references)
 {
@@ -239,7 +240,7 @@ void SayMissing(GoldenVerdict& verdict, const Moment& expected,
                                                       ", and the rest is the same"};
 }
 
-/// With which the command makes this sheet of a film.
+/// Returns the options of the command that creates this sheet of a film.
 std::string OptionsFor(const SheetLayout& sheet)
 {
     const ContactSheetSettings usual;
@@ -256,7 +257,7 @@ std::string OptionsFor(const SheetLayout& sheet)
     return options.str();
 }
 
-/// The command takes the references of the checkout around it unless told otherwise.
+/// Returns the option for the references; the command's default is that of the current checkout.
 std::string OptionFor(const fs::path& references)
 {
     const bool isDefault =
@@ -264,7 +265,7 @@ std::string OptionFor(const fs::path& references)
     return isDefault ? "" : " --references " + ShellQuoted(references.string());
 }
 
-/// There is nothing to compare with.
+/// Reports a candidate without a reference.
 Result<GoldenVerdict> ReportAlone(GoldenVerdict verdict, const FailureFiles& files,
                                   const Moment& actual)
 {
@@ -307,12 +308,12 @@ struct Judged
 {
     GoldenVerdict verdict{};
     Moment expected{}, actual{};
-    CompareSettings limits; // those that held, with what was left out
+    CompareSettings limits; // the applied limits, including ignored areas
     std::optional<std::int64_t> firstStep{};
     std::vector<int> firstBodies{};
 };
 
-/// Empty when each body can be left out.
+/// Returns why the bodies cannot be ignored; empty if they can.
 std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate& candidate,
                           const Moment& expected)
 {
@@ -332,9 +333,9 @@ std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate&
                             std::to_string(last);
 }
 
-/// Empty when the depths of what was approved belong together. They do not when the lines of bodies
-/// were changed and the hash above them was not, as a merge may do, or when the trace of the same
-/// state has other steps: what the worlds would be said to differ in would not be true.
+/// Returns why the depths of the reference are inconsistent; empty if they are not. A merge may
+/// change the lines of bodies but not the hash, or the trace may have other steps. The reported
+/// differences would then be wrong.
 std::string WhyNotWhole(const Moment& expected, const Moment& actual)
 {
     if (!actual.state || *actual.state != *expected.state)
@@ -352,7 +353,7 @@ std::string WhyNotWhole(const Moment& expected, const Moment& actual)
                                          : "";
 }
 
-/// What differs, of two moments that have the same depths.
+/// Returns the differences of two moments with the same depths.
 Differences Compare(const Moment& expected, const Moment& actual, const CompareSettings& settings,
                     Comparison& pixels)
 {
@@ -374,14 +375,14 @@ Differences Compare(const Moment& expected, const Moment& actual, const CompareS
     return differences;
 }
 
-/// What a person runs to make the candidate the reference.
+/// Returns the command that accepts the candidate.
 std::string CommandToAccept(const GoldenCandidate& candidate, const fs::path& references)
 {
     return "boxreel golden accept " + candidate.name +
            (candidate.sheet ? OptionsFor(*candidate.sheet) : "") + OptionFor(references);
 }
 
-/// The reference is damaged; the candidate may become a new one.
+/// Reports a damaged reference; the candidate may replace it.
 Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::path& references,
                   const std::string& why)
 {
@@ -393,7 +394,8 @@ Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::pat
     return judged;
 }
 
-/// Leaves the bodies out of both moments, and of their pictures by the limits. Empty when it could.
+/// Removes the bodies from both moments and, by the limits, from their pictures. Returns the reason
+/// if that is impossible, otherwise an empty string.
 std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandidate& candidate,
                              Moment& expected, Moment& actual, CompareSettings& limits)
 {
@@ -413,7 +415,7 @@ std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandida
                : "";
 }
 
-/// The limits of two pictures' comparison, by who drew them.
+/// Selects the limits by the renderers of both pictures.
 LimitsChoice ChooseLimits(const Moment& expected, const Moment& actual, CompareSettings& limits)
 {
     const std::optional<CompareSettings> others = ForOtherRenderer(limits);
@@ -466,7 +468,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
                           "in " + references.string() +
                               " its sheet's text is not that of its picture; restore it");
     }
-    Moment less[2]; // the files of a failure have the bodies that are left out
+    Moment less[2]; // the files of a failure still contain the ignored bodies
     const Moment* before = &judged.expected;
     const Moment* now = &actual;
     if (!settings.ignoredBodies.empty())
@@ -566,8 +568,7 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
         {verdict, candidate, judged.limits, judged.firstStep, judged.firstBodies});
     if (verdict.status == GoldenStatus::Same)
     {
-        // What passes also passes where nothing can be written, such as in a folder that is read
-        // only; only that nobody can read of it later.
+        // A success does not require a writable folder; only the verdict file is then missing.
         verdict.warning = written ? "" : written.GetError().Text();
         return std::move(verdict);
     }

@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-/// Where two texts part, line by line, for messages. Knows nothing of what the lines mean.
+/// The first difference of two texts, line by line, for messages. Independent of their meaning.
 namespace boxreel
 {
 
-/// Without either line, the texts differ by the newline at their end alone.
+/// Without either line, the texts differ only in the newline at their end.
 struct LineDifference
 {
     std::size_t line = 0;                ///< counted from 1
@@ -20,10 +20,10 @@ struct LineDifference
     std::size_t actualLines = 0;
 };
 
-/// None when the texts are equal.
+/// Returns the first difference; none if the texts are equal.
 std::optional<LineDifference> FirstDifference(std::string_view expected, std::string_view actual);
 
-/// `line 3 is "…" instead of "…"`, and how many lines there are when that changed.
+/// Returns `line 3 is "…" instead of "…"`, and the numbers of lines if they differ.
 std::string Describe(const LineDifference& difference);
 
 } // namespace boxreel

@@ -53,7 +53,7 @@ double Offset(const BodyState& a, const BodyState& b)
     return std::hypot(double(a.x) - double(b.x), double(a.y) - double(b.y));
 }
 
-/// What differs most tells most: places before angles before velocities.
+/// The most significant difference first: positions before angles before velocities.
 std::string DescribeBody(const BodyState& expected, const BodyState& actual)
 {
     const double dx = double(actual.x) - double(expected.x);
@@ -115,7 +115,7 @@ std::optional<BodyState> ParseBody(std::string_view line)
     return at == end && (read == 3 || read == 6) ? std::optional<BodyState>(body) : std::nullopt;
 }
 
-/// The bodies that only one of the worlds has, and pairs of those that both have.
+/// The bodies of only one world, and the pairs of common bodies.
 struct Matched
 {
     std::vector<int> missing, extra;
