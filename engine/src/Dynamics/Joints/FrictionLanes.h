@@ -3,8 +3,8 @@
 
 #include "JointLanes.h"
 
-/// The solver of b2FrictionJoint, whose source has the formulas; with a wanted speed that of
-/// b2MotorJoint as well.
+/// The solver of b2FrictionJoint; its source file contains the formulas. With a target velocity it
+/// is also used for b2MotorJoint.
 namespace box2d
 {
 namespace
@@ -19,7 +19,7 @@ struct FrictionLanes
 
     Vector<F> impulse;                      ///< [N s]
     F angularImpulse;                       ///< [N m s]
-    F most, mostAngular;                    ///< of them
+    F most, mostAngular;                    ///< their maximum
     Vector<F> armA, armB;                   ///< at the start of the step [m]
     typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     F angularMass;

@@ -3,8 +3,8 @@
 
 #include "JointLanes.h"
 
-/// The solver of b2GearJoint, whose source has the formulas. Its bodies are those of two joints,
-/// the frame and the body of each; a body may be one of both.
+/// The solver of b2GearJoint; its source file contains the formulas. Its bodies are the frame and
+/// the body of two joints; a body may be part of both.
 namespace box2d
 {
 namespace
@@ -13,7 +13,7 @@ namespace
 template <class F>
 struct GearLanes
 {
-    /// One of the two joints: how its coordinate follows from its frame (A) and its body (B).
+    /// One of the two joints: its coordinate as a function of its frame (A) and its body (B).
     struct Side
     {
         Vector<F> axis; ///< zero for a hinge
@@ -27,7 +27,7 @@ struct GearLanes
         {
             return pair.SpeedAlong(axis, armFrame, armBody);
         }
-        /// How far the coordinate has come in this step.
+        /// Returns the change of the coordinate in this step.
         F Way(const PlacedPair<F>& pair) const
         {
             const Vector<F> d = pair.Offset(offset) + pair.b.Turn(armB) - pair.a.Turn(armA);
@@ -65,7 +65,7 @@ struct GearKernels
                    : LoadMoving<F>(block.bodyC + lane, block.bodyD + lane, numbers + kSecond + lane,
                                    bodies);
     }
-    /// One side after the other, for they may share a body.
+    /// One side after the other, because they may share a body.
     static void Apply(const JointBlock& block, int lane, const Gears& gears, F impulse,
                       const float32* numbers, float32* bodies)
     {

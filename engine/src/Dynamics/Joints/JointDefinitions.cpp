@@ -24,7 +24,7 @@ namespace box2d
 namespace
 {
 
-/// True if the island of all that the gear moves includes what this joint moves, with the gear
+/// True if the connected component of the gear's bodies includes those of this joint, with the gear
 /// between `body` and a body of the other joint.
 bool Reaches(b2Joint& joint, const b2Body& body, b2Joint& otherJoint)
 {
@@ -33,7 +33,7 @@ bool Reaches(b2Joint& joint, const b2Body& body, b2Joint& otherJoint)
            &other == otherJoint.GetBodyB();
 }
 
-/// The definition's body first, else the joint's second one, which the joint is about.
+/// The definition's body first, otherwise the joint's second one.
 void SortBodies(b2Joint& joint, b2Body* wish, b2Body* (&bodies)[2])
 {
     bodies[0] = wish == joint.GetBodyA() ? wish : joint.GetBodyB();
@@ -71,7 +71,7 @@ GearBodies BodiesOf(const b2GearJointDef& def)
 namespace
 {
 
-// One overload a kind of joint, found by the type of the definition.
+// One overload per joint type, selected by the type of the definition.
 
 bool IsSoundKind(const b2RevoluteJointDef& d)
 {

@@ -5,19 +5,18 @@ struct b2GearJointDef;
 struct b2JointDef;
 class b2Body;
 
-/// What is asked of a joint's definition before the joint is made. Called by World::CreateJoint
-/// only; changes nothing.
+/// Checks of a joint's definition before construction. Called by World::CreateJoint only; changes
+/// nothing.
 namespace box2d
 {
 
-/// Two different bodies, and numbers a solver can work with. With asserts on, what is missing is
-/// said.
+/// True for two different bodies and valid numbers. With asserts on, a sentence names the defect.
 bool IsSound(const b2JointDef& def);
 
-/// The two different bodies a gear connects, one of each of its joints: those of the definition.
-/// Other ones only where these are none of the joints', or would leave bodies that the gear moves
-/// in two islands: a post on which a gear wheel turns does not connect the wheel to anything. Null
-/// if the joints have no two different bodies.
+/// The two different bodies a gear connects, one of each joint: those of the definition. They are
+/// replaced only if they are not the joints' bodies, or would leave the gear's bodies in two
+/// islands. For example, a post on which a gear wheel rotates does not connect the wheel to
+/// anything. Null if the joints have no two different bodies.
 struct GearBodies
 {
     b2Body* a = nullptr;

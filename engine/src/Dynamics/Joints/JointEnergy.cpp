@@ -22,7 +22,7 @@ namespace box2d
 namespace
 {
 
-/// A joint's two bodies after what has moved in the step.
+/// A joint's two bodies with their displacements in the step.
 class Pair
 {
 public:
@@ -43,7 +43,7 @@ public:
     {
         return dataB.pose.angle - dataA.pose.angle + double(b.angle) - double(a.angle);
     }
-    /// How an impulse along a direction changes the speed along it.
+    /// Returns the response of the speed along a direction to an impulse.
     double InverseMass(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& direction) const
     {
         const auto turn = [&](const BodyData& body, const b2Vec2& arm) {
@@ -69,7 +69,7 @@ private:
     }
 };
 
-/// Of the oscillator with that frequency.
+/// Returns the stiffness of an oscillator with that frequency.
 double Stiffness(double inverseMass, float32 hz)
 {
     const double omega = 2.0 * double(b2_pi) * double(hz);
@@ -122,7 +122,7 @@ SpringState StateOf(const b2MouseJoint& joint, const Pair& pair)
     return spring;
 }
 
-/// It wants to take back a share of its error within a small step.
+/// Returns the maximum power: the motor corrects a fraction of its error per sub-step.
 double MostPower(const b2MotorJoint& joint, const Pair& pair, double smallStep)
 {
     const b2Vec2 armA = pair.ArmA(joint.GetLinearOffset());
@@ -142,7 +142,7 @@ bool HoldsAlongALine(const b2Joint& joint)
     return type == e_distanceJoint || type == e_ropeJoint || type == e_pulleyJoint;
 }
 
-/// Whether a point is more than so many radii of gyration from the centre of mass.
+/// True if a point is further than `radii` radii of gyration from the centre of mass.
 bool IsFarOut(const b2Body& body, const b2Vec2& point, float32 radii)
 {
     const BodyData& data = Data(body);
@@ -175,7 +175,7 @@ bool IsAtRisk(const b2Joint& joint)
 {
     constexpr float32 kMostRatio = 10.0f; // of masses
     constexpr float32 kLongLever = 4.0f;  // in radii of gyration
-    // A pull along a line turns a body straight within a small step, and is not foreseen.
+    // Tension along a line rotates a body within a sub-step, which the estimate does not include.
     constexpr float32 kLongLeverOfLine = 2.0f;
     const BodyData& a = Data(*joint.GetBodyA());
     const BodyData& b = Data(*joint.GetBodyB());
@@ -191,7 +191,7 @@ bool IsAtRisk(const b2Joint& joint)
 
 bool HasLeverOnA(const b2Joint& joint, float32 radii)
 {
-    // Where B is held is where the forces on A act; they may be far apart.
+    // The forces on A act at B's anchor, which may be far from A.
     return joint.GetType() != e_mouseJoint &&
            IsFarOut(*joint.GetBodyA(),
                     HasChangingLevers(joint) ? joint.GetAnchorB() : joint.GetAnchorA(), radii);

@@ -7,14 +7,14 @@
 
 class b2Joint;
 
-/// What a joint stores, and what it may give in a step, told from its settings and where its bodies
-/// are, not from what a solver says that it did.
+/// The energy of a joint's spring, and the maximum work of its motor in a step. Computed from
+/// settings and poses, independent of the solver.
 namespace box2d
 {
 
 struct SolverBody;
 
-/// Of what pulls back with k x, but never with more than `most`.
+/// A spring with the force k x, limited to `most`.
 struct SpringState
 {
     double stiffness = 0.0; ///< k [N/m] or [N m], of the present pose
@@ -22,35 +22,34 @@ struct SpringState
     double most = std::numeric_limits<double>::infinity(); ///< [N] or [N m]
 
     double Energy() const { return EnergyAt(error); }
-    /// k x^2 / 2, and a straight line beyond `most` / k [J].
+    /// Returns k x^2 / 2, and a linear function beyond `most` / k [J].
     double EnergyAt(double x) const;
 };
 
-/// What has been put into a spring from one state to another, beyond what changes of k explain: k
-/// is that of an oscillator with a given frequency, so it follows the mass that moves, which
-/// changes with the pose. Counted at most, at whichever end it counts less [J].
+/// Returns the energy stored between two states, without the effect of changes of k [J]. k is that
+/// of an oscillator with a given frequency, so it depends on the effective mass, which changes with
+/// the pose. The smaller result of the two values of k is used.
 double StoredBetween(const SpringState& before, const SpringState& after);
 
-/// Whether sweeps may win energy over the joint without end: beyond what the manual advises, masses
-/// of 10:1 and bodies on levers much longer than they are, half as long where a rod or a rope
-/// pulls.
+/// True if iterations may gain energy without bound: for mass ratios above 10:1, beyond the
+/// manual's advice, and levers much longer than the body. For a rod or a rope half the length
+/// suffices.
 bool IsAtRisk(const b2Joint& joint);
-/// Whether that depends on the pose too.
+/// True if that also depends on the pose.
 bool HasChangingLevers(const b2Joint& joint);
-/// Whether what the joint does to a body acts on it farther from its centre than so many of its
-/// radii of gyration.
+/// True if the joint acts on the body further from its centre than `radii` radii of gyration.
 bool HasLeverOnA(const b2Joint& joint, float32 radii);
 bool HasLeverOnB(const b2Joint& joint, float32 radii);
 
 bool HasSpring(const b2Joint& joint);
-/// Of one that has. Bodies by solver index, with what has moved since the start of the step; null
-/// when nothing has.
+/// Returns the state of a joint's spring. `bodies` by solver index, with the displacements since
+/// the start of the step; null without displacements.
 SpringState SpringOf(const b2Joint& joint, const SolverBody* bodies);
 
-/// Whether there is a motor, of any kind, to ask for.
+/// True for a joint with a motor of any type.
 bool HasMotor(const b2Joint& joint);
-/// What it can do at most in a step of so many small ones, as things are at present: what goes
-/// forward as fast as it wants it to is not pushed any more [J].
+/// Returns the maximum work of the motor in a step with sub-steps, from the current state [J]. At
+/// its target speed the motor does no more work.
 double MostMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
                      int32 subSteps);
 

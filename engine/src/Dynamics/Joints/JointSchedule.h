@@ -3,13 +3,12 @@
 
 #include "JointBlocks.h"
 
-/// The order in which joints are solved, and what of it can be done at once. Joints are solved in
-/// the order of their creation, each with what those before it have left of its bodies: in a chain
-/// an impulse then runs along all links in one sweep. Two joints that share no body
-/// that moves do not notice each other's turn, so they are sorted into levels: a joint is one level
-/// above the last of its bodies' earlier joints (level scheduling of triangular solves; Anderson
-/// and Saad, 1989). Within a level all can be solved at the same time; the result is that of one
-/// after the other, to the last bit.
+/// The order of solving joints, and its parallel parts. Joints are solved in creation order, each
+/// with the velocities that earlier ones left: an impulse travels along a whole chain in one
+/// iteration. Two joints that share no moving body are independent, so joints are sorted into
+/// levels. A joint is one level above the last earlier joint of its bodies (level scheduling of
+/// triangular solves; Anderson and Saad, 1989). Joints of a level can be solved concurrently, with
+/// the same bits as sequentially.
 namespace box2d
 {
 
@@ -19,18 +18,18 @@ class ThreadPool;
 class JointSchedule
 {
 public:
-    /// Follows the graph's list of joints; costs nothing while that stays the same.
+    /// Follows the graph's list of joints; free while that is unchanged.
     void Update(const ConstraintGraph& graph);
     bool IsEmpty() const { return m_levels.empty(); }
-    /// What is solved at one time, level by level.
+    /// Returns the joints, level by level.
     Array<Array<b2Joint*>> Levels() const;
 
     void Prepare(const SolverContext& context, ThreadPool* threads);
-    /// One sweep.
+    /// One iteration.
     void SolveVelocities(const SolverContext& context, ThreadPool* threads);
-    /// Puts the impulses back into the joints.
+    /// Stores the impulses in the joints.
     void StoreImpulses(ThreadPool* threads);
-    /// One sweep; whether all errors were below the tolerance.
+    /// One iteration; true if all errors were below the tolerance.
     bool SolvePositions(const SolverContext& context, ThreadPool* threads);
 
 private:
@@ -48,12 +47,12 @@ private:
 
     Array<JointBlock> m_blocks; // level by level
     Array<float32> m_numbers;   // of the blocks
-    Array<int32> m_levels;      // their first blocks, and one more for the end
-    int32 m_version = -1;       // of the graph's list
-    // Scratch of Build, for joints come and go whenever islands wake and sleep.
-    Array<int32> m_levelOf;   // of each joint
-    Array<int32> m_counts;    // of each level
-    Array<int32> m_ends;      // of each level
+    Array<int32> m_levels;      // first block of each level, with one more for the end
+    int32 m_version = -1;       // version of the graph's list
+    // Scratch of Build, kept because joints change whenever islands wake and sleep.
+    Array<int32> m_levelOf;   // per joint
+    Array<int32> m_counts;    // per level
+    Array<int32> m_ends;      // per level
     Array<b2Joint*> m_sorted; // by level
 };
 

@@ -3,7 +3,7 @@
 
 #include "FrictionLanes.h"
 
-/// The solver of b2MotorJoint, whose source has the formulas: friction towards a place.
+/// The solver of b2MotorJoint; its source file contains the formulas: friction towards a target.
 namespace box2d
 {
 namespace
@@ -17,7 +17,7 @@ struct MotorLanes
     static constexpr bool kHoldsPositions = false;
 
     FrictionLanes<F> friction;
-    Vector<F> bias; ///< speed at which the place is left [m/s]
+    Vector<F> bias; ///< correction speed of the position [m/s]
     F angularBias;  ///< [rad/s]
 
     void WarmStart(MovingPair<F>& pair, uint8 features) const
