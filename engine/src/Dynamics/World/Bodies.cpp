@@ -103,7 +103,7 @@ void Fill(BodyData& body, const b2BodyDef& def)
         body.linearVelocity = Finite(def.linearVelocity);
         body.angularVelocity = Finite(def.angularVelocity, 0.0f);
     }
-    // Infinity is a damping: nothing moves. Not a number is none.
+    // Infinity is valid damping: no motion. NaN becomes 0.
     body.linearDamping = def.linearDamping >= 0.0f ? def.linearDamping : 0.0f;
     body.angularDamping = def.angularDamping >= 0.0f ? def.angularDamping : 0.0f;
     body.gravityScale = Finite(def.gravityScale, 1.0f);
@@ -134,7 +134,7 @@ bool IsSound(const b2BodyDef& def)
 
 b2Body* World::CreateBody(const b2BodyDef& def)
 {
-    (void)IsSound(def); // with asserts off, Fill replaces what is unsound
+    (void)IsSound(def); // with asserts off, Fill replaces invalid values
     b2Body& body = AddBody();
     BodyData& data = Data(body);
     data.number = bodyNumber++;
@@ -213,7 +213,7 @@ void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
         Pose{position.x + (cosine * lx - sine * ly), position.y + (sine * lx + cosine * ly), angle};
     data.previous = data.pose;
     SynchronizePose(data);
-    data.transform.p = position; // exactly what was asked for
+    data.transform.p = position; // exactly the requested values
     data.movedAt = stepNumber;
     ResetProxies(data);
     WakeAttached(body);
@@ -222,7 +222,7 @@ void World::SetTransform(b2Body& body, const b2Vec2& position, float32 angle)
 namespace
 {
 
-// The centre of mass moves on the body; the origin stays, and so does the velocity of every point.
+// Moves the centre of mass; the origin and the velocity of every point are unchanged.
 void MoveCenter(BodyData& body, const b2Vec2& localCenter)
 {
     const b2Vec2 shift = b2Mul(body.rotation, localCenter - body.localCenter);
@@ -236,12 +236,12 @@ void MoveCenter(BodyData& body, const b2Vec2& localCenter)
     body.linearVelocity += b2Cross(body.angularVelocity, shift);
 }
 
-/// What has been found from the old extents no longer holds.
+/// Discards results that depend on the old extents.
 void ForgetExtents(BodyData& body)
 {
     if (body.jointList != nullptr)
     {
-        body.world->graph.NoteMasses(); // or the centre
+        body.world->graph.NoteMasses(); // also for a change of the centre
     }
     body.room = 0.0f;
 }
@@ -287,8 +287,8 @@ void World::MeasureNewest(BodyData& body)
 namespace
 {
 
-/// Smaller masses and inertias than this have no finite inverse, larger ones no finite product with
-/// a speed: such a body counts as one without, or with the most.
+/// Limits of masses and inertias: smaller ones have no finite inverse, larger ones no finite
+/// product with a speed. Beyond them they count as zero, or as the maximum.
 constexpr float32 kLeastMass = 1e-20f;
 constexpr float32 kMostMass = 1e20f;
 
@@ -301,7 +301,8 @@ void SetInertia(BodyData& body, float32 mass, float32 inertiaAboutCenter)
     body.invInertia = turns ? 1.0f / body.inertia : 0.0f;
 }
 
-/// Of two bodies that become one: each turns about the common centre (Huygens and Steiner).
+/// Combines two rigidly connected bodies: each rotates about the common centre (parallel axis
+/// theorem).
 MassProperties Sum(const MassProperties& a, const MassProperties& b)
 {
     MassProperties sum;
@@ -324,7 +325,7 @@ void World::SetMassData(BodyData& body, const b2MassData& massData)
         return;
     }
     body.flags |= kBodyMassSet;
-    // A body without mass does not turn.
+    // A body without mass does not rotate.
     const float32 aboutCenter = massData.I - massData.mass * massData.center.LengthSquared();
     SetInertia(body, massData.mass, massData.mass > 0.0f ? aboutCenter : 0.0f);
     MoveCenter(body, massData.center);
@@ -334,7 +335,7 @@ void World::SetMassData(BodyData& body, const b2MassData& massData)
 namespace
 {
 
-/// A shape may have been changed in place.
+/// Discards manifolds, because a shape may have been changed in place.
 void ForgetManifolds(BodyData& body)
 {
     for (b2ContactEdge* edge = body.contactList; edge; edge = edge->next)
@@ -376,7 +377,7 @@ void World::ResetMassData(BodyData& body)
 void World::SetMobility(b2Body& body, Mobility mobility)
 {
     BodyData& data = Data(body);
-    // Everything that was built on the old mobility goes; contacts come back in the next step.
+    // Contacts and proxies of the old type are removed; the next step creates new contacts.
     while (data.contactList)
     {
         DestroyContact(*data.contactList->contact);
@@ -429,7 +430,7 @@ void World::SetActive(b2Body& body, bool active)
         {
             DestroyProxies(*f);
         }
-        WakeAttached(body); // what hung from it falls
+        WakeAttached(body); // connected bodies may fall
         data.force.SetZero();
         data.torque = 0.0f;
         data.flags &= ~std::uint32_t(kBodyActive);

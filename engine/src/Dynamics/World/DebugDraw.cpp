@@ -15,10 +15,10 @@
 
 #include <algorithm>
 
-/// The world as calls of a b2Draw: shapes in the colour of their body's state, joints as lines
-/// between anchors, boxes, pairs, centres of mass. Oldest body first, so that what came later lies
-/// on top. With a view the trees say which shapes are seen, and everything else has its place
-/// looked at.
+/// Draws the world by calls of a b2Draw: shapes in the colour of their body's state, joints as
+/// lines between anchors, boxes, pairs, centres of mass. Oldest body first, so that newer ones are
+/// on top. With a view, the trees return the visible shapes; all other items are tested by
+/// position.
 namespace box2d
 {
 
@@ -147,7 +147,7 @@ private:
     const World& m_world;
     b2Draw& m_draw;
     b2AABB m_view;                 // if there is one
-    Array<const b2Body*> m_bodies; // oldest first; of centres and without a view only
+    Array<const b2Body*> m_bodies; // oldest first; for centres and without a view only
     Array<SeenChild> m_seen;       // with a view only
 };
 
@@ -218,9 +218,9 @@ void Drawing::DrawLine(const b2Vec2& a, const b2Vec2& b, const b2Color& color)
     }
 }
 
-// A pulley is its rope, over the two ground anchors. A rod runs from anchor to anchor, and so does
-// a mouse joint, from its target to the point held: its first body takes no part. Any other joint
-// is its two anchors, each with a line from its body's origin.
+// A pulley is drawn as its rope over the two ground anchors, a rod or a mouse joint as a line
+// between its anchors. For a mouse joint these are the target and the pulled point. Any other joint
+// is a line from each body's origin to its anchor.
 void Drawing::DrawJoint(const b2Joint& joint)
 {
     const b2Vec2 anchorA = joint.GetAnchorA();

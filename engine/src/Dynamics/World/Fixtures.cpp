@@ -20,8 +20,8 @@ namespace box2d
 namespace
 {
 
-/// How far a box may move before the tree has to change [m]: the manual's margin for what is a few
-/// metres large, less for smaller shapes, whose margins would else touch all their neighbours'.
+/// Returns the margin of a box in the tree [m]: the manual's for shapes of a few metres. Smaller
+/// shapes have less, because their margins would overlap those of all neighbours.
 float32 Margin(const b2AABB& box)
 {
     const b2Vec2 half = box.GetExtents();
@@ -38,7 +38,7 @@ b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
     return fat;
 }
 
-/// The box of a bullet's way: what it hits after the present step does not matter.
+/// Returns the box of a bullet's path: later impacts do not matter.
 b2AABB Widen(const b2AABB& box, float32 minExtent)
 {
     const float32 margin = b2Min(b2_aabbExtension, 0.25f * minExtent);
@@ -48,7 +48,7 @@ b2AABB Widen(const b2AABB& box, float32 minExtent)
     return wide;
 }
 
-/// A circle about the centre of mass and nothing else looks the same however it is turned.
+/// True for a single circle about the centre of mass, whose rotation has no effect.
 bool IsRound(const BodyData& body)
 {
     const b2Fixture* f = body.fixtureList;
@@ -57,7 +57,7 @@ bool IsRound(const BodyData& body)
            body.localCenter == b2Vec2(0.0f, 0.0f);
 }
 
-/// The body's transform at the start of its way, as far as its boxes need it.
+/// Returns the body's transform at the start of its path, as needed for its boxes.
 b2Transform TransformBefore(const BodyData& body)
 {
     if (IsRound(body))
@@ -72,8 +72,8 @@ b2Transform TransformBefore(const BodyData& body)
     return start.transform;
 }
 
-/// The box of a shape now and, if there is one, at an earlier transform. A corner that turns far
-/// comes out of both.
+/// Returns the box of a shape at the current and, if given, an earlier transform. A corner may
+/// leave both in a wide rotation.
 b2AABB BoxOnItsWay(const b2Shape& shape, int32 child, const BodyData& body,
                    const b2Transform* before)
 {
@@ -92,7 +92,7 @@ b2AABB BoxOnItsWay(const b2Shape& shape, int32 child, const BodyData& body,
     return box;
 }
 
-/// How far the inner box may move in any direction without leaving the outer one [m].
+/// Returns how far the inner box may move in any direction within the outer one [m].
 float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
 {
     const b2Vec2 below = inner.lowerBound - outer.lowerBound;
@@ -101,8 +101,8 @@ float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
     return b2Min(least.x, least.y);
 }
 
-/// At most this much may boxes in single precision differ from those of the exact pose, then and
-/// later, each of a few operations rounded [m].
+/// Returns an upper bound of the rounding error of boxes in single precision, over a few operations
+/// [m].
 float32 BoxRounding(const BodyData& body)
 {
     constexpr float32 operations = 16.0f;
@@ -125,7 +125,7 @@ bool IsSound(const b2FixtureDef& def)
                       "A fixture's restitution must be finite and not negative.");
 }
 
-/// Something with a place and a size that a tree can hold.
+/// True for a finite position and size.
 bool IsSound(const b2Shape& shape)
 {
     bool sound = shape.GetChildCount() > 0;
@@ -177,7 +177,7 @@ b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
     {
         return nullptr;
     }
-    (void)IsSound(def); // with asserts off, what is unsound becomes zero
+    (void)IsSound(def); // with asserts off, invalid values become zero
     b2Fixture* fixture = &AddFixture(body, *def.shape);
     FixtureAccess::Density(*fixture) = NotNegative(def.density);
     FixtureAccess::Friction(*fixture) = NotNegative(def.friction);
@@ -190,7 +190,7 @@ b2Fixture* World::CreateFixture(b2Body& body, const b2FixtureDef& def)
     {
         CreateProxies(*fixture);
     }
-    // What weighs nothing changes no mass, so one that was set by hand lasts.
+    // A fixture without mass does not change the mass data, so a user override remains.
     fixture->GetDensity() > 0.0f ? ResetMassData(data) : MeasureNewest(data);
     return fixture;
 }
@@ -295,7 +295,7 @@ void World::UpdateProxies(BodyData& body, bool swept)
 bool World::RefreshBoxes(BodyData& body, bool swept)
 {
     const bool bullet = swept && (body.flags & kBodyBullet) != 0;
-    // The boxes of a bullet's way serve for one step.
+    // The boxes of a bullet's path are valid for one step.
     const bool anew = bullet || (body.flags & kBodySwept) != 0;
     bool left = anew;
     b2Transform before;
@@ -326,7 +326,7 @@ bool World::RefreshBoxes(BodyData& body, bool swept)
     return left;
 }
 
-/// After an impact: the boxes also hold what is left of the way.
+/// Call after an impact: extends the boxes to the rest of the path.
 void World::GrowBoxes(BodyData& body)
 {
     const b2Transform before = TransformBefore(body);
@@ -403,7 +403,7 @@ void World::UpdateSensor(b2Fixture& fixture)
         if (sensor != c.IsSensor())
         {
             c.flags ^= kContactSensor;
-            ForgetUpdate(c); // it is to be computed as something else
+            ForgetUpdate(c); // cancel the update: the type of contact changes
             c.flags &= ~std::uint32_t(kContactKept);
             UpdateActivity(*edge->contact);
             Wake(*c.bodyA);

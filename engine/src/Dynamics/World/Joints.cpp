@@ -25,7 +25,7 @@ namespace box2d
 namespace
 {
 
-/// How a kind of joint is made: the table below has one line a kind.
+/// Functions of a joint type: the table below has one line per type.
 struct JointKind
 {
     int32 size;
@@ -75,8 +75,7 @@ void RemoveEdge(b2JointEdge& edge, b2Body& body)
     }
 }
 
-/// A gear that is made of this joint, null when there is none. It hangs on one of the joint's
-/// bodies.
+/// Returns a gear that uses this joint, or null. It is attached to one of the joint's bodies.
 b2Joint* FindGear(b2Joint& joint)
 {
     for (b2Body* body : {joint.GetBodyB(), joint.GetBodyA()})
@@ -174,7 +173,7 @@ void World::DestroyJoint(b2Joint& joint)
         JointAccess::Prev(*joint.GetNext()) = JointAccess::Prev(joint);
     }
     --jointCount;
-    // The bodies may collide from now on.
+    // The bodies may collide again.
     if (!joint.GetCollideConnected())
     {
         for (b2Fixture* f = a.GetFixtureList(); f; f = f->GetNext())
@@ -187,7 +186,7 @@ void World::DestroyJoint(b2Joint& joint)
     allocator.Free(&joint, size);
 }
 
-// A joint that keeps its bodies from colliding ends the contacts they have.
+// Flags the contacts of a joint that disables collision between its bodies.
 void World::FlagJointContacts(b2Joint& joint)
 {
     if (joint.GetCollideConnected())

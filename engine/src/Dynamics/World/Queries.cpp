@@ -11,12 +11,12 @@ namespace box2d
 namespace
 {
 
-/// A ray through one tree, asking the shapes whose boxes it meets.
+/// Casts a ray through one tree and tests the shapes of the boxes it hits.
 struct RayVisitor
 {
     const b2DynamicTree* tree;
     b2RayCastCallback* callback;
-    float32 maxFraction; // what is left of the ray, over all trees
+    float32 maxFraction; // remaining fraction of the ray, over all trees
 
     float32 RayCastCallback(const b2RayCastInput& input, int32 node)
     {
@@ -31,7 +31,7 @@ struct RayVisitor
             callback->ReportFixture(proxy->fixture, point, output.normal, output.fraction);
         if (answer >= 0.0f)
         {
-            maxFraction = b2Min(maxFraction, answer); // what was clipped stays so
+            maxFraction = b2Min(maxFraction, answer); // clipping is permanent
         }
         return maxFraction;
     }
@@ -92,7 +92,7 @@ void World::ShiftOrigin(const b2Vec2& newOrigin)
         joint->ShiftOrigin(newOrigin);
     }
     proxies.ShiftOrigin(newOrigin);
-    // Boxes are in single precision: where the shift was rounded, a shape may look out of its own.
+    // Boxes are in single precision: after a rounded shift, a shape may exceed its box.
     for (b2Body* b = bodyList; b; b = b->GetNext())
     {
         UpdateProxies(Data(*b), false);

@@ -6,20 +6,20 @@
 
 #include <Box2D/Dynamics/b2Body.h>
 
-/// One step of the world: find and update contacts, solve velocities, move, solve positions, look
-/// for impacts that the discrete step would miss, and let rest what has come to rest.
+/// One step of the world: update contacts, solve velocities, integrate, solve positions, continuous
+/// collision, and sleep.
 namespace box2d
 {
 
 namespace
 {
 
-/// Shorter steps than this count as none, longer ones as this long [s]: their squares and inverses
-/// would leave single precision.
+/// Shorter steps do nothing, longer ones are clamped [s]: their squares and inverses would exceed
+/// single precision.
 constexpr float32 kShortestStep = 1e-9f;
 constexpr float32 kLongestStep = 1e6f;
 
-/// Keeps the threads ready while a step lasts.
+/// Keeps the threads polling during a step.
 class ThreadsReady
 {
 public:
@@ -73,7 +73,7 @@ void World::Step(float32 timeStep, int32 velocityIterations, int32 positionItera
     }
     if (timeStep > 0.0f)
     {
-        // Only impacts can be left of a step, so without continuous collision nothing is.
+        // Only impacts can remain of a step, so without continuous collision it is complete.
         stepComplete = stepComplete || !continuousPhysics;
         if (stepComplete)
         {

@@ -20,8 +20,8 @@ World::World(b2World& worldOwner, const b2Vec2& worldGravity, bool doSleep)
       gravity(worldGravity.IsValid() ? worldGravity : b2Vec2(0.0f, 0.0f)), allowSleep(doSleep)
 {}
 
-// Nobody is told: whoever destroys a world knows that everything in it goes. Blocks above the block
-// allocator's sizes (long chains) are given back one by one, all others with its chunks.
+// Listeners are not called. Large blocks (long chains) are freed one by one, all others with the
+// allocator's chunks.
 World::~World()
 {
     for (b2Body* body = bodyList; body;)

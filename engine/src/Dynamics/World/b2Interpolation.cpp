@@ -21,7 +21,7 @@ double Distance(const Pose& a, const Pose& b)
     return std::sqrt(x * x + y * y);
 }
 
-/// Equal ends have nothing between them, whatever the rounding.
+/// Equal ends give exactly that value, without rounding.
 double Mix(double from, double to, double fraction)
 {
     return from == to ? to : from + fraction * (to - from);
@@ -37,7 +37,7 @@ Pose Between(const Pose& before, const Pose& now, double fraction)
             Mix(before.angle, now.angle, fraction)};
 }
 
-/// By the program's hand, not by a step; what it moves by little is meant to glide.
+/// True for a user change of the transform above b2_maxTranslation; smaller ones are interpolated.
 bool HasJumped(const box2d::BodyData& body, const Pose& before, std::uint32_t step)
 {
     return body.movedAt >= step && Distance(before, body.pose) > double(b2_maxTranslation);
@@ -75,7 +75,7 @@ b2PosesBetween::b2PosesBetween(b2World& world, const b2PoseRecord& before, doubl
     }
     m_locked = Data(*body).world;
     m_locked->locked = true;
-    auto entry = before.m_entries.begin(); // both lists lead from high numbers to low ones
+    auto entry = before.m_entries.begin(); // both lists have descending numbers
     for (; body; body = body->GetNext())
     {
         while (entry != before.m_entries.end() && entry->number > body->GetNumber())
@@ -100,7 +100,7 @@ void b2PosesBetween::Show(b2Body& body, const Pose& pose)
     }
     m_owns.push_back(
         {&body, data.pose, data.rotation, data.transform, data.worldCenter, data.room});
-    // The arc is longer than its chord, so no point is farther away.
+    // The arc is longer than its chord, so this is an upper bound.
     const double way = Distance(pose, data.pose) +
                        std::fabs(pose.angle - data.pose.angle) * double(data.maxExtent);
     m_farthest = b2Max(m_farthest, float32(1.0001 * way)); // rounded up
