@@ -32,7 +32,7 @@ constexpr double kSpill = 5.0;
 constexpr double kCorner = 2.0; // corner of a label, which is usually empty [px]
 
 // A shape with a smaller ratio of length to thickness is covered by its label instead of crossing
-// it as a line, such as a small box on its corner.
+// it as a line. An example is a small box on its corner.
 constexpr double kSlender = 3.0;
 
 // Distances from the position to the nearest edge of the label [px]: for a hinge or a centre of
@@ -53,8 +53,8 @@ using Direction = double[2];
 constexpr Direction kAroundBody[] = {{0, 1},  {0, -1},  {1, 1}, {1, -1},
                                      {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}};
 
-// Directions for other labels, as on maps: upper right first, straight beside last, and only if no
-// corner at the next distance is free, because lines are likely there.
+// Directions for other labels, as on maps: upper right first, straight beside last. Lines are
+// likely there, so it is used only if no corner at the next distance is free.
 constexpr Direction kAroundSign[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1},
                                      {1, 0}, {-1, 0}, {0, 1},  {0, -1}};
 

@@ -295,9 +295,9 @@ void GlyphWriter::Add(const b2WeldJoint& joint)
     }
 }
 
-// A hanging rope of length L between ends at the distance c is nearly a parabola of length c + 8
-// s^2 / (3 c), for a small sag s, which is at most half its length. For ends above each other it
-// would be a line; there it also sags sideways, more near its first end, so that both strands are
+// A hanging rope between ends at the distance c is nearly a parabola. With a small sag s, its
+// length is c + 8 s^2 / (3 c). The sag is at most half the length. For ends above each other it
+// would be a line. There it also sags sideways, more near its first end, so that both strands are
 // visible.
 void GlyphWriter::Add(const b2RopeJoint& joint)
 {

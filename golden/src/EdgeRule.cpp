@@ -15,9 +15,10 @@ namespace
 // A pixel is the mean of its area, so an edge that moves by d changes it by at most d times the
 // contrast C of the two sides. The mean is over bytes, so the change is measured in bytes; OKLab is
 // not linear near black.
-// The largest difference in 3 x 3 pixels shows C. An exception is a line of one pixel between two
-// rows: each is half line, half background, and only half of C is visible. Twice the fraction
-// covers both. It accepts a plain step that moves by up to 2 d, and a missing line from d = 0.5 on.
+// The largest difference in 3 x 3 pixels shows C. A line of one pixel between two rows is an
+// exception: each row is half line, half background, so only half of C is visible. Twice the
+// fraction covers both. It accepts a plain step that moves by up to 2 d, and a missing line from d
+// = 0.5 on.
 constexpr double kOfOnePixelLine = 2.0;
 
 using Bytes = std::array<double, 4>;

@@ -14,7 +14,7 @@ namespace
 {
 
 // Returns s^(1/5) for s in (0, 1], by Newton's method on r^5 - s = 0. From r = 1 the values
-// decrease towards the root, first by at least a fifth per step, then quadratically; 60 steps
+// decrease towards the root, first by at least a fifth per step, then quadratically. 60 steps
 // suffice for the smallest s.
 constexpr double FifthRoot(double s)
 {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-/// Plane geometry in pixels, in double: convex polygons grown and shrunk by half an outline's
-/// width, clipped to the surroundings of the frame, and bounding boxes. Used by ShapeBuilder and by
-/// figures. Never allocates.
+/// Plane geometry in pixels, in double. Convex polygons are grown and shrunk by half an outline's
+/// width, and clipped to the surroundings of the frame. Used by ShapeBuilder and by figures. Never
+/// allocates.
 namespace boxreel
 {
 

@@ -33,7 +33,7 @@ constexpr double kMostShare = 0.6;
 // This many extra quads are acceptable: they cost less than clearing and reading the whole picture.
 constexpr std::size_t kQuadsToSpare = 256;
 
-// Clean tiles included to reduce the number of rectangles: a quad costs as much as a few tiles of
+// Clean tiles included to reduce the number of rectangles. A quad costs as much as a few tiles of
 // pixels, a read call as much as a hundred.
 constexpr int kDrawGap = 2;
 constexpr int kReadGap = 12;

@@ -24,7 +24,7 @@ constexpr double kGuard = 4096.0;
 // level in 255.
 constexpr double kBoxTolerance = 0.005;
 
-// For small shapes the approximations of coverage are too inexact: the product of two slabs is too
+// For small shapes the approximations of coverage are too inexact. The product of two slabs is too
 // large, as is a tangent half plane for a disc. Below these half extents, outline included [px],
 // the exact area of a polygon is used.
 constexpr double kSmallBox = 2.0;

@@ -12,9 +12,8 @@
 namespace boxreel
 {
 
-/// Returns the bytes of a regular file. An Error names the path. It is Unusable when the file does
-/// not exist, is not regular, is larger than `limit` [bytes] or cannot be opened, and Failed when
-/// reading fails.
+/// Returns the bytes of a regular file. An Error names the path. Unusable: the file does not exist,
+/// is not regular, is larger than `limit` [bytes] or cannot be opened. Failed: reading fails.
 Result<std::string> ReadWhole(const std::filesystem::path& path, std::uintmax_t limit);
 
 } // namespace boxreel

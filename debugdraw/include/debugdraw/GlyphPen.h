@@ -7,8 +7,8 @@
 #include <initializer_list>
 
 /// @file
-/// Draws glyphs with a size in pixels, at a position and in a direction of the world, so that they
-/// are legible at any zoom. Points are in pixels along the glyph's axes: x along the given
+/// Draws glyphs at a position and in a direction of the world. Their size is in pixels, so that
+/// they are legible at any zoom. Points are in pixels along the glyph's axes: x along the given
 /// direction, y rotated 90 degrees to the left. Angles are in steps of 15 degrees with constant
 /// sines, so that every machine draws the same.
 namespace boxreel

@@ -76,8 +76,8 @@ struct Theme
     Palette palette = kClassicPalette; ///< by ColorRole: replacements of the classic colours
 
     /// Returns the colour for outlines, lines and text; the opacity is kept. A user's own colour
-    /// with a low contrast to the background (below about 3:1) is darkened, or lightened on a dark
-    /// background, until it is visible.
+    /// with a low contrast to the background (below about 3:1) is made visible: it is darkened, or
+    /// lightened on a dark background.
     Color Outline(Color asked) const;
 
     /// Returns the colour for a fill, before shade and opacity. The user's own colours are kept.
@@ -85,9 +85,9 @@ struct Theme
 
     /// Returns the default theme, with unchanged colours.
     static Theme Classic();
-    /// Returns the classic background with the eight colours of Okabe and Ito ("Color Universal
-    /// Design", 2008; white instead of black), and seven more for lines, arrows and points above
-    /// them. All can be told apart with any colour vision.
+    /// Returns the eight colours of Okabe and Ito ("Color Universal Design", 2008; white instead of
+    /// black) on the classic background. Seven more are for lines, arrows and points above them.
+    /// All are distinct with any colour vision.
     static Theme OkabeIto();
     /// Returns a theme with a white background, dark outlines and light fills, for paper and light
     /// pages.

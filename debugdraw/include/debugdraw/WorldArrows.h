@@ -14,11 +14,11 @@ namespace boxreel
 /// arrows shorter than one and a half pixels, are skipped.
 void AddVelocities(const b2World& world, const View& view, double seconds, DrawList& list);
 
-/// Adds an arrow at each joint's anchor on its second body: the mean force on that body in the last
-/// step, in metres (>= 0) per newton. Torques are not shown.
+/// Adds the mean force of each joint in the last step as an arrow, in metres (>= 0) per newton. It
+/// is the force on the second body, drawn at its anchor. Torques are not shown.
 void AddJointForces(const b2World& world, const View& view, double metersPerNewton, DrawList& list);
 
-/// Length of a mean weight in mean body sizes: joints of a bridge transmit ten times the weight of
+/// Length of a mean weight in mean body sizes. Joints of a bridge transmit ten times the weight of
 /// its parts, a contact point in a stack about one.
 inline constexpr double kForceShare = 1.0 / 8.0;
 /// As above, for arrows of impulses.

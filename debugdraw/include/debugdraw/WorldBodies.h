@@ -21,7 +21,7 @@ using BodyNames = std::map<std::uint32_t, std::string>;
 using JointNames = std::map<const b2Joint*, std::string>;
 
 /// Adds the name of each body, or its number, centred on its centre of mass. If a glyph, note,
-/// label or other body's shape is there, the name is placed beside it, with a thin line if it is
+/// label or other body's shape is there, the name is placed beside it. A thin line connects a name
 /// outside its body. Call this after adding those items. Labels are completely inside the picture.
 /// A body has none if its centre is outside, or if there is no space free of other centres and
 /// labels.

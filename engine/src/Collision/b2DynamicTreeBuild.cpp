@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Top-down construction of the tree. Each node splits its leaves along an axis, where the sum of
-// the two perimeters times their numbers of leaves is smallest (Wald 2007, the heuristic in full
-// builds). Leaves are sorted along both axes once. Splitting keeps both orders (Wald and Havran
+// Top-down construction of the tree. Each node splits its leaves along an axis, at the minimum of
+// the sum of the two perimeters times their numbers of leaves. Wald 2007 uses the heuristic in full
+// builds. Leaves are sorted along both axes once. Splitting keeps both orders (Wald and Havran
 // 2006), so a level of the tree costs one pass without sorting.
 #include <Box2D/Collision/b2DynamicTree.h>
 

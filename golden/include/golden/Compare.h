@@ -19,8 +19,8 @@ namespace boxreel
 /// The limits of a comparison. Pictures of the same size are equal if three conditions hold. At
 /// most `maxPixels` pixels are over tolerance, at most `maxRatio` of those compared, and at most
 /// `maxInWindow` in any window of densityWindow x densityWindow pixels. Scattered pixels pass, a
-/// cluster does not. A pixel is over tolerance if it differs by more than `tolerance` and, at an
-/// edge of the expected picture, by more than a shift of `edgeShift` explains.
+/// cluster does not. A pixel is over tolerance if it differs by more than `tolerance`. At an edge
+/// of the expected picture, it must also differ by more than `edgeShift` explains.
 struct CompareSettings
 {
     std::string preset = "same-machine"; ///< source of the limits, printed in the verdict

@@ -192,8 +192,8 @@ inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& p
     return b2Max(b2Abs(b2Cross(along, offset)), b2Max(-way, way - length));
 }
 
-/// Returns the distance of a point in front of a face, in the shape's frame: the maximum over all
-/// faces, at most its distance from the core. Circles have no faces.
+/// Returns the distance of a point in front of a face, in the shape's frame. It is the maximum over
+/// all faces, at most the distance from the core. Circles have no faces.
 inline float32 InFront(const b2Shape& shape, int32 child, const b2Vec2& point)
 {
     float32 most = -b2_maxFloat;
@@ -218,10 +218,10 @@ inline float32 InFront(const b2Shape& shape, int32 child, const b2Vec2& point)
     return most;
 }
 
-/// True if the other body's circle stays in front of one face of the shape for its whole path,
-/// beyond the range of a time of impact. Typical for many small bodies near a large one. The test
-/// uses the end pose and a bound of the other centre's displacement. Relative to the body this is
-/// its path plus the arc of the body's rotation.
+/// True if the other body's circle stays in front of one face of the shape for its whole path, out
+/// of reach of an impact. Typical for many small bodies near a large one. The test uses the end
+/// pose and a bound of the other centre's displacement. Relative to the body this is its path plus
+/// the arc of the body's rotation.
 inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& shape, int32 child,
                          const BodyData& other, const Pose& otherFrom)
 {

@@ -225,8 +225,8 @@ bool ContinuousCollision::IsCandidate(const ContactData& c) const
     return !c.IsTouching() || IsFast(a) || IsFast(b) || Sinks(c);
 }
 
-/// True if a body that touched the ground has sunk to the separation of an impact within the step:
-/// the iterations of one step do not support a hard impact from above. With sub-steps they do. Not
+/// True if a body that touched the ground has sunk to the separation of an impact within the step.
+/// The iterations of one step do not support a hard impact from above; with sub-steps they do. Not
 /// for two dynamic bodies: a bullet that stopped at each body it pushes would lose too much time.
 bool ContinuousCollision::Sinks(const ContactData& c) const
 {

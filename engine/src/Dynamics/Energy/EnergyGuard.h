@@ -8,16 +8,15 @@
 /// have not converged, pose corrections, and impacts that ignore joints can add energy, without
 /// bound for light bodies on long levers.
 ///
-/// Each island has an account of its kinetic energy, the work of gravity and forces along the
-/// actual paths, the energy of springs, and the maximum work of motors. Everything else only
+/// Each island has an account. It contains the kinetic energy, the work of gravity and forces along
+/// the actual paths, the energy of springs, and the maximum work of motors. Everything else only
 /// dissipates. A gain is a debt of the island. A small one is truncation error, and fluctuates. A
 /// larger one is removed in this order: pose corrections that loaded springs; the whole
 /// displacement, if velocities loaded springs that they cannot pay for; then velocity. Relative
 /// velocity within the island is removed first, because that conserves momentum. Old gains are
-/// removed slowly.
-/// Losses count as credit. A loaded chain that iterations do not hold rigidly returns the energy of
-/// stopping it, and opened joints lift their bodies when they close. Bodies store their island's
-/// account in shares, so that islands can merge and split.
+/// removed slowly. Losses count as credit. A loaded chain that iterations do not hold rigidly
+/// returns the energy of stopping it, and opened joints lift their bodies when they close. Bodies
+/// store their island's account in shares, so that islands can merge and split.
 ///
 /// Correct motion is not changed by a single bit. Only islands with joints at risk (IsAtRisk) have
 /// accounts. Nothing is removed from islands driven by a platform, a conveyor belt or a restitution

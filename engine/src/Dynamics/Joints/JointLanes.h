@@ -6,9 +6,9 @@
 
 #include <utility>
 
-/// Common parts of the lanes of all joint types: the two bodies of each lane, with velocities or
-/// poses, and the matrices of a point and of a direction. For numbers F of 1, 4 or 8 lanes. It has
-/// no external linkage, because sources of every instruction set include it.
+/// Common parts of the lanes of all joint types. These are the two bodies of each lane, with
+/// velocities or poses, and the matrices of a point and of a direction. For numbers F of 1, 4 or 8
+/// lanes. It has no external linkage, because sources of every instruction set include it.
 namespace box2d
 {
 namespace

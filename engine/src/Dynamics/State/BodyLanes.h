@@ -78,7 +78,7 @@ F Length(const Vector<F>& v)
 {
     return Sqrt(Dot(v, v));
 }
-/// True if the length is at most `limit`.
+/// True if |v| <= length.
 template <class F>
 auto LengthIsWithin(const Vector<F>& v, F length)
 {

@@ -9,8 +9,9 @@
 
 struct b2FixtureProxy;
 
-/// The world's broad phase: a dynamic tree per body type, so that static bodies have no cost, and
-/// the list of proxies moved since the last search for pairs. Independent of shapes and filters.
+/// The world's broad phase: a dynamic tree per body type, and the list of proxies moved since the
+/// last search for pairs. Separate trees make static bodies free of cost. Independent of shapes and
+/// filters.
 namespace box2d
 {
 

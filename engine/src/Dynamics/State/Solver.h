@@ -253,8 +253,8 @@ struct PushPace
 };
 
 /// Maximum speed of position correction with sub-steps, by all contacts of a body and its island
-/// [m/s]: 20 cm per frame, because pushes in a row add up. With half of it, stacks of 50 without
-/// space for their skins end differently, and free rows separate in 1 s instead of 0.6.
+/// [m/s]. It is 20 cm per frame, because pushes in a row add up. With half of it, stacks of 50
+/// without space for their skins end differently, and free rows separate in 1 s instead of 0.6.
 inline constexpr float32 kFarthestPush = 12.0f;
 
 /// Returns the maximum displacement of any point of a body by a push [m].

@@ -219,8 +219,8 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     return false;
 }
 
-/// Converts an overlap to an item: rows that separate its points by a fraction of the excess over
-/// the slop, with that as the minimum distance.
+/// Converts an overlap to an item. Its rows separate the points by a fraction of the excess over
+/// the slop, which is also the minimum distance.
 void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
                  PushPace pace, JointRows& rows, BoundedSystem::Item& item)
 {

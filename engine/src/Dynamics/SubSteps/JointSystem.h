@@ -233,7 +233,7 @@ private:
 
     /// Mass added to a body stopped by an impact, as a multiple of its component.
     static constexpr double kHeldShare = 20.0;
-    /// Its rotation is held only up to this angle [rad]: an impact ignores joints, and may give a
+    /// Its rotation is held only up to this angle [rad]. An impact ignores joints, and may give a
     /// light body a spin that its joints would prevent.
     static constexpr double kMostHeldTurn = 0.5;
 

@@ -294,9 +294,9 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
 }
 
 /// Returns the next state from a row's impulse and speed. The impulse is a step function of the
-/// speed: above the maximum at the lowest speed, the maximum from there to the target speed, the
-/// minimum above it, and below the minimum at the highest speed. If the target is below the lowest
-/// speed, the impulse is the minimum at all speeds, and the maximum is not reached; and vice versa.
+/// speed. At the lowest speed it is above the maximum. From there to the target speed it is the
+/// maximum, and above that the minimum. At the highest speed it is below the minimum. If the target
+/// is below the lowest speed, the impulse is the minimum at all speeds, and vice versa.
 JointSystem::Yield JointSystem::After(const JointRows::Law& law, Yield yield, float32 impulse,
                                       float32 speed)
 {

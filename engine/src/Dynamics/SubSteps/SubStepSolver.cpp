@@ -11,10 +11,10 @@
 #include <Box2D/Dynamics/b2TimeStep.h>
 
 /// A step in n sub-steps (Macklin et al., "Small Steps in Physics Simulation", 2019). Contacts are
-/// found once; then velocities and positions alternate, staggered by half a sub-step, as in the
-/// leapfrog scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, I.1.4).
-/// Velocity updates are called kicks, position updates drifts: half a kick, drifts alternating with
-/// whole kicks, half a kick.
+/// found once. Then velocities and positions alternate, staggered by half a sub-step: the leapfrog
+/// scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, I.1.4). Velocity
+/// updates are called kicks, position updates drifts. The order is half a kick, drifts alternating
+/// with whole kicks, half a kick:
 ///   v += a h/2;  n times { x += v h;  v += a h, the last time a h/2 }
 /// The scheme is of second order, and free flight is exact. Bodies at rest get no velocity, because
 /// constraints balance each kick at once. Joints close by impulses along their directions before

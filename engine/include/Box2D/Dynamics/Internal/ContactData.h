@@ -73,8 +73,8 @@ struct ContactData
     b2Contact* prev = nullptr;
     b2Contact* next = nullptr;
 
-    /// What decides which contacts are solved side by side: how the overlap is measured and at how
-    /// many points; 0 when the contact is not solved.
+    /// Returns the form of the contact: how the overlap is measured and at how many points.
+    /// Contacts of the same form share blocks. 0 if it is not solved.
     std::uint8_t Form() const
     {
         const bool solved = (flags & kContactEnabled) != 0 && manifold.pointCount > 0;
