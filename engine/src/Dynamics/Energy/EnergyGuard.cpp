@@ -300,7 +300,8 @@ void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& acc
         account.owed = 0.0;
         return;
     }
-    const double free = kTolerance * account.past; // energy that may remain
+    const double free = kTolerance * account.past; // from the energy before, because the current
+                                                   // one contains the gain
     const IslandMotion found(first, solver.bodies.data());
     const double payable = free + found.Energy() + kMostFromRest * found.Mass();
     for (const float32 time : {m_timeStep, 0.0f}) // first without corrections, then without motion

@@ -26,7 +26,7 @@ constexpr int32 kMostTries = 4;
 /// docs/notes/sub-steps-chains.md.
 constexpr double kEstimated = 1.8;
 constexpr double kFound = 2.8;
-/// Weight of a body's rotation relative to a swing in the number of drifts.
+/// Factor of a body's angular velocity when compared with the frequency of a swing.
 constexpr double kTurns = 3.0;
 
 /// Relative energy error of a step: more than the truncation error of drifts that resolve all

@@ -61,8 +61,8 @@ bool TakeBias(ContactBlock& block)
     return any;
 }
 
-/// Keeps the fraction of each contact's impulses that was still applied at the end of the last
-/// step: an impact is over.
+/// Scales each contact's impulses to the fraction still applied at the end of the last step: an
+/// impact is over.
 void KeepLasting(ContactBlock& block)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
