@@ -5,7 +5,7 @@
 #include <string_view>
 
 /// @file
-/// Numbers with their nouns.
+/// Numbers with nouns in singular or plural.
 namespace boxreel
 {
 

@@ -75,7 +75,7 @@ public:
     template <typename T>
     void Query(T* callback, const b2AABB& aabb) const;
 
-    /// The same with any callable: `bool visit(int32 proxyId)`.
+    /// As above, with any callable: `bool visit(int32 proxyId)`.
     template <typename Visit>
     void ForEachOverlap(const b2AABB& aabb, Visit&& visit) const;
 
